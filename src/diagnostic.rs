@@ -1,0 +1,186 @@
+//! What is wrong with an input, where, and what to do next.
+//!
+//! Bad data yields diagnostics, bugs yield panics. A reader collects every problem it can find
+//! before it gives up, so that a technician mends a file once and not ten times.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// How much a finding matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing; nothing was left out.
+    Note,
+    /// Something was left out or assumed; the job can go on.
+    Warning,
+    /// The input cannot be used.
+    Error,
+}
+
+/// Where in the input a finding is. Lines and columns count from 1; a column is a byte of a JSON
+/// document and a cell of a table.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Place {
+    /// The file, as the user named it.
+    pub file: Option<PathBuf>,
+    /// Line in the file.
+    pub line: Option<u64>,
+    /// Column in the line.
+    pub column: Option<u64>,
+    /// The column's heading, or the path of a JSON key such as `robot.joints[0].axis`.
+    pub field: Option<String>,
+}
+
+impl Place {
+    /// A whole file.
+    pub fn file(path: impl AsRef<Path>) -> Self {
+        Self {
+            file: Some(path.as_ref().to_path_buf()),
+            ..Self::default()
+        }
+    }
+
+    /// The same place, at this line.
+    #[must_use]
+    pub fn at_line(mut self, line: u64) -> Self {
+        self.line = Some(line);
+        self
+    }
+
+    /// The same place, at this column.
+    #[must_use]
+    pub fn at_column(mut self, column: u64) -> Self {
+        self.column = Some(column);
+        self
+    }
+
+    /// The same place, in this field.
+    #[must_use]
+    pub fn in_field(mut self, field: impl Into<String>) -> Self {
+        self.field = Some(field.into());
+        self
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut written = false;
+        if let Some(file) = &self.file {
+            write!(f, "{}", file.display())?;
+            written = true;
+        }
+        if let Some(line) = self.line {
+            write!(f, "{}line {line}", if written { ", " } else { "" })?;
+            written = true;
+        }
+        if let Some(column) = self.column {
+            write!(f, "{}column {column}", if written { ", " } else { "" })?;
+            written = true;
+        }
+        if let Some(field) = &self.field {
+            write!(f, "{}{field}", if written { ", " } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+/// One finding: what was found, what was expected, and what to do about it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// How much it matters.
+    pub severity: Severity,
+    /// Where it is.
+    pub place: Place,
+    /// What stands there.
+    pub found: String,
+    /// What should stand there; empty for a plain note.
+    pub expected: String,
+}
+
+impl Diagnostic {
+    /// A finding that makes the input unusable.
+    pub fn error(place: Place, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            place,
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+
+    /// A finding that leaves something out.
+    pub fn warning(place: Place, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(place, found, expected)
+        }
+    }
+
+    /// A finding that is only worth knowing.
+    pub fn note(place: Place, found: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Note,
+            ..Self::error(place, found, "")
+        }
+    }
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = self.place.to_string();
+        if !place.is_empty() {
+            write!(f, "{place}: ")?;
+        }
+        write!(f, "{}", self.found)?;
+        if !self.expected.is_empty() {
+            write!(f, "; expected {}", self.expected)?;
+        }
+        Ok(())
+    }
+}
+
+/// An input that was refused: at least one diagnostic is an error.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub struct Rejected {
+    /// Everything that was found, in the order of the input.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Rejected {
+    /// A refusal with a single reason.
+    pub fn because(diagnostic: Diagnostic) -> Self {
+        Self {
+            diagnostics: vec![diagnostic],
+        }
+    }
+}
+
+impl fmt::Display for Rejected {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, diagnostic) in self.diagnostics.iter().enumerate() {
+            if index > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{diagnostic}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_diagnostic_reads_as_place_found_expected() {
+        let place = Place::file("a b.csv")
+            .at_line(3)
+            .at_column(2)
+            .in_field("x_mm");
+        let found = Diagnostic::error(place, "'abc'", "a number");
+        assert_eq!(
+            found.to_string(),
+            "a b.csv, line 3, column 2, x_mm: 'abc'; expected a number"
+        );
+    }
+}

@@ -1,0 +1,2 @@
+//! The binary: arguments, then a command or the window.
+fn main() {}

@@ -1,0 +1,38 @@
+//! Conversions at the edges of the program.
+//!
+//! Inside, every quantity is in one fixed unit, and its name says which: lengths in mm, angles in
+//! rad, times in s, masses in kg, temperatures in °C, torques in N·m. Files and screens speak in
+//! the units that technicians use; they convert here and nowhere else.
+
+use std::f64::consts::PI;
+
+/// Degrees to radians.
+#[inline]
+pub fn rad_from_deg(deg: f64) -> f64 {
+    deg * (PI / 180.0)
+}
+
+/// Radians to degrees.
+#[inline]
+pub fn deg_from_rad(rad: f64) -> f64 {
+    rad * (180.0 / PI)
+}
+
+/// An angle brought into [0, 2π).
+pub fn wrapped_positive(rad: f64) -> f64 {
+    let turn = 2.0 * PI;
+    let wrapped = rad.rem_euclid(turn);
+    // rem_euclid rounds a tiny negative angle up to a whole turn.
+    if wrapped >= turn { 0.0 } else { wrapped }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tiny_negative_angle_does_not_become_a_whole_turn() {
+        assert_eq!(wrapped_positive(-1e-20), 0.0);
+        assert!((wrapped_positive(-PI / 2.0) - 1.5 * PI).abs() < 1e-15);
+    }
+}
