@@ -141,3 +141,8 @@ pub struct Session {
     /// The file it was read from, if any.
     pub path: Option<PathBuf>,
 }
+
+/// Stand-in until the sessions module is complete.
+pub fn hash_of_samples(_: &Session) -> String {
+    String::new()
+}
