@@ -1,0 +1,359 @@
+//! Everything that can be done, and the one place that does it.
+//!
+//! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
+//! only function that changes anything.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::document::Document;
+use super::edit::Edit;
+use super::files;
+use super::outcome::{Answer, Outcome};
+use super::simulate::Form;
+use super::subject::{Component, Subject};
+use super::tasks::{Report, Tasks};
+use super::undo::History;
+use super::units::Units;
+use super::view::{
+    AngleUnit, LengthUnit, Message, Plane, Sheet, Side, Step, ViewState,
+};
+
+/// One thing that can be done.
+#[derive(Debug, Clone)]
+pub(crate) enum Command {
+    /// A finished change of the document.
+    Edit(Edit),
+    /// A change within a gesture.
+    Drag(Edit),
+    /// The gesture is over.
+    EndDrag,
+    /// Take the last change back.
+    Undo,
+    /// Bring it back again.
+    Redo,
+    /// Ask for a file to open.
+    ChooseFile,
+    /// Read this file.
+    OpenFile(PathBuf),
+    /// Open a session that comes with the program.
+    OpenExample(usize),
+    /// Ask for a file to save to.
+    ChooseWhereToSave,
+    /// Write the session to this file.
+    SaveAs(PathBuf),
+    /// Make a session by simulation.
+    Simulate(Form),
+    /// Drop the task that is under way.
+    Cancel,
+    /// Show this step.
+    GoTo(Step),
+    /// Look at the workspace in this plane.
+    Look(Plane),
+    /// Draw error vectors so much longer; `None`: so that they are readable.
+    Magnify(Option<f64>),
+    /// From before, 0, to after, 1.
+    Blend(f32),
+    /// Show this component in the chart.
+    Component(Component),
+    /// The pointer is on this sample.
+    Hover(Option<usize>),
+    /// Choose this sample.
+    Select(Option<usize>),
+    /// Show this on the right-hand side.
+    Side(Side),
+    /// Show lengths in this unit.
+    Length(LengthUnit),
+    /// Show angles in this unit.
+    Angle(AngleUnit),
+    /// Open, change or close a sheet.
+    Sheet(Option<Sheet>),
+    /// The message was read.
+    Dismiss,
+    /// Show everything again.
+    Fit,
+}
+
+/// Document, view, answer and tasks.
+pub(crate) struct Workbench {
+    history: History<Document>,
+    /// The document as it was last saved or opened.
+    saved: Arc<Document>,
+    view: ViewState,
+    outcome: Option<Arc<Outcome>>,
+    tasks: Tasks,
+}
+
+impl Workbench {
+    /// A workbench with a session on it.
+    pub(crate) fn new(subject: Arc<Subject>, tasks: Tasks) -> Self {
+        let history = History::new(Document::new(subject));
+        let mut workbench = Self {
+            saved: Arc::clone(history.present()),
+            history,
+            view: ViewState::default(),
+            outcome: None,
+            tasks,
+        };
+        workbench.look_along_the_axis();
+        workbench
+    }
+
+    /// The document.
+    pub(crate) fn document(&self) -> &Document {
+        self.history.present()
+    }
+
+    /// The session.
+    pub(crate) fn subject(&self) -> &Arc<Subject> {
+        &self.document().subject
+    }
+
+    /// How it is looked at.
+    pub(crate) fn view(&self) -> &ViewState {
+        &self.view
+    }
+
+    /// The chosen units.
+    pub(crate) fn units(&self) -> Units {
+        Units {
+            length: self.view.length,
+            angle: self.view.angle,
+        }
+    }
+
+    /// The tasks.
+    pub(crate) fn tasks(&self) -> &Tasks {
+        &self.tasks
+    }
+
+    /// What undo takes back.
+    pub(crate) fn undoes(&self) -> Option<&'static str> {
+        self.history.undoes()
+    }
+
+    /// What redo brings back.
+    pub(crate) fn redoes(&self) -> Option<&'static str> {
+        self.history.redoes()
+    }
+
+    /// Whether something would be lost that a file can hold.
+    pub(crate) fn unsaved(&self) -> bool {
+        let (now, saved) = (self.document(), &*self.saved);
+        now.regions != saved.regions
+            || now.tolerance_mm != saved.tolerance_mm
+            || !Arc::ptr_eq(&now.subject, &saved.subject)
+    }
+
+    /// The newest answer for the present session, or why there is none. While a newer question is
+    /// being answered it is the answer to the one before.
+    pub(crate) fn outcome(&self) -> Option<&Outcome> {
+        let document = self.document();
+        self.outcome.as_deref().filter(|outcome| {
+            let question = &outcome.question;
+            document.identified
+                && Arc::ptr_eq(&question.subject, &document.subject)
+                && document.question().is_some_and(|asked| {
+                    std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
+                })
+        })
+    }
+
+    /// The newest answer.
+    pub(crate) fn answer(&self) -> Option<&Answer> {
+        self.outcome().and_then(|o| o.answer.as_ref().ok())
+    }
+
+    /// Whether the answer that is shown belongs to the document as it is.
+    #[cfg(test)]
+    pub(crate) fn settled(&self) -> bool {
+        match (self.document().question(), &self.outcome) {
+            (None, _) => true,
+            (Some(asked), Some(outcome)) => outcome.question == asked,
+            (Some(_), None) => false,
+        }
+    }
+
+    /// Does it.
+    pub(crate) fn execute(&mut self, command: Command) {
+        match command {
+            Command::Edit(edit) => self.edit(&edit, false),
+            Command::Drag(edit) => self.edit(&edit, true),
+            Command::EndDrag => self.history.finish_gesture(),
+            Command::Undo => {
+                self.history.undo();
+                self.after_travel();
+            }
+            Command::Redo => {
+                self.history.redo();
+                self.after_travel();
+            }
+            Command::ChooseFile => {
+                self.tasks
+                    .start("waiting for a file to be chosen", files::choose_to_open);
+            }
+            Command::OpenFile(path) => {
+                self.view.sheet = None;
+                let what = format!("reading {}", path.display());
+                self.tasks.start(what, move || files::open(&path));
+            }
+            Command::OpenExample(index) => {
+                self.tasks
+                    .start("reading an example", move || files::open_example(index));
+            }
+            Command::ChooseWhereToSave => {
+                let name = files::file_name_for(&self.document().subject.session);
+                self.tasks
+                    .start("waiting for a file name", move || files::choose_to_save(&name));
+            }
+            Command::SaveAs(path) => {
+                self.view.sheet = None;
+                let session = self.document().session_to_save();
+                let what = format!("saving {}", path.display());
+                self.tasks.start(what, move || files::save(&session, &path));
+            }
+            Command::Simulate(form) => match form.problem() {
+                Some(problem) => {
+                    self.complain("The simulation needs other numbers", vec![problem]);
+                }
+                None => {
+                    self.view.sheet = None;
+                    self.tasks.start("simulating", move || files::simulate(&form));
+                }
+            },
+            Command::Cancel => self.tasks.cancel_newest(),
+            other => self.look(other),
+        }
+        self.keep_asking();
+    }
+
+    fn look(&mut self, command: Command) {
+        let view = &mut self.view;
+        match command {
+            Command::GoTo(step) => view.step = step,
+            Command::Look(plane) => view.plane = plane,
+            Command::Magnify(factor) => {
+                view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
+            }
+            Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
+            Command::Component(component) => view.component = component,
+            Command::Hover(sample) => view.hovered = sample,
+            Command::Select(sample) => view.selected = sample,
+            Command::Side(side) => view.side = side,
+            Command::Length(unit) => view.length = unit,
+            Command::Angle(unit) => view.angle = unit,
+            Command::Sheet(sheet) => view.sheet = sheet,
+            Command::Dismiss => view.message = None,
+            Command::Fit => view.fitted += 1,
+            _ => {}
+        }
+        self.forget_missing_samples();
+    }
+
+    fn edit(&mut self, edit: &Edit, within_gesture: bool) {
+        match edit.apply(self.document()) {
+            Err(because) => self.complain("This change cannot be made", vec![because]),
+            Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
+            Ok(next) => self.history.change(next, edit.what()),
+        }
+        if matches!(edit, Edit::Open(_)) {
+            self.saved = Arc::clone(self.history.present());
+            self.after_travel();
+            self.look_along_the_axis();
+            self.view.step = Step::Session;
+            self.view.fitted += 1;
+            self.view.message = None;
+        }
+    }
+
+    /// After a change that may have brought another session.
+    fn after_travel(&mut self) {
+        self.forget_missing_samples();
+    }
+
+    fn forget_missing_samples(&mut self) {
+        let samples = self.subject().len();
+        let there = |sample: &usize| *sample < samples;
+        self.view.hovered = self.view.hovered.filter(there);
+        self.view.selected = self.view.selected.filter(there);
+    }
+
+    /// Looks at the workspace in the plane in which joint 1 turns.
+    fn look_along_the_axis(&mut self) {
+        let along = self.subject().joint.along;
+        let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
+        self.view.plane = Plane::ALL
+            .into_iter()
+            .find(|plane| Some(plane.normal()) == steepest)
+            .unwrap_or_default();
+    }
+
+    fn complain(&mut self, title: &str, details: Vec<String>) {
+        self.view.message = Some(Message {
+            wrong: true,
+            title: title.to_owned(),
+            details,
+        });
+    }
+
+    /// Asks for the answer that the document wants, if it is not there and not on its way.
+    fn keep_asking(&mut self) {
+        let Some(question) = self.document().question() else {
+            return;
+        };
+        let answered = self.outcome.as_ref().is_some_and(|o| o.question == question);
+        if !answered && !self.tasks.is_asked(&question) {
+            self.tasks.ask(question);
+        }
+    }
+
+    /// Takes what the tasks have brought. Whether there was anything.
+    pub(crate) fn receive(&mut self) -> bool {
+        let mut any = false;
+        loop {
+            let reports = self.tasks.reports();
+            if reports.is_empty() {
+                return any;
+            }
+            any = true;
+            for report in reports {
+                self.take(report);
+            }
+        }
+    }
+
+    fn take(&mut self, report: Report) {
+        match report {
+            Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
+            Report::Opened(Err(message)) | Report::Saved(Err(message)) => {
+                self.view.message = Some(message);
+            }
+            Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
+            // Cancelled, or no dialog on this system: the typed path is always there.
+            Report::ChosenToOpen(None) => {
+                self.view.sheet = Some(Sheet::OpenPath(String::new()));
+            }
+            Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs(path)),
+            Report::ChosenToSave(None) => {
+                let name = files::file_name_for(&self.document().subject.session);
+                self.view.sheet = Some(Sheet::SavePath(name));
+            }
+            Report::Saved(Ok(path)) => {
+                self.saved = Arc::clone(self.history.present());
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: format!("Saved {}", path.display()),
+                    details: Vec::new(),
+                });
+            }
+            Report::Answered(outcome) => self.outcome = Some(Arc::new(*outcome)),
+            Report::Broken => self.complain(
+                "Something went wrong inside the program",
+                vec![
+                    "Nothing was changed; save your work, and please report what you did last"
+                        .to_owned(),
+                ],
+            ),
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! What an identification answers, made ready for drawing.
+
+use crate::effects::inputs::reflectors_at_home;
+use crate::effects::{Inputs, JointValues};
+use crate::identification::gap::deviations;
+use crate::identification::problem::Problem;
+use crate::identification::regions::{Assignment, RegionChoice};
+use crate::identification::{Identification, identify_exact, identify_regional};
+use crate::model::Positions;
+
+use super::document::{Asks, Question};
+use super::subject::Subject;
+
+/// An answer to a question.
+#[derive(Debug, Clone)]
+pub(crate) struct Outcome {
+    /// What was asked.
+    pub(crate) question: Question,
+    /// The answer, or why there is none.
+    pub(crate) answer: Result<Answer, String>,
+}
+
+/// An identification, and what is left of every sample's deviation.
+#[derive(Debug, Clone)]
+pub(crate) struct Answer {
+    /// The identification.
+    pub(crate) identification: Identification,
+    /// What is left of the deviations, mm; NaN for samples that cannot be used.
+    pub(crate) after_mm: [Vec<f64>; 3],
+    /// Where the model says that the samples are, mm.
+    pub(crate) predicted: Positions,
+    /// Suspected outliers.
+    pub(crate) suspected: Vec<bool>,
+}
+
+impl Answer {
+    /// What is left of a sample's deviation, mm.
+    pub(crate) fn deviation_after(&self, sample: usize) -> [f64; 3] {
+        std::array::from_fn(|axis| self.after_mm[axis][sample])
+    }
+}
+
+impl Outcome {
+    /// Works the answer out. Takes its time with many samples.
+    pub(crate) fn of(question: Question) -> Self {
+        let answer = answer(&question);
+        Self { question, answer }
+    }
+}
+
+fn answer(question: &Question) -> Result<Answer, String> {
+    let subject = &*question.subject;
+    let session = &subject.session;
+    let values = JointValues::Commanded;
+    let (identification, after_mm) = match &question.asks {
+        Asks::Exact(effects) => {
+            let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
+            let identification =
+                identify_exact(session, &effects, values).map_err(|e| e.to_string())?;
+            let problem = Problem::new(session, values);
+            let after = deviations(&problem, &identification.model);
+            (identification, after.axes_mm)
+        }
+        Asks::Regional(regions) => {
+            let choice = RegionChoice::Given(regions.to_vec());
+            let identification =
+                identify_regional(session, &choice, values).map_err(|e| e.to_string())?;
+            let after = after_regional(subject, &identification);
+            (identification, after)
+        }
+    };
+    let predicted = Positions {
+        x_mm: minus(&measured(subject, 0), &after_mm[0]),
+        y_mm: minus(&measured(subject, 1), &after_mm[1]),
+        z_mm: minus(&measured(subject, 2), &after_mm[2]),
+    };
+    let mut suspected = vec![false; subject.len()];
+    for outlier in &identification.outliers {
+        suspected[outlier.sample] = true;
+    }
+    Ok(Answer {
+        identification,
+        after_mm,
+        predicted,
+        suspected,
+    })
+}
+
+fn measured(subject: &Subject, axis: usize) -> Vec<f64> {
+    (0..subject.len())
+        .map(|i| subject.measured(i)[axis])
+        .collect()
+}
+
+fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
+/// motion at home. A sample in no region keeps its deviation: nothing corrects it.
+fn after_regional(subject: &Subject, identification: &Identification) -> [Vec<f64>; 3] {
+    let session = &subject.session;
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let frame = subject.joint;
+    let (x, y) = if frame.radius_mm > 0.0 {
+        (frame.radial, frame.tangential)
+    } else {
+        (frame.across_1, frame.across_2)
+    };
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let radii = reflectors_at_home(session).into_iter().map(|home| {
+        let arm = std::array::from_fn(|k| home[k] - frame.origin_mm[k]);
+        dot(arm, x).hypot(dot(arm, y))
+    });
+    let radii: Vec<f64> = radii.collect();
+    let corrections = identification.regions.iter().map(|r| &r.correction);
+    let regions = corrections.clone().map(|c| crate::sessions::Region {
+        name: c.name.clone(),
+        from_rad: c.from_rad,
+        to_rad: c.to_rad,
+    });
+    let (regions, corrections): (Vec<_>, Vec<_>) = (regions.collect(), corrections.collect());
+    let assignment = Assignment::new(&regions);
+    let mut after = subject.before.axes_mm.clone();
+    for sample in 0..subject.len() {
+        let Some(region) = assignment.region_of(inputs.q[0][sample]) else {
+            continue;
+        };
+        let correction = corrections[region];
+        let target = inputs.target.as_deref().map_or(0, |t| t[sample] as usize);
+        let along_y_mm = radii[target] * correction.theta_rad;
+        for axis in 0..3 {
+            after[axis][sample] += x[axis] * correction.l1_mm + y[axis] * along_y_mm;
+        }
+    }
+    after
+}
