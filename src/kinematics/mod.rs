@@ -13,7 +13,7 @@
 //!
 //! A tour, from the ground up:
 //!
-//! - [`robot`]: what a robot is, and [`Robot::problems`], everything that can be wrong with one.
+//! - [`robot`]: what a robot is; [`Robot::problems`]: everything that can be wrong with one.
 //! - [`quaternion`]: rotation vectors to unit quaternions and back, near 0, near π, on both covers.
 //! - [`screw`]: [`Twist`]s, their exponential and logarithm, the adjoint, the motion of one joint.
 //! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
@@ -50,6 +50,7 @@ pub mod gravity;
 pub mod half_angle;
 pub mod jacobian;
 pub mod point_map;
+mod problems;
 pub mod quaternion;
 pub mod robot;
 pub mod screw;
