@@ -14,7 +14,15 @@ const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "bench", "robot"
  "instrument": { "name": "tracker", "sigma_mm": 0.03 }, "#;
 
 const NAMES: [&str; 10] = [
-    "q1_deg", "x_mm", "y_mm", "z_mm", "dir1", "speed1_deg_s", "load_kg", "temperature_c", "time_s",
+    "q1_deg",
+    "x_mm",
+    "y_mm",
+    "z_mm",
+    "dir1",
+    "speed1_deg_s",
+    "load_kg",
+    "temperature_c",
+    "time_s",
     "q1_read_deg",
 ];
 
@@ -70,7 +78,9 @@ fn reading(criterion: &mut Criterion) {
     for rows in [1_000, 100_000, 1_000_000] {
         let path = write_csv_session(folder, rows);
         let mut group = criterion.benchmark_group(format!("read {rows} rows of 10 columns"));
-        group.sample_size(10).throughput(Throughput::Elements(rows as u64));
+        group
+            .sample_size(10)
+            .throughput(Throughput::Elements(rows as u64));
         group.bench_function("csv", |bencher| {
             bencher.iter(|| truepose::sessions::load(black_box(&path)).expect("it is a session"));
         });
@@ -80,7 +90,9 @@ fn reading(criterion: &mut Criterion) {
                 .expect("the folder can be written to");
         }
         group.bench_function("json inline", |bencher| {
-            bencher.iter(|| truepose::sessions::parse(black_box(document.as_bytes())).expect("it is one"));
+            bencher.iter(|| {
+                truepose::sessions::parse(black_box(document.as_bytes())).expect("it is one")
+            });
         });
         group.bench_function("json, serde_json::Value", |bencher| {
             bencher.iter(|| {

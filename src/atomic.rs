@@ -263,7 +263,7 @@ mod tests {
         let path = folder.path().join("table.csv");
         fs::write(&path, "old").unwrap();
         let failure = write_atomically(&path, true, |output| {
-            output.write_all(&[b'x'; 1 << 20])?;
+            output.write_all(&vec![b'x'; 1 << 20])?;
             Err(io::Error::other("disk full"))
         });
         assert!(

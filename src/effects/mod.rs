@@ -1,1 +1,100 @@
-//! Under construction.
+//! The physical effects that make a real robot differ from the robot that its controller
+//! believes in: one file each, behind the trait [`Effect`], listed in [`CATALOGUE`].
+//!
+//! # To add an effect
+//! Write one file like its neighbours and add one line to [`CATALOGUE`]. Simulation,
+//! identification, diagnosis, the terminal and the window find it there.
+//!
+//! # How effects fit together
+//! A [`Block`](block::Block) of samples flows through the [`Stage`]s: joint effects change the
+//! joints' output angles in the order of the catalogue, then the reflector moves from the tool
+//! outwards through the joints to the base, and at last from the base to the measuring frame.
+//! The equations are those of the contract, exact; the derivatives are exact as well.
+//!
+//! Signs: a value says what the real robot does. A link that is 5 mm short has −5 mm.
+
+pub mod about;
+pub mod block;
+pub mod inputs;
+pub mod survey;
+pub mod term;
+
+mod axis_tilt;
+mod axis_wobble;
+mod backlash;
+mod base_offset;
+mod bearing_runout;
+mod encoder_eccentricity;
+mod encoder_two_cycle;
+mod frame_drift;
+mod frame_shift;
+mod gear_transmission_error;
+mod instrument_scale;
+mod joint_compliance;
+mod joint_scale;
+mod joint_zero_offset;
+mod link_droop;
+mod link_length;
+mod lost_motion;
+mod measuring_frame;
+mod thermal_growth;
+mod thermal_zero_drift;
+mod tool_lateral_offset;
+mod tracking_lag;
+
+pub use about::{About, Form, Quantity, Setting, Stage};
+pub use inputs::{Inputs, JointValues};
+pub use measuring_frame::MeasuringFrame;
+pub use survey::Survey;
+pub use term::{Parameter, Placed, Term, TermError};
+
+/// One physical effect.
+pub trait Effect: Sync {
+    /// Its name, equation, parameters and the words about it.
+    fn about(&self) -> &'static About;
+
+    /// Why this session cannot show the effect on this joint; `None` where it can.
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String>;
+
+    /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
+    fn act(&self, me: &Placed, block: &mut block::Block);
+}
+
+/// Every effect, in the order in which they act.
+pub const CATALOGUE: &[&dyn Effect] = &[
+    &joint_scale::JointScale,
+    &joint_zero_offset::JointZeroOffset,
+    &encoder_eccentricity::EncoderEccentricity,
+    &encoder_two_cycle::EncoderTwoCycle,
+    &gear_transmission_error::GearTransmissionError,
+    &backlash::Backlash,
+    &lost_motion::LostMotion,
+    &tracking_lag::TrackingLag,
+    &thermal_zero_drift::ThermalZeroDrift,
+    &joint_compliance::JointCompliance,
+    &link_length::LinkLength,
+    &tool_lateral_offset::ToolLateralOffset,
+    &thermal_growth::ThermalGrowth,
+    &bearing_runout::BearingRunout,
+    &axis_wobble::AxisWobble,
+    &link_droop::LinkDroop,
+    &axis_tilt::AxisTilt,
+    &base_offset::BaseOffset,
+    &instrument_scale::InstrumentScale,
+    &frame_shift::FrameShift,
+    &frame_drift::FrameDrift,
+];
+
+/// The effect of this name.
+pub fn find(id: &str) -> Option<&'static dyn Effect> {
+    let hidden: &'static dyn Effect = &MeasuringFrame;
+    let all = CATALOGUE.iter().copied().chain([hidden]);
+    all.into_iter().find(|effect| effect.about().id == id)
+}
+
+/// Place of an effect in the catalogue: effects act in this order.
+pub fn rank(effect: &dyn Effect) -> usize {
+    let id = effect.about().id;
+    let place = CATALOGUE.iter().position(|e| e.about().id == id);
+    place.unwrap_or(CATALOGUE.len())
+}

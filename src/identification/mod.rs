@@ -1,1 +1,41 @@
-//! Under construction.
+//! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
+//! and the exact nonlinear fit ([`identify_exact`]).
+
+pub mod alignment;
+pub mod gap;
+pub mod normal;
+pub mod problem;
+pub mod regions;
+pub mod robust;
+pub mod scan;
+pub mod solver;
+pub mod uncertainty;
+
+mod exact;
+mod outcome;
+mod regional;
+
+pub use exact::{DEFAULT_EFFECTS, fit_without_outliers, identify_exact, report, testable_effects};
+pub use outcome::{
+    Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
+};
+pub use regional::{RegionSums, identify_regional, sum_by_region};
+
+/// Why an identification could not be made.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum IdentifyError {
+    /// No effect of this name.
+    #[error("no effect is called '{0}'; `truepose effects` lists them")]
+    UnknownEffect(String),
+    /// Every sample is held out or cannot be used.
+    #[error(
+        "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
+    )]
+    NothingToFit,
+    /// The paper's method is for one revolute joint.
+    #[error("regional identification is for a single revolute joint; {0}")]
+    NotASingleRevoluteJoint(String),
+    /// The regions make no sense.
+    #[error("{0}")]
+    Regions(#[from] regions::RegionError),
+}

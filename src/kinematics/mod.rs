@@ -8,73 +8,63 @@
 //! ```
 //!
 //! (Brockett 1984; Lynch & Park, *Modern Robotics*, 2017, eq. 4.14). Lengths in mm, angles in rad;
-//! a revolute joint value is an angle, a prismatic one a length.
+//! a revolute joint value is an angle, a prismatic one a length. Joints are counted from 0 here and
+//! from 1 in everything that people read.
+//!
+//! A tour, from the ground up:
+//!
+//! - [`robot`]: what a robot is, and [`Robot::problems`], everything that can be wrong with one.
+//! - [`quaternion`]: rotation vectors to unit quaternions and back, near 0, near π, on both covers.
+//! - [`screw`]: [`Twist`]s, their exponential and logarithm, the adjoint, the motion of one joint.
+//! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
+//!   ([`Robot::point_in_base`]).
+//! - [`point_map`]: the point alone for many poses, with everything constant computed beforehand,
+//!   on [`sincos`], sines and cosines of several joints at once.
+//! - [`jacobian`]: derivatives by joint values; [`geometry`]: small screws of base, joint axes and
+//!   tool, what they do to a robot, and derivatives by them.
+//! - [`gravity`]: gravity's torque about a joint and its gradient.
+//! - [`dh`] and [`urdf`]: robots from Denavit–Hartenberg rows and from URDF files.
+//! - [`half_angle`]: the source paper's form, one proven case of all this.
+//!
+//! ```
+//! use nalgebra::{Point3, Vector3};
+//! use truepose::kinematics::{Axis, Joint, JointKind, Pose, Robot};
+//!
+//! let axis = Axis::through(Vector3::new(0.0, 0.0, 2.0), Point3::origin())?;
+//! let robot = Robot {
+//!     name: "pan".to_owned(),
+//!     joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
+//!     base_from_tool: Pose::translation(250.0, 0.0, 300.0),
+//!     gravity_m_s2: None,
+//! };
+//! let quarter_turn = [std::f64::consts::FRAC_PI_2];
+//! let tool_mm = robot.point_in_base(&quarter_turn, &Point3::origin());
+//! assert!((tool_mm - Point3::new(0.0, 250.0, 300.0)).norm() < 1e-12);
+//! # Ok::<(), truepose::kinematics::KinematicsError>(())
+//! ```
 
-use nalgebra::{Isometry3, Point3, Unit, Vector3};
+pub mod chain;
+pub mod dh;
+pub mod geometry;
+pub mod gravity;
+pub mod half_angle;
+pub mod jacobian;
+pub mod point_map;
+pub mod quaternion;
+pub mod robot;
+pub mod screw;
+pub mod sincos;
+pub mod urdf;
+mod urdf_document;
 
-/// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
-pub type Pose = Isometry3<f64>;
+#[cfg(test)]
+mod testing;
 
-/// What a joint does with its value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum JointKind {
-    /// Turns about its axis; the value is an angle in rad.
-    Revolute,
-    /// Slides along its axis; the value is a length in mm.
-    Prismatic,
-}
-
-/// The line in space about or along which a joint moves, at home, in the base frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axis {
-    /// Direction of the axis.
-    pub direction: Unit<Vector3<f64>>,
-    /// A point on the axis, mm.
-    pub point_mm: Point3<f64>,
-}
-
-/// Mass of the link behind a joint.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LinkMass {
-    /// Mass of the link, kg.
-    pub mass_kg: f64,
-    /// Its centre of mass at home, base frame, mm.
-    pub centre_mm: Point3<f64>,
-}
-
-/// A closed range of joint values, `from < to`, in rad or mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// Lower end.
-    pub from: f64,
-    /// Upper end.
-    pub to: f64,
-}
-
-/// One joint of a robot.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Joint {
-    /// What the controller calls it.
-    pub name: String,
-    /// Revolute or prismatic.
-    pub kind: JointKind,
-    /// Its axis at home.
-    pub axis: Axis,
-    /// Travel, where it is known.
-    pub limits: Option<Range>,
-    /// The link behind the joint, where its mass is known.
-    pub link: Option<LinkMass>,
-}
-
-/// A serial chain from base to tool, at home.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Robot {
-    /// What the technician calls it.
-    pub name: String,
-    /// Joints from base to tool; at least one.
-    pub joints: Vec<Joint>,
-    /// Pose of the tool frame at home.
-    pub base_from_tool: Pose,
-    /// Gravity in the base frame, m/s²; `None`: unknown, effects of gravity cannot be tested.
-    pub gravity_m_s2: Option<Vector3<f64>>,
-}
+pub use dh::{DhConvention, DhRow, robot_from_dh};
+pub use geometry::GeometryDelta;
+pub use point_map::PointMap;
+pub use robot::{
+    Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, pose_from_parts,
+};
+pub use screw::Twist;
+pub use urdf::{robot_from_urdf, robot_from_urdf_file};

@@ -1,1 +1,197 @@
-//! Under construction.
+//! The model of a real robot: its nominal kinematics and the effects that it has beyond them.
+//!
+//! ```text
+//! p(q, conditions) = World ∘ Bearing ∘ exp([ξ1] θ1) ∘ Link ∘ … ∘ exp([ξn] θn) ∘ Tool (target),
+//! θ = Joint(q, conditions)
+//! ```
+//!
+//! [`Model::visit`] sends the samples through in blocks, with the derivatives of every
+//! coefficient where they are asked for. Prediction, simulation, identification and compensation
+//! all go through it, so they cannot disagree.
+
+mod calibration;
+pub mod format_v1;
+
+pub use calibration::{Calibration, GapStep, RegionalCorrection};
+
+use crate::effects::block::Block;
+use crate::effects::term::JointFrame;
+use crate::effects::{Inputs, Placed, Stage, Term, rank};
+use crate::kinematics::Robot;
+use crate::lanes::LANES;
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// The robot as its controller believes it to be.
+    pub robot: Robot,
+    /// The effects, in the order in which they act.
+    terms: Vec<Term>,
+}
+
+/// Positions of samples in the measuring frame, as columns, mm.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Positions {
+    /// x of every sample.
+    pub x_mm: Vec<f64>,
+    /// y of every sample.
+    pub y_mm: Vec<f64>,
+    /// z of every sample.
+    pub z_mm: Vec<f64>,
+}
+
+impl Positions {
+    /// One sample's position.
+    pub fn get(&self, sample: usize) -> [f64; 3] {
+        [self.x_mm[sample], self.y_mm[sample], self.z_mm[sample]]
+    }
+}
+
+impl Model {
+    /// The robot as its controller believes it to be, without any effect.
+    pub fn nominal(robot: Robot) -> Self {
+        Self {
+            robot,
+            terms: Vec::new(),
+        }
+    }
+
+    /// A robot with effects, in any order: they are put in the order in which they act.
+    pub fn new(robot: Robot, mut terms: Vec<Term>) -> Self {
+        terms.sort_by(|a, b| {
+            let key = |t: &Term| (rank(t.effect), t.joint);
+            key(a).cmp(&key(b)).then(a.setting.total_cmp(&b.setting))
+        });
+        Self { robot, terms }
+    }
+
+    /// The effects, in the order in which they act.
+    pub fn terms(&self) -> &[Term] {
+        &self.terms
+    }
+
+    /// Number of coefficients of all effects.
+    pub fn coefficient_count(&self) -> usize {
+        self.terms.iter().map(|t| t.coefficients.len()).sum()
+    }
+
+    /// All coefficients, effect by effect.
+    pub fn coefficients(&self) -> Vec<f64> {
+        let all = self
+            .terms
+            .iter()
+            .flat_map(|t| t.coefficients.iter().copied());
+        all.collect()
+    }
+
+    /// The same model with other coefficients.
+    #[must_use]
+    pub fn with_coefficients(&self, coefficients: &[f64]) -> Self {
+        let mut model = self.clone();
+        let mut rest = coefficients;
+        for term in &mut model.terms {
+            let (own, others) = rest.split_at(term.coefficients.len());
+            term.coefficients.copy_from_slice(own);
+            rest = others;
+        }
+        model
+    }
+
+    /// The same model with one effect more.
+    #[must_use]
+    pub fn with_term(&self, term: Term) -> Self {
+        let terms = self.terms.iter().cloned().chain([term]).collect();
+        Self::new(self.robot.clone(), terms)
+    }
+
+    /// The same model without some of its effects.
+    #[must_use]
+    pub fn without(&self, drop: impl Fn(&Term) -> bool) -> Self {
+        let kept = self.terms.iter().filter(|t| !drop(t)).cloned().collect();
+        Self::new(self.robot.clone(), kept)
+    }
+
+    /// Sends the samples through the model, block by block; `see` gets the number of a block's
+    /// first sample and the block. `differentiate` asks for the columns of every coefficient.
+    pub fn visit(&self, inputs: &Inputs, differentiate: bool, mut see: impl FnMut(usize, &Block)) {
+        let starts = (0..inputs.len()).step_by(LANES);
+        self.visit_blocks(inputs, differentiate, starts, &mut see);
+    }
+
+    /// Like [`Model::visit`] for some blocks only, given by their first samples.
+    pub fn visit_blocks(
+        &self,
+        inputs: &Inputs,
+        differentiate: bool,
+        starts: impl Iterator<Item = usize>,
+        mut see: impl FnMut(usize, &Block),
+    ) {
+        let placed = self.placed(inputs);
+        let mut block = Block::new(&self.robot, self.coefficient_count(), differentiate);
+        for start in starts {
+            block.load(inputs, start);
+            self.flow(&placed, &mut block);
+            see(start, &block);
+        }
+    }
+
+    /// Where the model says that the samples' reflectors are.
+    pub fn predict(&self, inputs: &Inputs) -> Positions {
+        let n = inputs.len();
+        let mut positions = Positions {
+            x_mm: Vec::with_capacity(n),
+            y_mm: Vec::with_capacity(n),
+            z_mm: Vec::with_capacity(n),
+        };
+        self.visit(inputs, false, |_, block| {
+            let [x, y, z] = &block.point;
+            positions.x_mm.extend_from_slice(&x[..block.len]);
+            positions.y_mm.extend_from_slice(&y[..block.len]);
+            positions.z_mm.extend_from_slice(&z[..block.len]);
+        });
+        positions
+    }
+
+    fn flow(&self, placed: &[Placed], block: &mut Block) {
+        let act = |block: &mut Block, stage: Stage, joint: Option<usize>| {
+            for (term, me) in self.terms.iter().zip(placed) {
+                let here = joint.is_none_or(|joint| joint == term.joint);
+                if term.effect.about().stage == stage && here {
+                    term.effect.act(me, block);
+                }
+            }
+        };
+        act(block, Stage::Joint, None);
+        act(block, Stage::Tool, None);
+        for joint in (0..self.robot.joints.len()).rev() {
+            act(block, Stage::Link, Some(joint));
+            block.move_joint(joint);
+            act(block, Stage::Bearing, Some(joint));
+        }
+        act(block, Stage::World, None);
+        block.settle();
+    }
+
+    fn placed(&self, inputs: &Inputs) -> Vec<Placed> {
+        let down = self.robot.gravity_m_s2.and_then(|g| {
+            let norm = g.norm();
+            (norm > 0.0).then(|| (g / norm).into())
+        });
+        let start_s = inputs.time_s.as_ref().and_then(|t| t.first().copied());
+        let mut first_column = 0;
+        let mut place = |term: &Term| {
+            let placed = Placed {
+                joint: term.joint,
+                setting: term.setting,
+                coefficients: term.coefficients.clone(),
+                first_column,
+                frame: JointFrame::new(&self.robot, term.joint),
+                down,
+                start_s: start_s.unwrap_or(0.0),
+            };
+            first_column += term.coefficients.len();
+            placed
+        };
+        self.terms.iter().map(&mut place).collect()
+    }
+}

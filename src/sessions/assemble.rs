@@ -81,8 +81,8 @@ pub(crate) fn samples(
             (Heading::Known(Quantity::Target, _), Cells::Names(cells)) => {
                 samples.target = Some(column.targets(&cells, targets));
             }
-            (Heading::Known(Quantity::Setup, _), Cells::Names(Names { names, index, .. })) => {
-                samples.setups = Some(Setups { names, index });
+            (Heading::Known(Quantity::Setup, _), Cells::Names(Names { list, index, .. })) => {
+                samples.setups = Some(Setups { names: list, index });
             }
             (Heading::Known(Quantity::Use, _), Cells::Names(cells)) => {
                 samples.held_out = Some(column.held_out(&cells));
@@ -169,7 +169,7 @@ impl Column<'_> {
     fn targets(self, cells: &Names, targets: &[Target]) -> Vec<u32> {
         let only_one = targets.len() == 1;
         let known: Vec<Option<u32>> = cells
-            .names
+            .list
             .iter()
             .map(|name| {
                 let found = targets
@@ -189,7 +189,7 @@ impl Column<'_> {
             .collect();
         let names: Vec<&str> = targets.iter().map(|target| target.name.as_str()).collect();
         let expected = format!("a target of the session: {}", names.join(", "));
-        let found = |row: usize| match cells.names[of(row)].as_str() {
+        let found = |row: usize| match cells.list[of(row)].as_str() {
             "" => "an empty cell, while there are several targets".to_owned(),
             name => format!("target {} is not declared", quoted(name)),
         };
@@ -203,14 +203,14 @@ impl Column<'_> {
         let wrong: Vec<usize> = (0..cells.index.len())
             .filter(|&row| {
                 !matches!(
-                    cells.names[cells.index[row] as usize].as_str(),
+                    cells.list[cells.index[row] as usize].as_str(),
                     "" | "fit" | "held-out"
                 )
             })
             .collect();
-        let found = |row: usize| quoted(&cells.names[cells.index[row] as usize]);
+        let found = |row: usize| quoted(&cells.list[cells.index[row] as usize]);
         self.complain(&wrong, &found, "fit or held-out");
-        let held_out: Vec<bool> = cells.names.iter().map(|name| name == "held-out").collect();
+        let held_out: Vec<bool> = cells.list.iter().map(|name| name == "held-out").collect();
         cells
             .index
             .iter()

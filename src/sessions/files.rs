@@ -8,7 +8,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Place, Rejected};
 
 /// What was found and what was expected.
 pub(crate) type Refusal = (String, String);
@@ -46,9 +46,10 @@ fn reason(error: &io::Error) -> String {
 }
 
 /// The whole of a document that the user named.
-pub(crate) fn read_document(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    let refused =
-        |(found, expected): Refusal| Diagnostic::error(Place::file(path), found, expected);
+pub(crate) fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
+    let refused = |(found, expected): Refusal| {
+        Rejected::because(Diagnostic::error(Place::file(path), found, expected))
+    };
     let (mut file, length) = open_regular(path).map_err(refused)?;
     let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
     file.read_to_end(&mut bytes)
@@ -91,9 +92,11 @@ pub(crate) fn folder_of(path: &Path) -> &Path {
 }
 
 /// A JSON document as text.
-pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Diagnostic> {
+pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
     const EXPECTED: &str = "a JSON document in UTF-8";
-    let refused = |place: Place, found: &str| Err(Diagnostic::error(place, found, EXPECTED));
+    let refused = |place: Place, found: &str| {
+        Err(Rejected::because(Diagnostic::error(place, found, EXPECTED)))
+    };
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.trim_ascii().is_empty() {
         return refused(file.clone(), "an empty file");

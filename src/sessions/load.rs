@@ -56,7 +56,7 @@ impl<'a> Beside<'a> {
 /// below.
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, Rejected> {
     let path = path.as_ref();
-    let bytes = files::read_document(path).map_err(Rejected::because)?;
+    let bytes = files::read_document(path)?;
     let mut loaded = read_session(Some(path), &bytes, Beside::Folder(files::folder_of(path)))?;
     loaded.session.path = Some(path.to_path_buf());
     Ok(loaded)
@@ -84,7 +84,7 @@ pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejecte
 /// As [`load`].
 pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
     let path = path.as_ref();
-    let bytes = files::read_document(path).map_err(Rejected::because)?;
+    let bytes = files::read_document(path)?;
     read_robot(Some(path), &bytes, Some(files::folder_of(path)))
 }
 
@@ -102,12 +102,12 @@ fn read_robot(
     folder: Option<&Path>,
 ) -> Result<LoadedRobot, Rejected> {
     let place = path.map(Place::file).unwrap_or_default();
-    let text = files::as_text(bytes, &place).map_err(Rejected::because)?;
+    let text = files::as_text(bytes, &place)?;
     let source = Source {
         file: place.file,
         text,
     };
-    let root = json::parse(&source).map_err(Rejected::because)?;
+    let root = json::parse(&source)?;
     let mut fields = Fields::new(source);
     let robot = robot::read(&mut fields, &root, &JsonPath::Root, folder);
     if let Some(robot) = &robot {
@@ -128,12 +128,12 @@ fn read_robot(
 
 fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result<Loaded, Rejected> {
     let place = path.map(Place::file).unwrap_or_default();
-    let text = files::as_text(bytes, &place).map_err(Rejected::because)?;
+    let text = files::as_text(bytes, &place)?;
     let source = Source {
         file: place.file,
         text,
     };
-    let root = json::parse(&source).map_err(Rejected::because)?;
+    let root = json::parse(&source)?;
     let mut fields = Fields::new(source);
     let Some(head) = read::head(&mut fields, root, beside.folder()) else {
         return Err(Rejected {

@@ -20,7 +20,6 @@ mod hash;
 pub(crate) mod json;
 mod load;
 pub(crate) mod number;
-mod robot_source;
 mod save;
 mod saved_columns;
 mod table;

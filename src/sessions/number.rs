@@ -33,14 +33,14 @@ const ZEROS: u64 = 0x3030_3030_3030_3030;
 const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
 
 /// The eight bytes from `at`, the first one lowest.
-#[inline(always)]
+#[inline]
 pub(crate) fn word_at(bytes: &[u8], at: usize) -> Option<u64> {
     let eight = bytes.get(at..)?.first_chunk::<8>()?;
     Some(u64::from_le_bytes(*eight))
 }
 
 /// How many bytes at the start of a word (already less the digit zero) are digits.
-#[inline(always)]
+#[inline]
 fn leading_digits(values: u64) -> usize {
     // A carry out of a byte that is no digit only spoils the bytes after it.
     let not_digits = (values.wrapping_add(0x7676_7676_7676_7676) | values) & HIGH_BITS;
@@ -48,7 +48,7 @@ fn leading_digits(values: u64) -> usize {
 }
 
 /// The whole number that eight digit values spell, the first one lowest in the word.
-#[inline(always)]
+#[inline]
 fn eight_digits(values: u64) -> u64 {
     let pairs = (values.wrapping_mul(2561) >> 8) & 0x00ff_00ff_00ff_00ff;
     let fours = (pairs.wrapping_mul(6_553_601) >> 16) & 0x0000_ffff_0000_ffff;
@@ -56,14 +56,14 @@ fn eight_digits(values: u64) -> u64 {
 }
 
 /// The number that the first `count` (1 to 8) digit values of a word spell.
-#[inline(always)]
+#[inline]
 fn first_digits(values: u64, count: usize) -> u64 {
     eight_digits(values << (64 - 8 * count))
 }
 
 /// Reads `[-]digits[.digits]` from `at`, where the digits are few enough to be exact, and returns
 /// the value and where it ends. `None` is no verdict: the general way has to be taken.
-#[inline(always)]
+#[inline]
 pub(crate) fn plain_decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     let first = word_at(bytes, at)?;
     let negative = u64::from(first & 0xff == u64::from(b'-'));
@@ -113,7 +113,7 @@ pub(crate) fn plain_decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
 }
 
 /// The double of a whole number up to 2^53 with this sign; −0 stays −0.
-#[inline(always)]
+#[inline]
 #[expect(
     clippy::cast_possible_wrap,
     reason = "below 2^53; the signed conversion is one instruction"

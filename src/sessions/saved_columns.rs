@@ -7,6 +7,9 @@ use crate::kinematics::JointKind;
 use crate::sessions::domain::{Session, Setups, Target};
 use crate::sessions::format_v1::degrees::degrees;
 
+/// From an inner to an outer unit.
+type Conversion = fn(f64) -> f64;
+
 /// A heading and its cells.
 pub(crate) struct Column<'a> {
     pub(crate) name: String,
@@ -19,7 +22,7 @@ pub(crate) enum Values<'a> {
     /// NaN is an empty cell; `outside` makes outer units of inner ones.
     Numbers {
         values: &'a [f64],
-        outside: fn(f64) -> f64,
+        outside: Conversion,
     },
     Targets(&'a [u32], &'a [Target]),
     Setups(&'a Setups),
@@ -69,14 +72,10 @@ impl Serialize for Values<'_> {
         let mut list = serializer.serialize_seq(Some(self.len()))?;
         for row in 0..self.len() {
             match self {
-                Self::Numbers { values, .. } if values[row].is_nan() => {
-                    list.serialize_element(&())?
-                }
-                Self::Numbers { values, outside } => {
-                    list.serialize_element(&outside(values[row]))?
-                }
-                other => list.serialize_element(other.text(row))?,
-            }
+                Self::Numbers { values, .. } if values[row].is_nan() => list.serialize_element(&()),
+                Self::Numbers { values, outside } => list.serialize_element(&outside(values[row])),
+                other => list.serialize_element(other.text(row)),
+            }?;
         }
         list.end()
     }
@@ -95,13 +94,13 @@ impl<'a> Columns<'a> {
 pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
     let samples = &session.samples;
     let mut columns = Columns(Vec::new());
-    let plain: fn(f64) -> f64 = |value| value;
-    let joints: Vec<(&str, fn(f64) -> f64)> = session
+    let plain: Conversion = |value| value;
+    let joints: Vec<(&str, Conversion)> = session
         .robot
         .joints
         .iter()
         .map(|joint| match joint.kind {
-            JointKind::Revolute => ("deg", degrees as fn(f64) -> f64),
+            JointKind::Revolute => ("deg", degrees as Conversion),
             JointKind::Prismatic => ("mm", plain),
         })
         .collect();

@@ -9,10 +9,10 @@ use crate::sessions::columns::{CellKind, Layout};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Names {
     /// In the order in which they first occur.
-    pub(crate) names: Vec<String>,
-    /// Index into `names`, one per row.
+    pub(crate) list: Vec<String>,
+    /// Index into `list`, one per row.
     pub(crate) index: Vec<u32>,
-    /// Indices into `names`, ordered by name; only kept when a linear search would be slow.
+    /// Indices into `list`, ordered by name; only kept when a linear search would be slow.
     ordered: Vec<u32>,
 }
 
@@ -24,34 +24,34 @@ impl Names {
     pub(crate) fn push(&mut self, name: &str) {
         let last = self.index.last().copied();
         let index = match last {
-            Some(last) if self.names[last as usize] == name => last,
+            Some(last) if self.list[last as usize] == name => last,
             _ => self.intern(name),
         };
         self.index.push(index);
     }
 
     fn intern(&mut self, name: &str) -> u32 {
-        let next = u32::try_from(self.names.len()).expect("a table has fewer than 2^32 rows");
-        if self.names.len() < Self::FEW {
-            let known = self.names.iter().zip(0..).find(|(other, _)| *other == name);
+        let next = u32::try_from(self.list.len()).expect("a table has fewer than 2^32 rows");
+        if self.list.len() < Self::FEW {
+            let known = self.list.iter().zip(0..).find(|(other, _)| *other == name);
             if let Some((_, index)) = known {
                 return index;
             }
         } else {
-            if self.ordered.len() < self.names.len() {
+            if self.ordered.len() < self.list.len() {
                 self.ordered = (0..next).collect();
                 self.ordered
-                    .sort_by(|&a, &b| self.names[a as usize].cmp(&self.names[b as usize]));
+                    .sort_by(|&a, &b| self.list[a as usize].cmp(&self.list[b as usize]));
             }
             let at = self
                 .ordered
-                .binary_search_by(|&other| self.names[other as usize].as_str().cmp(name));
+                .binary_search_by(|&other| self.list[other as usize].as_str().cmp(name));
             match at {
                 Ok(at) => return self.ordered[at],
                 Err(at) => self.ordered.insert(at, next),
             }
         }
-        self.names.push(name.to_owned());
+        self.list.push(name.to_owned());
         next
     }
 }
@@ -132,12 +132,12 @@ mod tests {
         for cell in &cells {
             names.push(cell);
         }
-        assert_eq!(names.names.len(), 40);
-        assert_eq!(names.names[..3], ["T0", "T7", "T14"]);
+        assert_eq!(names.list.len(), 40);
+        assert_eq!(names.list[..3], ["T0", "T7", "T14"]);
         let back: Vec<&String> = names
             .index
             .iter()
-            .map(|&i| &names.names[i as usize])
+            .map(|&i| &names.list[i as usize])
             .collect();
         assert!(back.iter().zip(&cells).all(|(back, cell)| *back == cell));
     }

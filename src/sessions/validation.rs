@@ -300,9 +300,10 @@ fn backwards(time_s: &[f64]) -> Vec<usize> {
 
 /// Names samples by their lines, or by their numbers where they have none.
 fn which(samples: &Samples, rows: &[usize]) -> String {
-    let (one, many) = match samples.line.is_empty() {
-        true => ("sample", "samples"),
-        false => ("line", "lines"),
+    let (one, many) = if samples.line.is_empty() {
+        ("sample", "samples")
+    } else {
+        ("line", "lines")
     };
     let number = |&row: &usize| {
         samples

@@ -120,7 +120,7 @@ impl Rows<'_> {
     }
 
     /// Takes one row and returns where the next one starts; `None` if its end is in the next block.
-    #[inline(always)]
+    #[inline]
     fn take_row(&mut self, bytes: &[u8], start: usize, end: usize, last: bool) -> Option<usize> {
         let rows = self.line.len();
         let first_line = self.next_line;

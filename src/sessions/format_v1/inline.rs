@@ -127,10 +127,11 @@ fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) 
         (_, Value::List(list)) => {
             let wrong: Vec<&Node> = list
                 .iter()
-                .filter(|cell| match (&cell.value, kind) {
-                    (Value::Null, _) | (_, CellKind::Text) => false,
-                    (Value::Text(_), CellKind::Name) => false,
-                    _ => true,
+                .filter(|cell| {
+                    !matches!(
+                        (&cell.value, kind),
+                        (Value::Null, _) | (_, CellKind::Text) | (Value::Text(_), CellKind::Name)
+                    )
                 })
                 .collect();
             if let Some(first) = wrong.first() {

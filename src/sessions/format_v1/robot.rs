@@ -4,13 +4,13 @@ use std::path::Path as FilePath;
 
 use nalgebra::{Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
-use super::unit;
+use super::{robot_source, unit};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
-use crate::sessions::files;
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
-use crate::sessions::number::quoted;
-use crate::sessions::robot_source::{self, DhRow};
 use crate::units::rad_from_deg;
+
+/// Joints from base to tool, and the tool at home.
+pub(super) type Chain = (Vec<Joint>, Pose);
 
 const THREE_NUMBERS: &str = "an array of 3 numbers";
 
@@ -61,7 +61,7 @@ fn chain(
     members: &[Member],
     path: &Path<'_>,
     folder: Option<&FilePath>,
-) -> Option<robot_source::Chain> {
+) -> Option<Chain> {
     const SOURCES: [&str; 3] = ["joints", "dh", "urdf"];
     const EXPECTED: &str = "one of joints (with tool), dh or urdf";
     let given: Vec<&str> = SOURCES
@@ -87,17 +87,17 @@ fn chain(
         }
         "dh" => {
             fields.unknown_keys(members, path, &["name", "dh", "gravity_m_s2"]);
-            dh(fields, source_node, source_path)
+            robot_source::from_dh(fields, source_node, source_path)
         }
         _ => {
             fields.unknown_keys(members, path, &["name", "urdf", "gravity_m_s2"]);
-            urdf(fields, source_node, source_path, folder)
+            robot_source::from_urdf(fields, source_node, source_path, folder)
         }
     }
 }
 
 /// The elements of an array that has at least one.
-fn elements<'n>(
+pub(super) fn elements<'n>(
     fields: &mut Fields<'_>,
     node: &'n Node,
     path: &Path<'_>,
@@ -149,8 +149,8 @@ fn joint(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Joint>
             direction: axis?,
             point_mm: Point3::from(point?),
         },
-        limits: limits?,
-        link: link?,
+        limits: limits.ok()?,
+        link: link.ok()?,
     })
 }
 
@@ -186,18 +186,23 @@ fn direction(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Un
     None
 }
 
-/// The travel in inner units; the outer `None` is an error.
+/// The error was reported.
+struct Reported;
+
+/// The travel in inner units, where it is given.
 fn limits(
     fields: &mut Fields<'_>,
     members: &[Member],
     path: &Path<'_>,
     kind: Option<JointKind>,
-) -> Option<Option<Range>> {
+) -> Result<Option<Range>, Reported> {
     let Some(node) = optional(members, "limits") else {
-        return Some(None);
+        return Ok(None);
     };
     let path = &path.key("limits");
-    let [from, to] = fields.numbers::<2>(node, path, "an array of 2 numbers")?;
+    let [from, to] = fields
+        .numbers::<2>(node, path, "an array of 2 numbers")
+        .ok_or(Reported)?;
     if from >= to {
         let found = format!("limits from {from} to {to}");
         fields.error(
@@ -206,29 +211,29 @@ fn limits(
             found,
             "limits from the smaller to the larger value",
         );
-        return None;
+        return Err(Reported);
     }
     let convert = |value| match kind {
         Some(JointKind::Prismatic) => value,
         _ => rad_from_deg(value),
     };
-    Some(Some(Range {
+    Ok(Some(Range {
         from: convert(from),
         to: convert(to),
     }))
 }
 
-/// Mass and centre of the link behind a joint; the outer `None` is an error.
+/// Mass and centre of the link behind a joint; where they are given.
 fn link(
     fields: &mut Fields<'_>,
     members: &[Member],
     at: usize,
     path: &Path<'_>,
-) -> Option<Option<LinkMass>> {
+) -> Result<Option<LinkMass>, Reported> {
     let mass = optional(members, "mass_kg");
     let centre = optional(members, "centre_mm");
     if mass.is_none() && centre.is_none() {
-        return Some(None);
+        return Ok(None);
     }
     let mass = fields
         .required(
@@ -254,9 +259,9 @@ fn link(
         "centre_mm",
         "the centre of the link at home (3 numbers), as mass_kg is given",
     );
-    Some(Some(LinkMass {
-        mass_kg: mass?,
-        centre_mm: Point3::from(centre?),
+    Ok(Some(LinkMass {
+        mass_kg: mass.ok_or(Reported)?,
+        centre_mm: Point3::from(centre.ok_or(Reported)?),
     }))
 }
 
@@ -296,85 +301,4 @@ fn tool(
         Translation3::from(Vector3::from(position)),
         UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)),
     ))
-}
-
-fn dh(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<robot_source::Chain> {
-    let list = elements(fields, node, path, "an array with an object for each joint")?;
-    let rows: Vec<Option<DhRow>> = list
-        .iter()
-        .enumerate()
-        .map(|(index, node)| dh_row(fields, node, &path.index(index)))
-        .collect();
-    let rows: Vec<DhRow> = rows.into_iter().collect::<Option<_>>()?;
-    robot_source::from_dh(&rows)
-        .map_err(|found| fields.error(node.at, path, found, "a robot that can be built"))
-        .ok()
-}
-
-fn dh_row(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<DhRow> {
-    const KNOWN: [&str; 5] = ["a_mm", "alpha_deg", "d_mm", "theta_deg", "convention"];
-    const CONVENTIONS: &str = "\"standard\" or \"modified\"";
-    let members = fields.object(
-        node,
-        path,
-        "an object with a_mm, alpha_deg, d_mm, theta_deg",
-    )?;
-    fields.unknown_keys(members, path, &KNOWN);
-    let [a_mm, alpha, d_mm, theta] = [KNOWN[0], KNOWN[1], KNOWN[2], KNOWN[3]]
-        .map(|key| fields.required_number(members, node.at, path, key));
-    let convention = fields.required(members, node.at, path, "convention", CONVENTIONS)?;
-    let modified = match &convention.value {
-        Value::Text(text) if text == "standard" => false,
-        Value::Text(text) if text == "modified" => true,
-        _ => {
-            fields.mismatch(convention, &path.key("convention"), CONVENTIONS);
-            return None;
-        }
-    };
-    Some(DhRow {
-        a_mm: a_mm?,
-        alpha_rad: rad_from_deg(alpha?),
-        d_mm: d_mm?,
-        theta_rad: rad_from_deg(theta?),
-        modified,
-    })
-}
-
-fn urdf(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    folder: Option<&FilePath>,
-) -> Option<robot_source::Chain> {
-    let members = fields.object(node, path, "an object with file, base and tip")?;
-    fields.unknown_keys(members, path, &["file", "base", "tip"]);
-    let [file, base, tip] =
-        ["file", "base", "tip"].map(|key| fields.required_text(members, node.at, path, key));
-    let (file, base, tip) = (file?, base?, tip?);
-    let Some(folder) = folder else {
-        let found = format!("the file {}", quoted(&file));
-        fields.error(node.at, path, found, "a robot that needs no other file");
-        return None;
-    };
-    let urdf_file = folder.join(&file);
-    let chain = files::read_document(&urdf_file).and_then(|bytes| {
-        let place = crate::diagnostic::Place::file(&urdf_file);
-        let text = files::as_text(&bytes, &place)?;
-        robot_source::from_urdf(&urdf_file, text, &base, &tip).map_err(|found| {
-            crate::diagnostic::Diagnostic::error(place, found, "a chain from base to tip")
-        })
-    });
-    match chain {
-        Ok(chain) => Some(chain),
-        Err(diagnostic) => {
-            let at = fields.place(node.at, &path.key("file"));
-            let expected = "a URDF file that can be used";
-            let found = format!("file {} cannot be used", quoted(&file));
-            fields
-                .findings
-                .push(crate::diagnostic::Diagnostic::error(at, found, expected));
-            fields.findings.push(diagnostic);
-            None
-        }
-    }
 }

@@ -98,13 +98,11 @@ impl<'a> Fields<'a> {
         path: &Path<'_>,
         expected: &str,
     ) -> Option<&'n [Member]> {
-        match &node.value {
-            Value::Object(members) => Some(members),
-            _ => {
-                self.mismatch(node, path, expected);
-                None
-            }
+        if let Value::Object(members) = &node.value {
+            return Some(members);
         }
+        self.mismatch(node, path, expected);
+        None
     }
 
     /// Reports keys that nobody reads.

@@ -6,13 +6,13 @@
 //! array of numbers goes straight into a `Vec<f64>`: 10⁶ inline samples are no trees of nodes.
 //!
 //! RFC 8259, strictly; besides, a key may occur only once in an object, and nesting ends at
-//! [`DEEPEST`]. A number that overflows is infinite here and refused where it is used.
+//! 64 levels. A number that overflows is infinite here and refused where it is used.
 
 mod fields;
 mod parser;
 
 pub(crate) use fields::{Fields, Path, optional};
-pub(crate) use parser::{DEEPEST, element_offset, parse};
+pub(crate) use parser::{element_offset, parse};
 
 use std::path::PathBuf;
 

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::{Member, Node, Source, Value};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rejected};
 use crate::sessions::number::{NotANumber, any_decimal, plain_decimal, quoted};
 
 /// Nobody nests deeper than this, and the stack is finite.
-pub(crate) const DEEPEST: usize = 64;
+const DEEPEST: usize = 64;
 
 /// A syntax error: where, what is there, what should be.
 struct Wrong {
@@ -22,7 +22,7 @@ type Parsed<T> = Result<T, Wrong>;
 ///
 /// # Errors
 /// The first syntax error; after it nothing in the document can be trusted.
-pub(crate) fn parse(source: &Source<'_>) -> Result<Node, Diagnostic> {
+pub(crate) fn parse(source: &Source<'_>) -> Result<Node, Rejected> {
     let mut parser = Parser {
         bytes: source.text.as_bytes(),
         at: 0,
@@ -35,7 +35,10 @@ pub(crate) fn parse(source: &Source<'_>) -> Result<Node, Diagnostic> {
         }
         Ok(node)
     });
-    document.map_err(|wrong| Diagnostic::error(source.place(wrong.at), wrong.found, wrong.expected))
+    document.map_err(|wrong| {
+        let place = source.place(wrong.at);
+        Rejected::because(Diagnostic::error(place, wrong.found, wrong.expected))
+    })
 }
 
 /// Where the element with this index starts in the array that starts at `at` of a document that

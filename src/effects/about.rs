@@ -1,0 +1,103 @@
+//! What is written about an effect: its name, its equation, its parameters, and the words that a
+//! technician reads.
+
+/// Where in the flow from command to measured point an effect acts. Effects of one stage act in
+/// the order of the catalogue.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Changes the joint's output angle.
+    Joint,
+    /// Moves the reflector in the tool, at home.
+    Tool,
+    /// Moves the reflector behind a joint, before the joint turns it.
+    Link,
+    /// Moves the reflector in front of a joint, after the joint has turned it.
+    Bearing,
+    /// Moves the point in the base or in the measuring frame.
+    World,
+}
+
+/// A parameter as the user reads it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    /// Name with its unit, as in `width_deg`.
+    pub name: &'static str,
+    /// Inner units (mm, rad, s, kg, °C, N·m) in one of the parameter's.
+    pub inner: f64,
+}
+
+/// A parameter that does not enter linearly: it is scanned, not solved for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Setting {
+    /// There is none.
+    None,
+    /// A whole number of cycles per turn.
+    Order {
+        /// The smallest.
+        from: u16,
+        /// The largest.
+        to: u16,
+    },
+    /// The time of a step, s.
+    Time,
+    /// The travel after a reversal over which an effect fades, rad; the user reads degrees.
+    Fade,
+    /// Which measuring frame (counted from 0); not a parameter of the robot.
+    Setup,
+}
+
+/// How the parameters relate to the coefficients that identification solves for. Every
+/// coefficient is zero where the effect is absent, and the model is smooth in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Form {
+    /// Each parameter is a coefficient in another unit.
+    Plain(&'static [Quantity]),
+    /// An amplitude A ≥ 0 and a phase φ in [0°, 360°): the coefficients are A·cos φ and A·sin φ.
+    Harmonic(Quantity),
+}
+
+impl Form {
+    /// Number of coefficients.
+    pub fn coefficients(&self) -> usize {
+        match self {
+            Self::Plain(quantities) => quantities.len(),
+            Self::Harmonic(_) => 2,
+        }
+    }
+}
+
+/// Everything that is written about an effect.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct About {
+    /// The name that files and commands use.
+    pub id: &'static str,
+    /// The name in words.
+    pub title: &'static str,
+    /// Where it acts.
+    pub stage: Stage,
+    /// Whether it belongs to one joint.
+    pub per_joint: bool,
+    /// Parameters that are solved for.
+    pub form: Form,
+    /// The parameter that is scanned.
+    pub setting: Setting,
+    /// The exact equation, in the contract's symbols.
+    pub equation: &'static str,
+    /// Where the equation comes from.
+    pub source: &'static str,
+    /// What in the machine causes it.
+    pub cause: &'static str,
+    /// Sizes that are usual; for reading, never a prior.
+    pub usual_size: &'static str,
+    /// What it is confused with, and what tells them apart.
+    pub confused_with: &'static str,
+    /// What to look at on the machine.
+    pub check: &'static str,
+}
+
+/// One degree in rad.
+pub const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// One part in a million.
+pub const PPM: f64 = 1e-6;
+/// One milliradian in rad.
+pub const MILLIRADIAN: f64 = 1e-3;

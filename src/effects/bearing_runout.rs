@@ -1,0 +1,53 @@
+//! Bearing runout: the centre moves by `A (cos(k q + φ), sin(k q + φ))` across the axis.
+//!
+//! The two directions are the joint frame's `across_1` and `across_2`: x and y for an axis along
+//! z. The coefficients are A cos φ and A sin φ; the order k is scanned.
+
+use super::about::{About, Form, Quantity, Setting, Stage};
+use super::block::Block;
+use super::{Effect, Placed, Survey};
+use crate::lanes::{add_scaled, scaled, sin_cos};
+
+/// See the module.
+pub(super) struct BearingRunout;
+
+const ABOUT: About = About {
+    id: "bearing-runout",
+    title: "Bearing runout",
+    stage: Stage::Bearing,
+    per_joint: true,
+    form: Form::Harmonic(Quantity {
+        name: "amplitude_mm",
+        inner: 1.0,
+    }),
+    setting: Setting::Order { from: 2, to: 6 },
+    equation: "centre moves by A (cos(order·q + φ), sin(order·q + φ))",
+    source: "ISO 230-7: radial error motion E_XC, E_YC",
+    cause: "raceways or seats of the bearing are not round",
+    usual_size: "1 to 50 µm",
+    confused_with: "the form of the target or the reflector's nest: a reversal parts them; a base offset with eccentricity: a second radius parts them",
+    check: "the bearing's seat and preload",
+};
+
+impl Effect for BearingRunout {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        survey
+            .not_revolute(joint)
+            .or_else(|| survey.too_few_angles(joint, 6))
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let (a, b, order) = (me.coefficients[0], me.coefficients[1], me.setting);
+        let (u, v) = (me.frame.across_1, me.frame.across_2);
+        block.displace(me, |at| {
+            let (s, c) = sin_cos(order * at.q);
+            let by_a = add_scaled(scaled(u, c), v, s);
+            let by_b = add_scaled(scaled(u, -s), v, c);
+            (add_scaled(scaled(by_a, a), by_b, b), [by_a, by_b])
+        });
+    }
+}

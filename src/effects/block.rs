@@ -1,0 +1,341 @@
+//! A block of samples on its way from joint commands to measured points.
+//!
+//! The point of every sample flows from the tool to the measuring frame, and with it flow its
+//! derivatives with respect to every coefficient of the model (the *columns*): forward-mode
+//! differentiation, by blocks. An effect changes what flows past and adds the columns of its own
+//! coefficients; what comes later carries them on. So an effect knows nothing of the others, and
+//! the Jacobian is exact at any model, not only at zero.
+//!
+//! All points are in the base frame, at home behind the joints that have not acted yet, mm.
+
+use crate::kinematics::{JointKind, Robot};
+use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, sin_cos, times, turned};
+
+use super::inputs::Inputs;
+use super::term::Placed;
+
+/// What one sample brings with it, as the joint of the effect sees it.
+#[derive(Debug, Clone, Copy)]
+pub struct Lane {
+    /// Commanded value of the effect's joint, rad or mm.
+    pub q: f64,
+    /// Side from which the joint came: +1, −1, or 0 where it is unknown.
+    pub dir: f64,
+    /// Signed joint speed, rad/s or mm/s.
+    pub speed: f64,
+    /// Travel of the joint since it last reversed, rad or mm; infinite where it is unknown.
+    pub travel: f64,
+    /// Load at the tool's origin, kg.
+    pub load_kg: f64,
+    /// Temperature over 20 °C.
+    pub warmth_c: f64,
+    /// Time of the sample, s.
+    pub time_s: f64,
+    /// Index of the measuring frame.
+    pub setup: f64,
+}
+
+/// A joint's value after an effect, and its derivatives.
+#[derive(Debug, Clone, Copy)]
+pub struct Turned<const N: usize> {
+    /// The value after the effect.
+    pub to: f64,
+    /// Derivative with respect to the value before it.
+    pub carry: f64,
+    /// Derivatives with respect to the effect's coefficients.
+    pub by: [f64; N],
+}
+
+/// A derivative of a joint's value with respect to one coefficient.
+struct JointTangent {
+    column: usize,
+    joint: usize,
+    lanes: Lanes,
+}
+
+/// See the module.
+pub struct Block<'a> {
+    /// The robot as its controller believes it to be.
+    pub(super) robot: &'a Robot,
+    /// Conditions, per joint where they belong to one.
+    q: Vec<Lanes>,
+    dir: Vec<Lanes>,
+    speed: Vec<Lanes>,
+    travel: Vec<Lanes>,
+    load_kg: Lanes,
+    warmth_c: Lanes,
+    time_s: Lanes,
+    setup: Lanes,
+    /// Joint values after the joint effects so far.
+    theta: Vec<Lanes>,
+    tangents: Vec<JointTangent>,
+    /// The reflector.
+    pub point: Lanes3,
+    /// Derivatives of `point`, one for each coefficient of the model.
+    pub columns: Vec<Lanes3>,
+    /// Which columns are not zero so far.
+    live: Vec<bool>,
+    differentiate: bool,
+    /// Samples of this block; the lanes behind them repeat the last one.
+    pub len: usize,
+}
+
+impl<'a> Block<'a> {
+    /// Room for blocks of a model with so many coefficients. Without `differentiate` there are no
+    /// columns.
+    pub fn new(robot: &'a Robot, coefficients: usize, differentiate: bool) -> Self {
+        let per_joint = || vec![[0.0; LANES]; robot.joints.len()];
+        let columns = if differentiate { coefficients } else { 0 };
+        Self {
+            robot,
+            q: per_joint(),
+            dir: per_joint(),
+            speed: per_joint(),
+            travel: per_joint(),
+            load_kg: [0.0; LANES],
+            warmth_c: [0.0; LANES],
+            time_s: [0.0; LANES],
+            setup: [0.0; LANES],
+            theta: per_joint(),
+            tangents: Vec::new(),
+            point: [[0.0; LANES]; 3],
+            columns: vec![[[0.0; LANES]; 3]; columns],
+            live: vec![false; columns],
+            differentiate,
+            len: 0,
+        }
+    }
+
+    /// Fills the block with the samples from `start` on, the reflectors at home.
+    pub fn load(&mut self, inputs: &Inputs, start: usize) {
+        self.len = (inputs.len() - start).min(LANES);
+        let len = self.len;
+        let copy = |to: &mut Lanes, from: Option<&[f64]>, default: f64| match from {
+            Some(from) => {
+                to[..len].copy_from_slice(&from[start..start + len]);
+                let last = to[len - 1];
+                to[len..].fill(last);
+            }
+            None => to.fill(default),
+        };
+        for joint in 0..self.q.len() {
+            copy(&mut self.q[joint], Some(&inputs.q[joint]), 0.0);
+            copy(&mut self.dir[joint], inputs.dir[joint].as_deref(), 0.0);
+            copy(&mut self.speed[joint], inputs.speed[joint].as_deref(), 0.0);
+            let travel = inputs.travel[joint].as_deref();
+            copy(&mut self.travel[joint], travel, f64::INFINITY);
+            self.theta[joint] = self.q[joint];
+        }
+        copy(&mut self.load_kg, inputs.load_kg.as_deref(), 0.0);
+        copy(&mut self.warmth_c, inputs.warmth_c.as_deref(), 0.0);
+        copy(&mut self.time_s, inputs.time_s.as_deref(), 0.0);
+        copy(&mut self.setup, inputs.setup.as_deref(), 0.0);
+        let homes = &inputs.reflectors_at_home;
+        if let Some(target) = &inputs.target {
+            for lane in 0..LANES {
+                let home = homes[target[start + lane.min(len - 1)] as usize];
+                for (axis, value) in home.into_iter().enumerate() {
+                    self.point[axis][lane] = value;
+                }
+            }
+        } else {
+            for (lanes, value) in self.point.iter_mut().zip(homes[0]) {
+                lanes.fill(value);
+            }
+        }
+        self.tangents.clear();
+        self.live.fill(false);
+    }
+
+    #[inline]
+    fn lane(&self, joint: usize, i: usize) -> Lane {
+        Lane {
+            q: self.q[joint][i],
+            dir: self.dir[joint][i],
+            speed: self.speed[joint][i],
+            travel: self.travel[joint][i],
+            load_kg: self.load_kg[i],
+            warmth_c: self.warmth_c[i],
+            time_s: self.time_s[i],
+            setup: self.setup[i],
+        }
+    }
+
+    /// Commanded value of a joint, rad or mm.
+    pub(super) fn command(&self, joint: usize, lane: usize) -> f64 {
+        self.q[joint][lane]
+    }
+
+    /// Load at the tool's origin, kg.
+    pub(super) fn load_kg(&self, lane: usize) -> f64 {
+        self.load_kg[lane]
+    }
+
+    /// An effect of the joint stage: `f` gives the joint's value after the effect.
+    #[inline]
+    pub fn turn<const N: usize>(&mut self, me: &Placed, f: impl Fn(f64, Lane) -> Turned<N>) {
+        let joint = me.joint;
+        let lanes: [Lane; LANES] = std::array::from_fn(|i| self.lane(joint, i));
+        self.turn_by_index(me, |theta, i| f(theta, lanes[i]));
+    }
+
+    /// Like [`Block::turn`], for an effect that has worked something out for each sample.
+    #[inline]
+    pub fn turn_by_index<const N: usize>(
+        &mut self,
+        me: &Placed,
+        f: impl Fn(f64, usize) -> Turned<N>,
+    ) {
+        let joint = me.joint;
+        let mut by = [[0.0; LANES]; N];
+        let mut carry = [1.0; LANES];
+        for i in 0..LANES {
+            let turned = f(self.theta[joint][i], i);
+            self.theta[joint][i] = turned.to;
+            carry[i] = turned.carry;
+            for (lanes, value) in by.iter_mut().zip(turned.by) {
+                lanes[i] = value;
+            }
+        }
+        if !self.differentiate {
+            return;
+        }
+        for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
+            for (value, carry) in tangent.lanes.iter_mut().zip(&carry) {
+                *value *= carry;
+            }
+        }
+        for (k, lanes) in by.into_iter().enumerate() {
+            self.tangents.push(JointTangent {
+                column: me.first_column + k,
+                joint,
+                lanes,
+            });
+        }
+    }
+
+    /// An effect that adds a displacement which does not depend on where the point is.
+    /// `f` gives the displacement and its derivatives.
+    #[inline]
+    pub fn displace<const N: usize>(
+        &mut self,
+        me: &Placed,
+        f: impl Fn(Lane) -> ([f64; 3], [[f64; 3]; N]),
+    ) {
+        for i in 0..LANES {
+            let (by, columns) = f(self.lane(me.joint, i));
+            for axis in 0..3 {
+                self.point[axis][i] += by[axis];
+            }
+            if self.differentiate {
+                for (k, column) in columns.into_iter().enumerate() {
+                    for axis in 0..3 {
+                        self.columns[me.first_column + k][axis][i] = column[axis];
+                    }
+                }
+            }
+        }
+        self.mark_live::<N>(me);
+    }
+
+    /// An effect that moves the point depending on where it is. `f` gives the new point, the
+    /// derivative of the new point with respect to the old one (by rows), and the derivatives
+    /// with respect to the effect's coefficients.
+    #[inline]
+    pub fn transform<const N: usize>(
+        &mut self,
+        me: &Placed,
+        f: impl Fn([f64; 3], Lane) -> ([f64; 3], [[f64; 3]; 3], [[f64; 3]; N]),
+    ) {
+        for i in 0..LANES {
+            let before = [self.point[0][i], self.point[1][i], self.point[2][i]];
+            let (to, carry, columns) = f(before, self.lane(me.joint, i));
+            for axis in 0..3 {
+                self.point[axis][i] = to[axis];
+            }
+            if !self.differentiate {
+                continue;
+            }
+            for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| *c.1) {
+                let moved = times(carry, [column[0][i], column[1][i], column[2][i]]);
+                for axis in 0..3 {
+                    column[axis][i] = moved[axis];
+                }
+            }
+            for (k, column) in columns.into_iter().enumerate() {
+                for axis in 0..3 {
+                    self.columns[me.first_column + k][axis][i] = column[axis];
+                }
+            }
+        }
+        self.mark_live::<N>(me);
+    }
+
+    fn mark_live<const N: usize>(&mut self, me: &Placed) {
+        if self.differentiate {
+            self.live[me.first_column..me.first_column + N].fill(true);
+        }
+    }
+
+    /// Lets a joint move everything behind it, and turns its tangents into columns:
+    /// ∂x/∂θ = ω × (x − c) for a revolute joint, ω for a prismatic one.
+    pub fn move_joint(&mut self, index: usize) {
+        let joint = &self.robot.joints[index];
+        let axis: [f64; 3] = joint.axis.direction.into_inner().into();
+        let origin: [f64; 3] = joint.axis.point_mm.coords.into();
+        match joint.kind {
+            JointKind::Revolute => self.rotate(index, axis, origin),
+            JointKind::Prismatic => {
+                for i in 0..LANES {
+                    for k in 0..3 {
+                        self.point[k][i] += axis[k] * self.theta[index][i];
+                    }
+                }
+            }
+        }
+        for tangent in self.tangents.iter().filter(|t| t.joint == index) {
+            let column = &mut self.columns[tangent.column];
+            if !self.live[tangent.column] {
+                *column = [[0.0; LANES]; 3];
+                self.live[tangent.column] = true;
+            }
+            for i in 0..LANES {
+                let direction = match joint.kind {
+                    JointKind::Revolute => {
+                        let x = [self.point[0][i], self.point[1][i], self.point[2][i]];
+                        cross(axis, minus(x, origin))
+                    }
+                    JointKind::Prismatic => axis,
+                };
+                for k in 0..3 {
+                    column[k][i] += direction[k] * tangent.lanes[i];
+                }
+            }
+        }
+    }
+
+    fn rotate(&mut self, index: usize, axis: [f64; 3], origin: [f64; 3]) {
+        let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
+        for i in 0..LANES {
+            (sin[i], cos[i]) = sin_cos(self.theta[index][i]);
+        }
+        let [px, py, pz] = &mut self.point;
+        for i in 0..LANES {
+            let arm = minus([px[i], py[i], pz[i]], origin);
+            [px[i], py[i], pz[i]] = add_scaled(turned(arm, axis, sin[i], cos[i]), origin, 1.0);
+        }
+        for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| *c.1) {
+            let [cx, cy, cz] = column;
+            for i in 0..LANES {
+                [cx[i], cy[i], cz[i]] = turned([cx[i], cy[i], cz[i]], axis, sin[i], cos[i]);
+            }
+        }
+    }
+
+    /// Clears the columns that nothing has touched, so that they can be read as zero.
+    pub fn settle(&mut self) {
+        for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {
+            *column = [[0.0; LANES]; 3];
+        }
+    }
+}

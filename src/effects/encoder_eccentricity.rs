@@ -1,0 +1,60 @@
+//! Encoder eccentricity: the encoder's ring does not sit centred on the axis.
+//!
+//! The encoder reads `q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)` where the joint stands at θ.
+//! The cross product of (cos q, sin q) with that vector is zero, hence
+//! `sin(θ − q) = ε sin(q − φ)`, which gives θ without iteration: `θ = q + asin(ε sin(q − φ))`.
+//! The coefficients are a = ε cos φ and b = ε sin φ, so ε sin(q − φ) = a sin q − b cos q.
+
+use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::block::{Block, Turned};
+use super::{Effect, Placed, Survey};
+use crate::lanes::sin_cos;
+
+/// See the module.
+pub(super) struct EncoderEccentricity;
+
+const ABOUT: About = About {
+    id: "encoder-eccentricity",
+    title: "Encoder eccentricity",
+    stage: Stage::Joint,
+    per_joint: true,
+    form: Form::Harmonic(Quantity {
+        name: "amplitude_deg",
+        inner: DEGREE,
+    }),
+    setting: Setting::None,
+    equation: "q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)",
+    source: "geometry of an off-centre graduation; e = ρ ε for a ring of radius ρ",
+    cause: "the encoder's ring or the gear that drives it is mounted off centre",
+    usual_size: "10 µm of eccentricity on a ring of 50 mm radius is 0.011°",
+    confused_with: "a base offset together with second-order bearing runout: a second reflector at another radius parts them; gravity wind-up: another load parts them",
+    check: "centre the encoder ring, or average a second reading head at 180°",
+};
+
+impl Effect for EncoderEccentricity {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        survey
+            .not_revolute(joint)
+            .or_else(|| survey.too_few_angles(joint, 4))
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let (a, b) = (me.coefficients[0], me.coefficients[1]);
+        block.turn(me, |theta, at| {
+            let (s, c) = sin_cos(at.q);
+            // Beyond |ε| = 1 the ring would not enclose the axis; the clamp keeps a wild trial
+            // step of the solver finite.
+            let sine = (a * s - b * c).clamp(-0.999, 0.999);
+            let slope = 1.0 / (1.0 - sine * sine).sqrt();
+            Turned {
+                to: theta + sine.asin(),
+                carry: 1.0,
+                by: [s * slope, -c * slope],
+            }
+        });
+    }
+}

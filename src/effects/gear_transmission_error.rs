@@ -1,0 +1,59 @@
+//! Gear transmission error: `θ = q + A sin(k q + φ)`, k a whole number of cycles per turn.
+//!
+//! The coefficients are A cos φ and A sin φ; the order k is scanned.
+
+use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::block::{Block, Turned};
+use super::{Effect, Placed, Survey};
+use crate::lanes::sin_cos;
+
+/// See the module.
+pub(super) struct GearTransmissionError;
+
+const ABOUT: About = About {
+    id: "gear-transmission-error",
+    title: "Gear transmission error",
+    stage: Stage::Joint,
+    per_joint: true,
+    form: Form::Harmonic(Quantity {
+        name: "amplitude_deg",
+        inner: DEGREE,
+    }),
+    setting: Setting::Order { from: 3, to: 360 },
+    equation: "θ = q + A sin(order·q + φ)",
+    source: "kinematic error of gears and strain-wave reducers, one harmonic",
+    cause: "tooth or wave-generator errors in the reducer; the order tells which wheel",
+    usual_size: "0.5′ to 2′",
+    confused_with: "the order M − k where the poses are M equal steps of a turn: unequal steps part them",
+    check: "compare the order with the reducer's tooth counts, then its preload and lubrication",
+};
+
+impl Effect for GearTransmissionError {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        survey
+            .not_revolute(joint)
+            .or_else(|| survey.too_few_angles(joint, 6))
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        add_sine_of_the_command(me, block, me.setting);
+    }
+}
+
+/// `θ += A sin(k q + φ)`: A cos φ multiplies sin(k q), A sin φ multiplies cos(k q).
+#[inline]
+pub(super) fn add_sine_of_the_command(me: &Placed, block: &mut Block, order: f64) {
+    let (a, b) = (me.coefficients[0], me.coefficients[1]);
+    block.turn(me, |theta, at| {
+        let (s, c) = sin_cos(order * at.q);
+        Turned {
+            to: theta + a * s + b * c,
+            carry: 1.0,
+            by: [s, c],
+        }
+    });
+}

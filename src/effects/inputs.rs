@@ -1,0 +1,184 @@
+//! The samples of a session as the effects take them: one column for each condition, no cell
+//! missing, travel since the last reversal worked out from the order of the file.
+//!
+//! Where a condition is missing an effect cannot act, so the cell takes the value at which it
+//! does not: side 0, speed 0, load 0 kg, 20 °C. A missing time is taken from the samples around
+//! it, which keeps the order.
+
+use std::borrow::Cow;
+
+use crate::sessions::{Samples, Session};
+
+/// Which joint values the simulation starts from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum JointValues {
+    /// What the controller was told.
+    #[default]
+    Commanded,
+    /// What the controller read back.
+    Read,
+}
+
+/// See the module. Borrows the session's columns where it can.
+#[derive(Debug, Clone)]
+pub struct Inputs<'a> {
+    /// Commanded joint values, rad or mm.
+    pub q: Vec<Cow<'a, [f64]>>,
+    /// Side from which each joint came.
+    pub dir: Vec<Option<Cow<'a, [f64]>>>,
+    /// Signed joint speeds, rad/s or mm/s.
+    pub speed: Vec<Option<Cow<'a, [f64]>>>,
+    /// Travel since the last reversal, rad or mm; infinite before the first.
+    pub travel: Vec<Option<Vec<f64>>>,
+    /// Load at the tool's origin, kg.
+    pub load_kg: Option<Cow<'a, [f64]>>,
+    /// Temperature over 20 °C.
+    pub warmth_c: Option<Vec<f64>>,
+    /// Time, s.
+    pub time_s: Option<Cow<'a, [f64]>>,
+    /// Index of the measuring frame.
+    pub setup: Option<Vec<f64>>,
+    /// Index into `reflectors_at_home`; `None`: always the first.
+    pub target: Option<Cow<'a, [u32]>>,
+    /// Reflectors at home, base frame, mm; at least one.
+    pub reflectors_at_home: Vec<[f64; 3]>,
+    len: usize,
+}
+
+/// The temperature to which all models refer, °C.
+pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
+
+impl<'a> Inputs<'a> {
+    /// The inputs of a session's samples.
+    pub fn new(session: &'a Session, values: JointValues) -> Self {
+        let samples = &session.samples;
+        let q = (0..samples.q.len()).map(|joint| joint_values(samples, joint, values));
+        let q: Vec<_> = q.collect();
+        let dir: Vec<_> = samples.dir.iter().map(|c| or_fill(c, 0.0)).collect();
+        let travel = q.iter().zip(&dir);
+        let travel = travel.map(|(q, dir)| dir.as_ref().map(|dir| travel_since_reversal(q, dir)));
+        Self {
+            travel: travel.collect(),
+            speed: samples.speed.iter().map(|c| or_fill(c, 0.0)).collect(),
+            load_kg: or_fill(&samples.load_kg, 0.0),
+            warmth_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
+            time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
+            setup: samples
+                .setups
+                .as_ref()
+                .map(|s| s.index.iter().map(|&i| f64::from(i)).collect()),
+            target: samples.target.as_deref().map(Cow::Borrowed),
+            reflectors_at_home: reflectors_at_home(session),
+            len: samples.len(),
+            q,
+            dir,
+        }
+    }
+
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there is no sample.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+}
+
+/// Where each target of the session is at home, base frame, mm.
+pub fn reflectors_at_home(session: &Session) -> Vec<[f64; 3]> {
+    let base_from_tool = &session.robot.base_from_tool;
+    let homes = session.targets.iter();
+    let homes = homes.map(|t| (base_from_tool * t.position_mm).coords.into());
+    homes.collect()
+}
+
+fn joint_values(samples: &Samples, joint: usize, values: JointValues) -> Cow<'_, [f64]> {
+    let commanded = &samples.q[joint];
+    let read = samples.q_read.get(joint).and_then(Option::as_ref);
+    let chosen = match (values, read) {
+        (JointValues::Read, Some(read)) => read,
+        _ => commanded,
+    };
+    filled(chosen, 0.0)
+}
+
+fn filled(column: &[f64], with: f64) -> Cow<'_, [f64]> {
+    if column.iter().any(|v| v.is_nan()) {
+        let fill = |&v: &f64| if v.is_nan() { with } else { v };
+        Cow::Owned(column.iter().map(fill).collect())
+    } else {
+        Cow::Borrowed(column)
+    }
+}
+
+fn or_fill(column: &Option<Vec<f64>>, with: f64) -> Option<Cow<'_, [f64]>> {
+    column.as_ref().map(|column| filled(column, with))
+}
+
+fn warmth(temperature_c: &[f64]) -> Vec<f64> {
+    let over = |&t: &f64| {
+        if t.is_nan() {
+            0.0
+        } else {
+            t - REFERENCE_TEMPERATURE_C
+        }
+    };
+    temperature_c.iter().map(over).collect()
+}
+
+/// A missing time becomes that of the sample before it (of the first known one at the start).
+fn with_gaps_bridged(time_s: &[f64]) -> Cow<'_, [f64]> {
+    if !time_s.iter().any(|t| t.is_nan()) {
+        return Cow::Borrowed(time_s);
+    }
+    let mut last = time_s.iter().copied().find(|t| !t.is_nan()).unwrap_or(0.0);
+    let mut bridge = |&t: &f64| {
+        if !t.is_nan() {
+            last = t;
+        }
+        last
+    };
+    Cow::Owned(time_s.iter().map(&mut bridge).collect())
+}
+
+/// How far the joint has moved since it last reversed. While the side stays the same the moves
+/// between poses add up; a new side starts from the pose before. The first sample has come from
+/// nobody knows where: infinitely far.
+fn travel_since_reversal(q: &[f64], dir: &[f64]) -> Vec<f64> {
+    let mut travel = Vec::with_capacity(q.len());
+    for i in 0..q.len() {
+        travel.push(if i == 0 {
+            f64::INFINITY
+        } else {
+            let moved = (q[i] - q[i - 1]).abs();
+            let same_way = dir[i] == dir[i - 1];
+            if same_way {
+                travel[i - 1] + moved
+            } else {
+                moved
+            }
+        });
+    }
+    travel
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn travel_adds_up_while_the_side_stays_and_restarts_when_it_changes() {
+        let q = [0.0, 1.0, 3.0, 2.0, 0.5, 1.0];
+        let dir = [1.0, 1.0, 1.0, -1.0, -1.0, 1.0];
+        let travel = travel_since_reversal(&q, &dir);
+        assert_eq!(travel[1..], [f64::INFINITY, f64::INFINITY, 1.0, 2.5, 0.5]);
+    }
+
+    #[test]
+    fn a_missing_time_is_taken_from_the_sample_before() {
+        let bridged = with_gaps_bridged(&[f64::NAN, 1.0, f64::NAN, 4.0]);
+        assert_eq!(*bridged, [1.0, 1.0, 1.0, 4.0]);
+    }
+}

@@ -1,0 +1,173 @@
+//! Joint compliance: `θ = q + C·τ(θ)`, τ gravity's torque about the joint at its true angle.
+//!
+//! The torque is that of the load, which hangs at the tool's origin, and of the links whose
+//! masses are given. With the joint turned by θ the lever turns, so the equation is implicit;
+//! Newton's method solves it. The other joints stand at their commands: what their own errors
+//! change in the torque is of second order.
+//!
+//! The torque about an axis (direction ω, point c) of a weight m g at x is ω·((x − c) × m g). As
+//! the joint turns everything behind it rigidly, torque and slope at θ are those of the first
+//! moment Σ m (x − c), turned by θ.
+
+use super::about::{About, Form, Quantity, Setting, Stage};
+use super::block::{Block, Turned};
+use super::{Effect, Placed, Survey};
+use crate::kinematics::{Joint, JointKind};
+use crate::lanes::{LANES, add_scaled, cross, dot, minus, sin_cos, turned};
+
+/// See the module.
+pub(super) struct JointCompliance;
+
+const ABOUT: About = About {
+    id: "joint-compliance",
+    title: "Joint compliance",
+    stage: Stage::Joint,
+    per_joint: true,
+    form: Form::Plain(&[Quantity {
+        name: "compliance_urad_per_nm",
+        inner: 1e-6,
+    }]),
+    setting: Setting::None,
+    equation: "θ = q + C·τ(θ), τ gravity's torque about the joint",
+    source: "a joint as a torsion spring; Khalil & Dombre, Modeling, Identification and Control of Robots, ch. 9",
+    cause: "reducer, bearing and shaft wind up under the weight that hangs on the joint",
+    usual_size: "1 to 100 µrad/(N·m)",
+    confused_with: "encoder eccentricity under a single load: a second load parts them",
+    check: "the payload entered in the controller; stiffness of the reducer in its data sheet",
+};
+
+impl Effect for JointCompliance {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        if let Some(reason) = survey.not_revolute(joint) {
+            return Some(reason);
+        }
+        if !survey.gravity {
+            return Some("the direction of gravity is not given".to_owned());
+        }
+        if !survey.joints[joint].gravity_lever {
+            return Some("gravity is along the axis and has no torque about it".to_owned());
+        }
+        let weightless = survey.largest_load_kg <= 0.0 && !survey.link_masses;
+        weightless.then(|| "neither a load nor a link mass is given".to_owned())
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let compliance = me.coefficients[0];
+        let torques: [Torque; LANES] = std::array::from_fn(|i| Torque::of(block, me.joint, i));
+        block.turn_by_index(me, |start, i| {
+            let torque = &torques[i];
+            let mut theta = start;
+            for _ in 0..NEWTON_STEPS {
+                let (tau, slope) = torque.at(theta);
+                theta -= (theta - start - compliance * tau) / (1.0 - compliance * slope);
+            }
+            let (tau, slope) = torque.at(theta);
+            let gain = 1.0 / (1.0 - compliance * slope);
+            Turned {
+                to: theta,
+                carry: gain,
+                by: [tau * gain],
+            }
+        });
+    }
+}
+
+/// How often Newton's method may correct; it squares the error each time, and the wind-up is a
+/// small part of a radian.
+const NEWTON_STEPS: usize = 4;
+
+/// Gravity's torque about a joint as a function of that joint's angle.
+struct Torque {
+    /// First moment Σ m (x − c) of what hangs behind the joint, the joint itself at zero, kg·m.
+    moment: [f64; 3],
+    /// Direction of the joint's axis.
+    axis: [f64; 3],
+    /// Gravity as the joint sees it, turned back by the joints before it, m/s².
+    gravity: [f64; 3],
+}
+
+impl Torque {
+    /// The torque about a joint for one sample of a block.
+    fn of(block: &Block, joint: usize, lane: usize) -> Self {
+        let robot = block.robot;
+        let joints = &robot.joints;
+        let tool = robot.base_from_tool.translation.vector.into();
+        let load = Weight {
+            mass_kg: block.load_kg(lane),
+            at_mm: tool,
+            behind: joints.len(),
+        };
+        let links = joints.iter().enumerate().skip(joint);
+        let links = links.filter_map(|(k, j)| {
+            j.link.map(|link| Weight {
+                mass_kg: link.mass_kg,
+                at_mm: link.centre_mm.coords.into(),
+                behind: k + 1,
+            })
+        });
+        let axis = &joints[joint].axis;
+        let origin = axis.point_mm.coords.into();
+        let mut moment = [0.0; 3];
+        for weight in links.chain([load]) {
+            let at_mm = (joint + 1..weight.behind).rev().fold(weight.at_mm, |x, k| {
+                moved(&joints[k], x, block.command(k, lane))
+            });
+            moment = add_scaled(moment, minus(at_mm, origin), weight.mass_kg * MM);
+        }
+        let gravity = robot.gravity_m_s2.map_or([0.0; 3], Into::into);
+        let gravity = (0..joint).fold(gravity, |g, k| {
+            let (sin, cos) = sin_cos(block.command(k, lane));
+            match joints[k].kind {
+                JointKind::Revolute => turned(g, direction(&joints[k]), -sin, cos),
+                JointKind::Prismatic => g,
+            }
+        });
+        Self {
+            moment,
+            axis: axis.direction.into_inner().into(),
+            gravity,
+        }
+    }
+
+    /// Torque in N·m and its slope in N·m/rad.
+    fn at(&self, theta: f64) -> (f64, f64) {
+        let (sin, cos) = sin_cos(theta);
+        let moment = turned(self.moment, self.axis, sin, cos);
+        let tau = dot(self.axis, cross(moment, self.gravity));
+        let slope = dot(self.axis, cross(cross(self.axis, moment), self.gravity));
+        (tau, slope)
+    }
+}
+
+/// One metre in a millimetre.
+const MM: f64 = 1e-3;
+
+/// A mass that hangs behind so many joints.
+struct Weight {
+    mass_kg: f64,
+    at_mm: [f64; 3],
+    behind: usize,
+}
+
+fn direction(joint: &Joint) -> [f64; 3] {
+    joint.axis.direction.into_inner().into()
+}
+
+fn moved(joint: &Joint, x: [f64; 3], value: f64) -> [f64; 3] {
+    match joint.kind {
+        JointKind::Revolute => {
+            let origin = joint.axis.point_mm.coords.into();
+            let (sin, cos) = sin_cos(value);
+            add_scaled(
+                turned(minus(x, origin), direction(joint), sin, cos),
+                origin,
+                1.0,
+            )
+        }
+        JointKind::Prismatic => add_scaled(x, direction(joint), value),
+    }
+}

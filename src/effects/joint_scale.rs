@@ -1,0 +1,48 @@
+//! Joint scale: `θ = (1 + k) q`.
+//!
+//! The controller's counts per turn or the gear ratio are a little off, so the error grows in
+//! proportion to the angle.
+
+use super::about::{About, Form, PPM, Quantity, Setting, Stage};
+use super::block::{Block, Turned};
+use super::{Effect, Placed, Survey};
+
+/// See the module.
+pub(super) struct JointScale;
+
+const ABOUT: About = About {
+    id: "joint-scale",
+    title: "Joint scale",
+    stage: Stage::Joint,
+    per_joint: true,
+    form: Form::Plain(&[Quantity {
+        name: "scale_ppm",
+        inner: PPM,
+    }]),
+    setting: Setting::None,
+    equation: "θ = (1 + k) q",
+    source: "ISO 230-2: the slope of the positioning deviation",
+    cause: "the gear ratio or the encoder's counts per turn are entered slightly wrong",
+    usual_size: "10 to 500 ppm",
+    confused_with: "encoder eccentricity over less than a full turn: over a full turn they part",
+    check: "compare the gear ratio and the counts per turn in the controller with the data sheets",
+};
+
+impl Effect for JointScale {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        survey.too_few_angles(joint, 2)
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let k = me.coefficients[0];
+        block.turn(me, |theta, _| Turned {
+            to: (1.0 + k) * theta,
+            carry: 1.0 + k,
+            by: [theta],
+        });
+    }
+}

@@ -1,0 +1,55 @@
+//! Lost motion: `θ = q − s·(w/2)(1 − 2 e^(−Δ/f))`, Δ the travel since the joint reversed.
+//!
+//! Friction and wind-up let the backlash build up over some travel f instead of at once; as
+//! f → 0 it becomes plain backlash.
+
+use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::backlash::both_sides_needed;
+use super::block::{Block, Turned};
+use super::{Effect, Placed, Survey};
+
+/// See the module.
+pub(super) struct LostMotion;
+
+const ABOUT: About = About {
+    id: "lost-motion",
+    title: "Lost motion",
+    stage: Stage::Joint,
+    per_joint: true,
+    form: Form::Plain(&[Quantity {
+        name: "width_deg",
+        inner: DEGREE,
+    }]),
+    setting: Setting::Fade,
+    equation: "θ = q − s·(width/2)(1 − 2 e^(−Δ/fade)), Δ travel since the reversal",
+    source: "hysteresis loop of a reducer with friction, exponential build-up",
+    cause: "friction in the reducer winds the drive up after each reversal",
+    usual_size: "0.5′ to 2′",
+    confused_with: "backlash: approaches of three different lengths part them",
+    check: "lubrication and preload of the reducer",
+};
+
+impl Effect for LostMotion {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        both_sides_needed(survey, joint)
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let width = me.coefficients[0];
+        // A fade of zero is the limit, backlash; 0/0 at a travel of zero must not arise.
+        let per_fade = 1.0 / me.setting.max(1e-12);
+        block.turn(me, |theta, at| {
+            let built_up = 1.0 - 2.0 * (-at.travel * per_fade).exp();
+            let lag = -0.5 * at.dir * built_up;
+            Turned {
+                to: theta + lag * width,
+                carry: 1.0,
+                by: [lag],
+            }
+        });
+    }
+}

@@ -1,0 +1,124 @@
+//! A free measuring frame: `p = R(ω) p + t` for the samples of one setup.
+//!
+//! Not an effect of the robot, so it is not in the catalogue: it says where the instrument stood
+//! in each setup. The coefficients are the rotation vector ω (rad) and the translation t (mm).
+
+use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::base_offset::AXES;
+use super::block::Block;
+use super::{Effect, Placed, Survey};
+use crate::lanes::{add_scaled, cross, scaled, times};
+
+/// See the module.
+pub struct MeasuringFrame;
+
+const ABOUT: About = About {
+    id: "measuring-frame",
+    title: "Measuring frame",
+    stage: Stage::World,
+    per_joint: false,
+    form: Form::Plain(&[
+        Quantity {
+            name: "about_x_deg",
+            inner: DEGREE,
+        },
+        Quantity {
+            name: "about_y_deg",
+            inner: DEGREE,
+        },
+        Quantity {
+            name: "about_z_deg",
+            inner: DEGREE,
+        },
+        Quantity {
+            name: "x_mm",
+            inner: 1.0,
+        },
+        Quantity {
+            name: "y_mm",
+            inner: 1.0,
+        },
+        Quantity {
+            name: "z_mm",
+            inner: 1.0,
+        },
+    ]),
+    setting: Setting::Setup,
+    equation: "p = R(ω) p + t",
+    source: "a rigid motion of the instrument",
+    cause: "the instrument stands where it was put",
+    usual_size: "any",
+    confused_with: "the base frame: only reference points on the base tell",
+    check: "measure reference points on the base in every setup",
+};
+
+impl Effect for MeasuringFrame {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
+        None
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let omega = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+        let shift = [me.coefficients[3], me.coefficients[4], me.coefficients[5]];
+        let rotation = rotation(omega);
+        let left = left_jacobian(omega);
+        // ∂(R x)/∂ω_k = (J_l e_k) × (R x), J_l the left Jacobian of SO(3).
+        let spins: [[f64; 3]; 3] = std::array::from_fn(|k| times(left, AXES[k]));
+        block.transform(me, |x, at| {
+            if at.setup == me.setting {
+                let turned = times(rotation, x);
+                let columns = [
+                    cross(spins[0], turned),
+                    cross(spins[1], turned),
+                    cross(spins[2], turned),
+                    AXES[0],
+                    AXES[1],
+                    AXES[2],
+                ];
+                (add_scaled(turned, shift, 1.0), rotation, columns)
+            } else {
+                (x, AXES, [[0.0; 3]; 6])
+            }
+        });
+    }
+}
+
+/// Rotation matrix of a rotation vector, by rows (Rodrigues).
+fn rotation(omega: [f64; 3]) -> [[f64; 3]; 3] {
+    let (a, b, _) = rodrigues_factors(omega);
+    from_factors(omega, 1.0, a, b)
+}
+
+/// Left Jacobian of SO(3), by rows: `1 + b [ω] + c [ω]²`.
+fn left_jacobian(omega: [f64; 3]) -> [[f64; 3]; 3] {
+    let (_, b, c) = rodrigues_factors(omega);
+    from_factors(omega, 1.0, b, c)
+}
+
+/// sin θ/θ, (1 − cos θ)/θ², (θ − sin θ)/θ³, by their series near zero.
+fn rodrigues_factors(omega: [f64; 3]) -> (f64, f64, f64) {
+    let t2 = crate::lanes::dot(omega, omega);
+    if t2 < 1e-6 {
+        let a = 1.0 - t2 / 6.0 + t2 * t2 / 120.0;
+        let b = 0.5 - t2 / 24.0 + t2 * t2 / 720.0;
+        let c = 1.0 / 6.0 - t2 / 120.0 + t2 * t2 / 5040.0;
+        (a, b, c)
+    } else {
+        let t = t2.sqrt();
+        (t.sin() / t, (1.0 - t.cos()) / t2, (t - t.sin()) / (t2 * t))
+    }
+}
+
+/// `one·1 + a [ω] + b [ω]²` by rows.
+fn from_factors(omega: [f64; 3], one: f64, a: f64, b: f64) -> [[f64; 3]; 3] {
+    let columns = AXES.map(|e| {
+        let once = cross(omega, e);
+        let twice = cross(omega, once);
+        add_scaled(add_scaled(scaled(e, one), once, a), twice, b)
+    });
+    std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+}

@@ -1,0 +1,157 @@
+//! What a session shows: which conditions vary, and how far. Effects ask it whether they can be
+//! tested at all.
+
+use crate::kinematics::{JointKind, Robot};
+use crate::sessions::Session;
+
+use super::inputs::Inputs;
+use super::term::JointFrame;
+
+/// What is known of one joint.
+#[derive(Debug, Clone)]
+pub struct JointSurvey {
+    /// Revolute or prismatic.
+    pub kind: JointKind,
+    /// Its frame.
+    pub frame: JointFrame,
+    /// Number of different commanded values, counted up to [`ENOUGH`].
+    pub values: usize,
+    /// From the smallest to the largest commanded value, rad or mm.
+    pub span: f64,
+    /// Number of samples that came from the negative and from the positive side.
+    pub from_sides: [usize; 2],
+    /// Number of different speeds, counted up to [`ENOUGH`].
+    pub speeds: usize,
+    /// Largest speed, rad/s or mm/s.
+    pub largest_speed: f64,
+    /// Largest torque that gravity has about the joint over the session, N·m; `None` where
+    /// gravity or the load is not known.
+    pub gravity_lever: bool,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Survey {
+    /// One for each joint.
+    pub joints: Vec<JointSurvey>,
+    /// Number of different loads, counted up to [`ENOUGH`]; 0 without a load column.
+    pub loads: usize,
+    /// Largest load, kg.
+    pub largest_load_kg: f64,
+    /// Temperature range, K; `None` without a temperature column.
+    pub warming_c: Option<f64>,
+    /// Time range, s; `None` without a time column.
+    pub duration_s: Option<f64>,
+    /// Whether z was measured.
+    pub spatial: bool,
+    /// Whether gravity is known (and not zero).
+    pub gravity: bool,
+    /// Whether some link mass is given.
+    pub link_masses: bool,
+    /// Number of reflectors that samples use.
+    pub targets: usize,
+    /// Number of samples.
+    pub samples: usize,
+}
+
+/// Different values are counted only so far.
+pub const ENOUGH: usize = 16;
+
+impl Survey {
+    /// Looks through a session.
+    pub fn new(session: &Session, inputs: &Inputs) -> Self {
+        let joints = 0..session.robot.joints.len();
+        let (coldest, warmest) = extremes(inputs.warmth_c.as_deref().unwrap_or(&[]));
+        let (first, last) = extremes(inputs.time_s.as_deref().unwrap_or(&[]));
+        let loads = inputs.load_kg.as_deref().unwrap_or(&[]);
+        let gravity = session.robot.gravity_m_s2;
+        let mut used: Vec<u32> = inputs.target.as_deref().unwrap_or(&[0]).to_vec();
+        used.sort_unstable();
+        used.dedup();
+        Self {
+            joints: joints
+                .map(|j| survey_joint(&session.robot, inputs, j))
+                .collect(),
+            loads: distinct(loads),
+            largest_load_kg: extremes(loads).1.max(0.0),
+            warming_c: inputs.warmth_c.as_ref().map(|_| warmest - coldest),
+            duration_s: inputs.time_s.as_ref().map(|_| last - first),
+            spatial: session.samples.z_mm.is_some(),
+            gravity: gravity.is_some_and(|g| g.norm() > 0.0),
+            link_masses: session.robot.joints.iter().any(|j| j.link.is_some()),
+            targets: used.len(),
+            samples: inputs.len(),
+        }
+    }
+
+    /// The reason that stands against every effect that needs an angle of rotation.
+    pub fn not_revolute(&self, joint: usize) -> Option<String> {
+        (self.joints[joint].kind == JointKind::Prismatic)
+            .then(|| "the joint slides, the effect needs one that turns".to_owned())
+    }
+
+    /// The reason that stands against every effect of the joint angle in a session at one angle.
+    pub fn too_few_angles(&self, joint: usize, needed: usize) -> Option<String> {
+        let values = self.joints[joint].values;
+        (values < needed).then(|| {
+            format!(
+                "the joint was measured at {values} different values, at least {needed} are needed"
+            )
+        })
+    }
+}
+
+fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
+    let q = &inputs.q[joint];
+    let (low, high) = extremes(q);
+    let dir = inputs.dir[joint].as_deref().unwrap_or(&[]);
+    let speeds = inputs.speed[joint].as_deref().unwrap_or(&[]);
+    let (slowest, fastest) = extremes(speeds);
+    let frame = JointFrame::new(robot, joint);
+    let lever = robot.gravity_m_s2.is_some_and(|g| {
+        let along = robot.joints[joint].axis.direction.into_inner();
+        let across = g - along * along.dot(&g);
+        match robot.joints[joint].kind {
+            JointKind::Revolute => across.norm() > 1e-9 * g.norm(),
+            JointKind::Prismatic => along.dot(&g).abs() > 1e-9 * g.norm(),
+        }
+    });
+    JointSurvey {
+        kind: robot.joints[joint].kind,
+        frame,
+        values: distinct(q),
+        span: high - low,
+        from_sides: [
+            dir.iter().filter(|d| **d < 0.0).count(),
+            dir.iter().filter(|d| **d > 0.0).count(),
+        ],
+        speeds: distinct(speeds),
+        largest_speed: slowest.abs().max(fastest.abs()),
+        gravity_lever: lever,
+    }
+}
+
+fn extremes(values: &[f64]) -> (f64, f64) {
+    if values.is_empty() {
+        return (0.0, 0.0);
+    }
+    values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(*v), high.max(*v))
+        })
+}
+
+/// Number of different values, counted up to [`ENOUGH`].
+fn distinct(values: &[f64]) -> usize {
+    let mut seen: Vec<f64> = Vec::new();
+    for value in values {
+        if !seen.contains(value) {
+            seen.push(*value);
+            if seen.len() == ENOUGH {
+                break;
+            }
+        }
+    }
+    seen.len()
+}

@@ -1,0 +1,326 @@
+//! An effect in a model: which joint, which setting, how large.
+
+use crate::kinematics::{Range, Robot};
+use crate::units::wrapped_positive;
+
+use super::about::{Form, Setting};
+use super::{Effect, find};
+
+/// An effect with its values. Coefficients are in inner units; all zero means that the effect is
+/// absent.
+#[derive(Clone)]
+pub struct Term {
+    /// The effect.
+    pub effect: &'static dyn Effect,
+    /// Its joint, counted from 0; 0 where the effect belongs to none.
+    pub joint: usize,
+    /// The scanned parameter: an order, a time in s, a fade in rad, the index of a frame.
+    pub setting: f64,
+    /// What identification solves for.
+    pub coefficients: Vec<f64>,
+}
+
+/// One named value as the user reads it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// Name with its unit.
+    pub name: &'static str,
+    /// Value in that unit.
+    pub value: f64,
+}
+
+/// Why a term could not be made from names and values.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TermError {
+    /// No effect of this name.
+    #[error("no effect is called '{0}'; `truepose effects` lists them")]
+    UnknownEffect(String),
+    /// A joint that the robot does not have.
+    #[error("joint {joint}: the robot has {joints}")]
+    NoSuchJoint {
+        /// The joint, counted from 1.
+        joint: usize,
+        /// How many there are.
+        joints: usize,
+    },
+    /// A parameter that the effect does not have.
+    #[error("'{effect}' has no parameter '{name}'; it has {known}")]
+    UnknownParameter {
+        /// The effect.
+        effect: &'static str,
+        /// What was given.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+    /// A parameter without which the effect has no meaning.
+    #[error("'{effect}' needs '{name}'")]
+    Missing {
+        /// The effect.
+        effect: &'static str,
+        /// What is missing.
+        name: &'static str,
+    },
+    /// A value outside what the effect takes.
+    #[error("'{effect}': {name} is {value}; expected {expected}")]
+    OutOfRange {
+        /// The effect.
+        effect: &'static str,
+        /// The parameter.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// What it takes.
+        expected: String,
+    },
+}
+
+impl Term {
+    /// An effect that is absent so far: all coefficients zero.
+    pub fn absent(effect: &'static dyn Effect, joint: usize, setting: f64) -> Self {
+        Self {
+            effect,
+            joint,
+            setting,
+            coefficients: vec![0.0; effect.about().form.coefficients()],
+        }
+    }
+
+    /// From an effect's name, a joint counted from 1 and parameters in the user's units. A
+    /// parameter that is left out is zero, a setting has to be there.
+    pub fn from_parameters(
+        id: &str,
+        joint: usize,
+        given: &[(&str, f64)],
+        joints: usize,
+    ) -> Result<Self, TermError> {
+        let effect = find(id).ok_or_else(|| TermError::UnknownEffect(id.to_owned()))?;
+        let about = effect.about();
+        if joint == 0 || joint > joints {
+            return Err(TermError::NoSuchJoint { joint, joints });
+        }
+        let known = parameter_names(effect);
+        if let Some((name, _)) = given.iter().find(|(name, _)| !known.contains(name)) {
+            return Err(TermError::UnknownParameter {
+                effect: about.id,
+                name: (*name).to_owned(),
+                known: known.join(", "),
+            });
+        }
+        let value = |name: &str| given.iter().find(|g| g.0 == name).map(|g| g.1);
+        let mut term = Self::absent(effect, joint - 1, 0.0);
+        if let Some((name, inner)) = setting_quantity(about.setting) {
+            let missing = TermError::Missing {
+                effect: about.id,
+                name,
+            };
+            let given = value(name).ok_or(missing)?;
+            term.setting = given * inner;
+            check_setting(effect, name, given)?;
+        }
+        match about.form {
+            Form::Plain(quantities) => {
+                for (coefficient, quantity) in term.coefficients.iter_mut().zip(quantities) {
+                    *coefficient = value(quantity.name).unwrap_or(0.0) * quantity.inner;
+                }
+            }
+            Form::Harmonic(quantity) => {
+                let amplitude = value(quantity.name).unwrap_or(0.0) * quantity.inner;
+                let phase = crate::units::rad_from_deg(value("phase_deg").unwrap_or(0.0));
+                term.coefficients = vec![amplitude * phase.cos(), amplitude * phase.sin()];
+            }
+        }
+        Ok(term)
+    }
+
+    /// The parameters as the user reads them.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        let about = self.effect.about();
+        let mut parameters = Vec::new();
+        if let Some((name, inner)) = setting_quantity(about.setting) {
+            let value = self.setting / inner;
+            parameters.push(Parameter { name, value });
+        }
+        match about.form {
+            Form::Plain(quantities) => {
+                for (coefficient, quantity) in self.coefficients.iter().zip(quantities) {
+                    parameters.push(Parameter {
+                        name: quantity.name,
+                        value: coefficient / quantity.inner,
+                    });
+                }
+            }
+            Form::Harmonic(quantity) => {
+                let (a, b) = (self.coefficients[0], self.coefficients[1]);
+                parameters.push(Parameter {
+                    name: quantity.name,
+                    value: a.hypot(b) / quantity.inner,
+                });
+                parameters.push(Parameter {
+                    name: "phase_deg",
+                    value: crate::units::deg_from_rad(wrapped_positive(b.atan2(a))),
+                });
+            }
+        }
+        parameters
+    }
+
+    /// Whether two terms are the same effect on the same joint at the same setting.
+    pub fn same_column(&self, other: &Self) -> bool {
+        self.effect.about().id == other.effect.about().id
+            && self.joint == other.joint
+            && self.setting == other.setting
+    }
+}
+
+impl std::fmt::Debug for Term {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Term")
+            .field("effect", &self.effect.about().id)
+            .field("joint", &(self.joint + 1))
+            .field("setting", &self.setting)
+            .field("coefficients", &self.coefficients)
+            .finish()
+    }
+}
+
+impl PartialEq for Term {
+    fn eq(&self, other: &Self) -> bool {
+        self.same_column(other) && self.coefficients == other.coefficients
+    }
+}
+
+/// Name and inner size of the scanned parameter, where the user sees one.
+pub fn setting_quantity(setting: Setting) -> Option<(&'static str, f64)> {
+    match setting {
+        Setting::None | Setting::Setup => None,
+        Setting::Order { .. } => Some(("order", 1.0)),
+        Setting::Time => Some(("time_s", 1.0)),
+        Setting::Fade => Some(("fade_deg", super::about::DEGREE)),
+    }
+}
+
+/// Names of an effect's parameters in the order in which they are shown.
+pub fn parameter_names(effect: &dyn Effect) -> Vec<&'static str> {
+    let about = effect.about();
+    let mut names: Vec<_> = setting_quantity(about.setting)
+        .map(|s| s.0)
+        .into_iter()
+        .collect();
+    match about.form {
+        Form::Plain(quantities) => names.extend(quantities.iter().map(|q| q.name)),
+        Form::Harmonic(quantity) => names.extend([quantity.name, "phase_deg"]),
+    }
+    names
+}
+
+fn check_setting(effect: &dyn Effect, name: &'static str, given: f64) -> Result<(), TermError> {
+    let about = effect.about();
+    let expected = match about.setting {
+        Setting::Order { from, to } => {
+            let whole = given.fract() == 0.0;
+            let inside = given >= f64::from(from) && given <= f64::from(to);
+            (!(whole && inside)).then(|| format!("a whole number from {from} to {to}"))
+        }
+        Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
+        Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),
+        Setting::None | Setting::Setup => None,
+    };
+    match expected {
+        Some(expected) => Err(TermError::OutOfRange {
+            effect: about.id,
+            name,
+            value: given,
+            expected,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Directions and points of one joint that effects refer to, base frame, at home.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointFrame {
+    /// A point on the axis, mm.
+    pub origin_mm: [f64; 3],
+    /// Along the axis.
+    pub along: [f64; 3],
+    /// Across the axis: the base frame's x, made perpendicular (y where x is along the axis).
+    pub across_1: [f64; 3],
+    /// Across the axis, a quarter turn further.
+    pub across_2: [f64; 3],
+    /// From the axis to the tool's origin; zero where the tool lies on the axis.
+    pub radial: [f64; 3],
+    /// A quarter turn from `radial`, in the joint's positive sense.
+    pub tangential: [f64; 3],
+    /// The tool's distance from the axis, mm.
+    pub radius_mm: f64,
+    /// The point on the axis at the height of the tool's origin, mm.
+    pub foot_mm: [f64; 3],
+}
+
+impl JointFrame {
+    /// The frame of a joint.
+    pub fn new(robot: &Robot, joint: usize) -> Self {
+        use nalgebra::Vector3;
+        let axis = &robot.joints[joint].axis;
+        let along = axis.direction.into_inner();
+        let across = |v: Vector3<f64>| v - along * along.dot(&v);
+        let x = across(Vector3::x());
+        let across_1 = if x.norm() > 1e-3 {
+            x
+        } else {
+            across(Vector3::y())
+        }
+        .normalize();
+        let tool = robot.base_from_tool.translation.vector;
+        let arm = tool - axis.point_mm.coords;
+        let radial = across(arm);
+        let radius_mm = radial.norm();
+        let on_axis = radius_mm <= 1e-9 * (1.0 + arm.norm());
+        let radial = if on_axis {
+            Vector3::zeros()
+        } else {
+            radial / radius_mm
+        };
+        Self {
+            origin_mm: axis.point_mm.coords.into(),
+            along: along.into(),
+            across_1: across_1.into(),
+            across_2: along.cross(&across_1).into(),
+            radial: radial.into(),
+            tangential: along.cross(&radial).into(),
+            radius_mm: if on_axis { 0.0 } else { radius_mm },
+            foot_mm: (axis.point_mm.coords + along * along.dot(&arm)).into(),
+        }
+    }
+}
+
+/// A term in its place in a model: what an effect gets to act with.
+#[derive(Debug, Clone)]
+pub struct Placed {
+    /// Joint, counted from 0.
+    pub joint: usize,
+    /// The scanned parameter.
+    pub setting: f64,
+    /// Coefficients in inner units.
+    pub coefficients: Vec<f64>,
+    /// Where its columns begin among the model's.
+    pub first_column: usize,
+    /// The joint's frame.
+    pub frame: JointFrame,
+    /// Direction of gravity, base frame; `None`: unknown.
+    pub down: Option<[f64; 3]>,
+    /// Time of the first sample, s.
+    pub start_s: f64,
+}
+
+/// Limits of a joint, else the range of its values in the data.
+pub fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
+    robot.joints[joint].limits.unwrap_or_else(|| {
+        let finite = q.iter().copied().filter(|v| v.is_finite());
+        let (from, to) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(v), b.max(v))
+        });
+        Range { from, to }
+    })
+}

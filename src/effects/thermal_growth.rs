@@ -1,0 +1,66 @@
+//! Thermal growth: `R (1 + α (T − 20 °C))`, R from the joint's axis to the measured reflector.
+
+use super::about::{About, Form, PPM, Quantity, Setting, Stage};
+use super::block::Block;
+use super::thermal_zero_drift::temperature_needed;
+use super::{Effect, Placed, Survey};
+use crate::lanes::{add_scaled, dot, minus, scaled};
+
+/// See the module.
+pub(super) struct ThermalGrowth;
+
+const ABOUT: About = About {
+    id: "thermal-growth",
+    title: "Thermal growth",
+    stage: Stage::Link,
+    per_joint: true,
+    form: Form::Plain(&[Quantity {
+        name: "ppm_per_degc",
+        inner: PPM,
+    }]),
+    setting: Setting::None,
+    equation: "R (1 + α (T − 20 °C))",
+    source: "linear thermal expansion; ISO 230-3",
+    cause: "the arm grows as it warms up: steel by some 12 ppm/K, aluminium by 23",
+    usual_size: "0.12 to 0.23 mm per metre and 10 K",
+    confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
+    check: "let the machine warm up before measuring, or enter the arm's expansion in the controller",
+};
+
+impl Effect for ThermalGrowth {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        survey
+            .not_revolute(joint)
+            .or_else(|| temperature_needed(survey))
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let alpha = me.coefficients[0];
+        let (origin, along) = (me.frame.origin_mm, me.frame.along);
+        block.transform(me, |x, at| {
+            let arm = minus(x, origin);
+            let radius = add_scaled(arm, along, -dot(arm, along));
+            let growth = alpha * at.warmth_c;
+            let carry = identity_plus_across(along, growth);
+            (
+                add_scaled(x, radius, growth),
+                carry,
+                [scaled(radius, at.warmth_c)],
+            )
+        });
+    }
+}
+
+/// `1 + k (1 − u uᵀ)`: stretches by k across the direction u.
+fn identity_plus_across(u: [f64; 3], k: f64) -> [[f64; 3]; 3] {
+    std::array::from_fn(|row| {
+        std::array::from_fn(|column| {
+            let same = f64::from(u8::from(row == column));
+            same + k * (same - u[row] * u[column])
+        })
+    })
+}

@@ -1,0 +1,89 @@
+//! The gap between a model and the measurement: root mean square of the length of the deviation,
+//! e = measured − predicted, in mm, over three coordinates (two in a planar session).
+//!
+//! Suspected outliers count in the largest deviation and not in the root mean square.
+
+use crate::model::Model;
+
+use super::problem::Problem;
+
+/// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Deviations {
+    /// Along x, y and z of the measuring frame; z is zero in a planar session.
+    pub axes_mm: [Vec<f64>; 3],
+    /// Lengths.
+    pub length_mm: Vec<f64>,
+}
+
+/// Deviations of a session's samples from a model.
+pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
+    let n = problem.inputs.len();
+    let mut deviations = Deviations {
+        axes_mm: std::array::from_fn(|_| Vec::with_capacity(n)),
+        length_mm: Vec::with_capacity(n),
+    };
+    let samples = &problem.session.samples;
+    let spatial = samples.z_mm.is_some();
+    let measured = [
+        Some(&samples.x_mm),
+        Some(&samples.y_mm),
+        samples.z_mm.as_ref(),
+    ];
+    model.visit(&problem.inputs, false, |start, block| {
+        for i in 0..block.len {
+            let usable = problem.usable[start + i];
+            let mut square = 0.0;
+            for axis in 0..3 {
+                let e = match measured[axis] {
+                    _ if !usable => f64::NAN,
+                    Some(measured) => measured[start + i] - block.point[axis][i],
+                    None => 0.0,
+                };
+                deviations.axes_mm[axis].push(e);
+                if axis < 2 || spatial {
+                    square += e * e;
+                }
+            }
+            deviations.length_mm.push(square.sqrt());
+        }
+    });
+    deviations
+}
+
+/// Root mean square and largest of some lengths; `None` where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Root mean square, without suspected outliers, mm.
+    pub rms_mm: f64,
+    /// Largest, suspected outliers included, mm.
+    pub max_mm: f64,
+}
+
+impl Spread {
+    /// Over the samples that `counts` picks; those that `outlier` picks count in the largest only.
+    pub fn of(
+        lengths_mm: &[f64],
+        counts: impl Fn(usize) -> bool,
+        outlier: impl Fn(usize) -> bool,
+    ) -> Option<Self> {
+        let (mut sum, mut n, mut max_mm) = (0.0, 0_usize, None);
+        for (i, length) in lengths_mm.iter().enumerate() {
+            if length.is_nan() || !counts(i) {
+                continue;
+            }
+            max_mm = Some(length.max(max_mm.unwrap_or(0.0)));
+            if !outlier(i) {
+                sum += length * length;
+                n += 1;
+            }
+        }
+        let max_mm = max_mm?;
+        let rms_mm = if n > 0 {
+            (sum / n as f64).sqrt()
+        } else {
+            max_mm
+        };
+        Some(Self { rms_mm, max_mm })
+    }
+}

@@ -1,0 +1,169 @@
+//! What an identification answers.
+
+use nalgebra::DMatrix;
+
+use crate::effects::Inputs;
+use crate::kinematics::Range;
+use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
+use crate::sessions::Session;
+
+use super::gap::Spread;
+use super::problem::Unusable;
+
+/// A parameter with its interval, in the user's units.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The effect's name.
+    pub effect: &'static str,
+    /// Joint, counted from 1; `None` where the effect belongs to none.
+    pub joint: Option<usize>,
+    /// The parameter's name with its unit.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// 95 % interval; `None` where the samples leave it open.
+    pub ci95: Option<[f64; 2]>,
+}
+
+/// One region's correction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RegionResult {
+    /// The correction: what to add.
+    pub correction: RegionalCorrection,
+    /// 95 % interval of Δθ, rad; `None` with too few samples.
+    pub theta_ci95: Option<[f64; 2]>,
+    /// 95 % interval of Δl1, mm.
+    pub l1_ci95: Option<[f64; 2]>,
+    /// Gap of the region's samples before the correction, in the plane of motion, mm.
+    pub rms_before_mm: f64,
+    /// The same after the correction, mm.
+    pub rms_after_mm: f64,
+}
+
+/// Something that the samples do not determine.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotIdentifiable {
+    /// What: a parameter, or a combination of several.
+    pub combination: String,
+    /// Why.
+    pub because: String,
+}
+
+/// The gap before and after.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gap {
+    /// Of the nominal robot.
+    pub before: Spread,
+    /// Of the model.
+    pub after: Spread,
+    /// Number of samples it is taken over, suspected outliers included.
+    pub samples: usize,
+}
+
+/// A sample that is suspected, counted from 0 in the order of the session.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outlier {
+    /// Which sample.
+    pub sample: usize,
+    /// How far it is from the model, mm.
+    pub deviation_mm: f64,
+}
+
+/// A sample that could not be used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Which sample, counted from 0.
+    pub sample: usize,
+    /// Why.
+    pub because: Unusable,
+}
+
+/// How the solver fared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quality {
+    /// Why it stopped, in words.
+    pub stopped: &'static str,
+    /// Whether the result can be relied on.
+    pub converged: bool,
+    /// Passes over the samples.
+    pub passes: usize,
+    /// Number of coefficients solved for.
+    pub coefficients: usize,
+    /// Number of independent combinations that the samples determine.
+    pub rank: usize,
+    /// Condition number of the scaled Jacobian on what is determined.
+    pub condition: f64,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identification {
+    /// Name of the session.
+    pub session: String,
+    /// `exact` or `regional`.
+    pub method: &'static str,
+    /// Number of samples in the session.
+    pub samples: usize,
+    /// The model; for `regional` the nominal robot.
+    pub model: Model,
+    /// Covariance of the model's coefficients, inner units.
+    pub covariance: Option<DMatrix<f64>>,
+    /// Parameters of an exact identification.
+    pub parameters: Vec<Estimate>,
+    /// Regions of a regional identification.
+    pub regions: Vec<RegionResult>,
+    /// What the samples do not determine.
+    pub not_identifiable: Vec<NotIdentifiable>,
+    /// The gap over the samples that were fitted.
+    pub gap: Gap,
+    /// The gap over the samples that the session holds out, if any.
+    pub held_out: Option<Gap>,
+    /// Suspected outliers, largest first.
+    pub outliers: Vec<Outlier>,
+    /// Samples that could not be used.
+    pub left_out: Vec<LeftOut>,
+    /// Noise of the x, y and z coordinates as the residuals show it, mm; `None` with too few samples.
+    pub noise_mm: Option<[f64; 3]>,
+    /// How the solver fared.
+    pub quality: Quality,
+    /// What else there is to say.
+    pub notes: Vec<String>,
+}
+
+impl Identification {
+    /// The calibration that goes with this answer, to be saved and exported.
+    pub fn calibration(&self, session: &Session, inputs: &Inputs) -> Calibration {
+        let step = |what: &str, pick: fn(&Gap) -> Spread| GapStep {
+            what: what.to_owned(),
+            gap_mm: pick(&self.gap).rms_mm,
+            held_out_mm: self.held_out.as_ref().map(|g| pick(g).rms_mm),
+        };
+        Calibration {
+            session: self.session.clone(),
+            model: self.model.clone(),
+            covariance: self.covariance.clone(),
+            regions: self.regions.iter().map(|r| r.correction.clone()).collect(),
+            targets: session.targets.clone(),
+            measured: measured_ranges(inputs),
+            tolerance_mm: session.tolerance_mm,
+            history: vec![
+                step("nominal robot", |g| g.before),
+                step(&format!("{} identification", self.method), |g| g.after),
+            ],
+            samples_hash: crate::sessions::hash_of_samples(session),
+            program_version: env!("CARGO_PKG_VERSION").to_owned(),
+        }
+    }
+}
+
+fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
+    let range = |q: &[f64]| {
+        let (from, to) = q
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+                (a.min(*v), b.max(*v))
+            });
+        Range { from, to }
+    };
+    inputs.q.iter().map(|q| range(q)).collect()
+}

@@ -1,0 +1,133 @@
+//! A least-squares problem: the samples of a session, which of them count, and how much each
+//! axis weighs.
+
+use crate::effects::block::Block;
+use crate::effects::{Inputs, JointValues};
+use crate::lanes::{LANES, Lanes};
+use crate::sessions::{Session, Sigma};
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Problem<'a> {
+    /// The session.
+    pub session: &'a Session,
+    /// Its samples as the effects take them.
+    pub inputs: Inputs<'a>,
+    /// Which samples can be used at all.
+    pub usable: Vec<bool>,
+    /// Which samples are there to be fitted: usable, and not held out.
+    pub fit: Vec<bool>,
+    /// Which samples count: those to be fitted, without suspected outliers.
+    pub used: Vec<bool>,
+    /// 1/σ² of each axis, or 1; 0 for an axis that was not measured.
+    pub axis_weights: [f64; 3],
+}
+
+/// Why a sample cannot take part at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unusable {
+    /// A joint value or a coordinate is missing.
+    MissingCell,
+    /// The instrument lost the reflector: it wrote (0, 0, 0).
+    LostReflector,
+}
+
+impl Unusable {
+    /// In words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::MissingCell => "a joint value or a coordinate is missing",
+            Self::LostReflector => "the instrument lost the reflector: it wrote 0, 0, 0",
+        }
+    }
+}
+
+impl<'a> Problem<'a> {
+    /// All usable samples of a session that are not held out.
+    pub fn new(session: &'a Session, values: JointValues) -> Self {
+        let inputs = Inputs::new(session, values);
+        let held_out = session.samples.held_out.as_deref();
+        let usable: Vec<bool> = (0..session.samples.len())
+            .map(|i| unusable(session, i).is_none())
+            .collect();
+        let kept = |i: usize| !held_out.is_some_and(|held_out| held_out[i]);
+        let fit: Vec<bool> = (0..usable.len()).map(|i| usable[i] && kept(i)).collect();
+        let spatial = f64::from(u8::from(session.samples.z_mm.is_some()));
+        let axis_weights = match session.instrument.sigma_mm {
+            Some(Sigma::PerAxis(sigma)) => {
+                let weight = |s: f64| 1.0 / (s * s);
+                [
+                    weight(sigma[0]),
+                    weight(sigma[1]),
+                    weight(sigma[2]) * spatial,
+                ]
+            }
+            _ => [1.0, 1.0, spatial],
+        };
+        Self {
+            used: fit.clone(),
+            fit,
+            usable,
+            session,
+            inputs,
+            axis_weights,
+        }
+    }
+
+    /// Number of samples that count.
+    pub fn samples(&self) -> usize {
+        self.used.iter().filter(|u| **u).count()
+    }
+
+    /// Number of measured coordinates of a sample.
+    pub fn axes(&self) -> usize {
+        self.axis_weights.iter().filter(|w| **w > 0.0).count()
+    }
+
+    /// 1 for the lanes of a block that count, 0 for the others.
+    #[inline]
+    pub fn mask(&self, start: usize, len: usize) -> Lanes {
+        let mut mask = [0.0; LANES];
+        for (lane, used) in mask.iter_mut().zip(&self.used[start..start + len]) {
+            *lane = f64::from(u8::from(*used));
+        }
+        mask
+    }
+
+    /// Measured − predicted along one axis; zero where the mask is.
+    #[inline]
+    pub fn residual(&self, axis: usize, start: usize, block: &Block, mask: &Lanes) -> Lanes {
+        let samples = &self.session.samples;
+        let measured = match axis {
+            0 => Some(&samples.x_mm),
+            1 => Some(&samples.y_mm),
+            _ => samples.z_mm.as_ref(),
+        };
+        let mut residual = [0.0; LANES];
+        if let Some(measured) = measured {
+            let measured = &measured[start..start + block.len];
+            for i in 0..block.len {
+                if mask[i] != 0.0 {
+                    residual[i] = measured[i] - block.point[axis][i];
+                }
+            }
+        }
+        residual
+    }
+}
+
+/// Whether a sample cannot be used, and why.
+pub fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
+    let samples = &session.samples;
+    let x = samples.x_mm[sample];
+    let y = samples.y_mm[sample];
+    let z = samples.z_mm.as_ref().map(|z| z[sample]);
+    let missing = x.is_nan()
+        || y.is_nan()
+        || z.is_some_and(f64::is_nan)
+        || samples.q.iter().any(|q| q[sample].is_nan());
+    if missing {
+        return Some(Unusable::MissingCell);
+    }
+    (x == 0.0 && y == 0.0 && z.is_none_or(|z| z == 0.0)).then_some(Unusable::LostReflector)
+}

@@ -1,0 +1,311 @@
+//! Gauss–Newton with Levenberg–Marquardt damping on the analytic Jacobian.
+//!
+//! ```text
+//! (D⁻¹ G D⁻¹ + λ 1) D δ = D⁻¹ g,   D = diag(√G_kk)
+//! ```
+//!
+//! (Levenberg 1944, Marquardt 1963; scaling as in Moré 1978). The damped step is solved in the
+//! eigenbasis of the scaled Gram matrix, whose small eigenvalues tell what cannot be determined:
+//! along them the step is zero, so a deficient problem still gets the smallest answer that fits.
+//!
+//! A long session is solved on evenly spaced blocks first. One pass over all samples from there
+//! is as good as many from afar, and a last pass with the same Gram matrix polishes it.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use crate::lanes::LANES;
+use crate::model::Model;
+
+use super::normal::{Normal, Sums};
+use super::problem::Problem;
+
+/// Why the solver stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stopped {
+    /// A further step would move the samples by less than anything that could matter.
+    Converged,
+    /// There was nothing to solve for.
+    NothingToDo,
+    /// The steps did not become small in the allowed number.
+    TooManySteps,
+    /// No step, however short, made the fit better.
+    NoDescent,
+}
+
+impl Stopped {
+    /// In words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::NothingToDo => "there was nothing to solve for",
+            Self::TooManySteps => {
+                "stopped after the largest number of steps: the result may be rough"
+            }
+            Self::NoDescent => "stopped where no step made the fit better: the result may be rough",
+        }
+    }
+}
+
+/// A direction in the space of coefficients along which the samples say nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NullDirection {
+    /// One component for each coefficient, inner units, of arbitrary size.
+    pub components: DVector<f64>,
+}
+
+/// The scaled Gram matrix taken apart.
+#[derive(Debug, Clone)]
+pub struct Spectrum {
+    scale: DVector<f64>,
+    values: DVector<f64>,
+    vectors: DMatrix<f64>,
+}
+
+/// Eigenvalues of the scaled Gram matrix below this are rounding: its entries are sums of products
+/// with a relative error of some 1e-14, and its diagonal is 1.
+const RANK_TOLERANCE: f64 = 1e-11;
+
+impl Spectrum {
+    /// Takes a Gram matrix apart.
+    pub fn new(gram: &DMatrix<f64>) -> Self {
+        let scale = gram
+            .diagonal()
+            .map(|d| if d > 0.0 { d.sqrt() } else { 0.0 });
+        let inverse = scale.map(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
+        let scaled = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| {
+            gram[(i, j)] * inverse[i] * inverse[j]
+        });
+        let eigen = SymmetricEigen::new(scaled);
+        Self {
+            scale,
+            values: eigen.eigenvalues,
+            vectors: eigen.eigenvectors,
+        }
+    }
+
+    fn determined(&self, index: usize) -> bool {
+        self.values[index] > RANK_TOLERANCE
+    }
+
+    /// Number of independent combinations of coefficients that the samples determine.
+    pub fn rank(&self) -> usize {
+        (0..self.values.len())
+            .filter(|k| self.determined(*k))
+            .count()
+    }
+
+    /// Ratio of the largest to the smallest determined eigenvalue of the scaled Gram matrix; its
+    /// root is the condition number of the scaled Jacobian.
+    pub fn condition(&self) -> f64 {
+        let determined = (0..self.values.len()).filter(|k| self.determined(*k));
+        let (low, high) = determined.fold((f64::INFINITY, 0.0_f64), |(low, high), k| {
+            (low.min(self.values[k]), high.max(self.values[k]))
+        });
+        if high > 0.0 { (high / low).sqrt() } else { 1.0 }
+    }
+
+    /// The damped step for a gradient.
+    pub fn step(&self, gradient: &DVector<f64>, damping: f64) -> DVector<f64> {
+        let unscale = |k: usize| {
+            if self.scale[k] > 0.0 {
+                1.0 / self.scale[k]
+            } else {
+                0.0
+            }
+        };
+        let scaled = DVector::from_fn(gradient.len(), |k, _| gradient[k] * unscale(k));
+        let mut along = self.vectors.tr_mul(&scaled);
+        for k in 0..along.len() {
+            along[k] = if self.determined(k) {
+                along[k] / (self.values[k] + damping)
+            } else {
+                0.0
+            };
+        }
+        let step = &self.vectors * along;
+        DVector::from_fn(step.len(), |k, _| step[k] * unscale(k))
+    }
+
+    /// Inverse of the Gram matrix on the determined directions.
+    pub fn inverse(&self) -> DMatrix<f64> {
+        let p = self.values.len();
+        let unscale = |k: usize| {
+            if self.scale[k] > 0.0 {
+                1.0 / self.scale[k]
+            } else {
+                0.0
+            }
+        };
+        DMatrix::from_fn(p, p, |i, j| {
+            let along = (0..p).filter(|k| self.determined(*k));
+            let sum: f64 = along
+                .map(|k| self.vectors[(i, k)] * self.vectors[(j, k)] / self.values[k])
+                .sum();
+            sum * unscale(i) * unscale(j)
+        })
+    }
+
+    /// The directions that the samples do not determine.
+    pub fn null_directions(&self) -> Vec<NullDirection> {
+        let p = self.values.len();
+        let undetermined = (0..p).filter(|k| !self.determined(*k));
+        let directions = undetermined.map(|k| {
+            let components = DVector::from_fn(p, |i, _| {
+                let seen = self.scale[i] > 0.0;
+                self.vectors[(i, k)] / if seen { self.scale[i] } else { 1.0 }
+            });
+            NullDirection { components }
+        });
+        directions.collect()
+    }
+
+    /// How far one coefficient of a direction moves the samples, relative to the others.
+    pub fn scaled_component(&self, components: &DVector<f64>, coefficient: usize) -> f64 {
+        let scale = self.scale[coefficient];
+        components[coefficient].abs() * if scale > 0.0 { scale } else { 1.0 }
+    }
+
+    /// How much of a coefficient lies in undetermined directions, from 0 to 1.
+    pub fn undetermined_share(&self, coefficient: usize) -> f64 {
+        let undetermined = (0..self.values.len()).filter(|k| !self.determined(*k));
+        undetermined
+            .map(|k| self.vectors[(coefficient, k)].powi(2))
+            .sum()
+    }
+}
+
+/// The answer of the solver.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The model with the coefficients found.
+    pub model: Model,
+    /// The Gram matrix there, taken apart.
+    pub spectrum: Spectrum,
+    /// `rᵀ W r` there.
+    pub cost: f64,
+    /// Why it stopped.
+    pub stopped: Stopped,
+    /// Passes over all or some of the samples.
+    pub passes: usize,
+}
+
+const MOST_STEPS: usize = 60;
+/// A session of more blocks than this is solved on as many first.
+const COARSE_BLOCKS: usize = 192;
+
+/// Fits the coefficients of `start` to the samples of the problem that count.
+pub fn solve(problem: &Problem, start: &Model) -> Solution {
+    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
+    if blocks.len() <= 2 * COARSE_BLOCKS || start.coefficient_count() == 0 {
+        return descend(problem, start, &blocks);
+    }
+    let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
+    let coarse: Vec<usize> = (0..COARSE_BLOCKS).map(spaced).collect();
+    let near = descend(problem, start, &coarse);
+    polish(problem, &near.model, &blocks, near.passes)
+}
+
+/// Levenberg–Marquardt from far away.
+fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
+    let mut model = start.clone();
+    let mut normal = sum(problem, &model, blocks, Sums::All);
+    let mut spectrum = Spectrum::new(&normal.gram);
+    let mut damping = 0.0;
+    let mut passes = 1;
+    let stopped = loop {
+        if model.coefficient_count() == 0 {
+            break Stopped::NothingToDo;
+        }
+        if passes > MOST_STEPS {
+            break Stopped::TooManySteps;
+        }
+        let step = spectrum.step(&normal.gradient, damping);
+        let trial = moved(&model, &step);
+        if negligible(&step, &normal) {
+            model = trial;
+            break Stopped::Converged;
+        }
+        let next = sum(problem, &trial, blocks, Sums::All);
+        passes += 1;
+        if next.cost.is_finite() && next.cost <= normal.cost * (1.0 + 1e-12) {
+            model = trial;
+            normal = next;
+            spectrum = Spectrum::new(&normal.gram);
+            damping = if damping > 1e-9 { damping / 10.0 } else { 0.0 };
+        } else {
+            damping = if damping > 0.0 { damping * 10.0 } else { 1e-6 };
+            if damping > 1e12 {
+                break Stopped::NoDescent;
+            }
+        }
+    };
+    Solution {
+        model,
+        spectrum,
+        cost: normal.cost,
+        stopped,
+        passes,
+    }
+}
+
+/// Two passes over all samples from a model that is nearly right.
+fn polish(problem: &Problem, near: &Model, blocks: &[usize], passes: usize) -> Solution {
+    let normal = sum(problem, near, blocks, Sums::All);
+    let spectrum = Spectrum::new(&normal.gram);
+    let step = spectrum.step(&normal.gradient, 0.0);
+    let model = moved(near, &step);
+    let last = sum(problem, &model, blocks, Sums::Gradient);
+    if last.cost > normal.cost * (1.0 + 1e-9) {
+        // The blocks that were left out hold something that the coarse fit knows nothing of.
+        return descend(problem, near, blocks);
+    }
+    let correction = spectrum.step(&last.gradient, 0.0);
+    let settled = displacement(&correction, &normal) <= 1e-3 * rms(&last);
+    if !settled {
+        return descend(problem, &model, blocks);
+    }
+    Solution {
+        model: moved(&model, &correction),
+        spectrum,
+        cost: last.cost - correction.dot(&last.gradient),
+        stopped: Stopped::Converged,
+        passes: passes + 2,
+    }
+}
+
+fn sum(problem: &Problem, model: &Model, blocks: &[usize], sums: Sums) -> Normal {
+    let mut normal = Normal::new(model.coefficient_count());
+    let starts = blocks.iter().copied();
+    model.visit_blocks(&problem.inputs, true, starts, |start, block| {
+        normal.add(problem, start, block, sums);
+    });
+    normal.complete();
+    normal
+}
+
+fn moved(model: &Model, step: &DVector<f64>) -> Model {
+    let coefficients = model.coefficients();
+    let moved: Vec<f64> = coefficients
+        .iter()
+        .zip(step.iter())
+        .map(|(c, s)| c + s)
+        .collect();
+    model.with_coefficients(&moved)
+}
+
+/// How far a step moves the samples, root mean square, in the units of the weighted residual.
+fn displacement(step: &DVector<f64>, normal: &Normal) -> f64 {
+    let square = step.dot(&(&normal.gram * step)).max(0.0);
+    (square / normal.weight.max(f64::MIN_POSITIVE)).sqrt()
+}
+
+fn rms(normal: &Normal) -> f64 {
+    (normal.cost / normal.weight.max(f64::MIN_POSITIVE)).sqrt()
+}
+
+/// Convergence is quadratic where the residuals vanish and fast where they are small, so a step
+/// that moves the samples by a ten-thousandth of the residual is the last. Where nothing is left
+/// the limit is rounding.
+fn negligible(step: &DVector<f64>, normal: &Normal) -> bool {
+    displacement(step, normal) <= (1e-6 * rms(normal)).max(1e-13)
+}

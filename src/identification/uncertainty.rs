@@ -1,0 +1,107 @@
+//! How sure the answer is: `C = s² (Jᵀ W J)⁻¹`, `s² = rᵀ W r / (m − rank)`, and 95 % intervals
+//! from Student's t with m − rank degrees of freedom, m the number of measured coordinates.
+//!
+//! An amplitude and a phase follow from their two coefficients a = A cos φ, b = A sin φ by the
+//! first derivatives of `A = √(a² + b²)` and `φ = atan2(b, a)`.
+
+use nalgebra::DMatrix;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use crate::effects::term::setting_quantity;
+use crate::effects::{Form, Term};
+use crate::units::deg_from_rad;
+
+use super::outcome::Estimate;
+
+/// The factor by which a standard error becomes half of a 95 % interval.
+pub fn half_width_factor(degrees_of_freedom: usize) -> f64 {
+    if degrees_of_freedom == 0 {
+        return f64::INFINITY;
+    }
+    StudentsT::new(0.0, 1.0, degrees_of_freedom as f64).map_or(1.96, |t| t.inverse_cdf(0.975))
+}
+
+/// The estimates of a term's parameters. `covariance` is that of its own coefficients, `factor`
+/// turns a standard error into half an interval, and `undetermined` says of each coefficient
+/// whether the samples leave it open.
+pub fn estimates(
+    term: &Term,
+    covariance: Option<&DMatrix<f64>>,
+    factor: f64,
+    undetermined: &[bool],
+) -> Vec<Estimate> {
+    let about = term.effect.about();
+    let values = term.parameters();
+    let half_widths = half_widths(term, covariance, factor, undetermined);
+    let settings = usize::from(setting_quantity(about.setting).is_some());
+    values
+        .into_iter()
+        .enumerate()
+        .map(|(k, parameter)| {
+            let half = k.checked_sub(settings).map(|k| half_widths[k]);
+            let value = parameter.value;
+            let ci95 = match half {
+                // A setting is chosen, not estimated; whoever scans it says how sure it is.
+                None => Some([value, value]),
+                Some(half) => half
+                    .filter(|h| h.is_finite())
+                    .map(|h| [value - h, value + h]),
+            };
+            Estimate {
+                effect: about.id,
+                joint: about.per_joint.then_some(term.joint + 1),
+                name: parameter.name,
+                value,
+                ci95: match (parameter.name, ci95) {
+                    (name, Some([low, high])) if name.starts_with("amplitude") => {
+                        Some([low.max(0.0), high])
+                    }
+                    (_, ci95) => ci95,
+                },
+            }
+        })
+        .collect()
+}
+
+fn half_widths(
+    term: &Term,
+    covariance: Option<&DMatrix<f64>>,
+    factor: f64,
+    undetermined: &[bool],
+) -> Vec<Option<f64>> {
+    let Some(covariance) = covariance else {
+        return vec![None; term.coefficients.len()];
+    };
+    match term.effect.about().form {
+        Form::Plain(quantities) => quantities
+            .iter()
+            .enumerate()
+            .map(|(k, quantity)| {
+                (!undetermined[k]).then(|| factor * covariance[(k, k)].sqrt() / quantity.inner)
+            })
+            .collect(),
+        Form::Harmonic(quantity) => {
+            if undetermined.contains(&true) {
+                return vec![None, None];
+            }
+            let (a, b) = (term.coefficients[0], term.coefficients[1]);
+            let amplitude = a.hypot(b);
+            let variance = |da: f64, db: f64| {
+                da * da * covariance[(0, 0)]
+                    + 2.0 * da * db * covariance[(0, 1)]
+                    + db * db * covariance[(1, 1)]
+            };
+            if amplitude == 0.0 {
+                let largest = covariance[(0, 0)].max(covariance[(1, 1)]);
+                return vec![Some(factor * largest.sqrt() / quantity.inner), None];
+            }
+            let radial = variance(a / amplitude, b / amplitude).sqrt();
+            let around = variance(-b / amplitude, a / amplitude).sqrt() / amplitude;
+            let phase = deg_from_rad(factor * around);
+            vec![
+                Some(factor * radial / quantity.inner),
+                (phase < 180.0).then_some(phase),
+            ]
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! The forward map of a serial chain: the product of exponentials.
+//!
+//! ```text
+//! T(q) = exp([ξ1] q1) · … · exp([ξn] qn) · M
+//! ```
+//!
+//! Each exponential is the motion of one joint about its axis at home, in the base frame, so the
+//! product is read from the base outwards and worked from the tool inwards when only a point is
+//! wanted: a point costs one rotation by Rodrigues' formula per joint, a pose a product of motions.
+//!
+//! Source: Lynch & Park, *Modern Robotics*, 2017, eq. 4.14.
+//!
+//! All functions here panic if a pose does not have one value per joint: poses are checked where
+//! they enter the program ([`Robot::check_joint_values`]).
+
+use nalgebra::Point3;
+
+use super::robot::{Axis, JointKind, Pose, Robot};
+use super::screw::joint_motion;
+
+impl Robot {
+    /// The tool's pose in the base frame at joint values `q`, rad and mm.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn base_from_tool(&self, q: &[f64]) -> Pose {
+        self.expect_one_value_per_joint(q);
+        let motion = self
+            .joints
+            .iter()
+            .zip(q)
+            .map(|(joint, &value)| joint_motion(&joint.axis, joint.kind, value))
+            .fold(Pose::identity(), |before, next| before * next);
+        motion * self.base_from_tool
+    }
+
+    /// Where a point that is fixed in the tool frame stands in the base frame at `q`, mm.
+    ///
+    /// Only the point is moved. For many poses of one robot use [`super::PointMap`].
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn point_in_base(&self, q: &[f64], point_in_tool: &Point3<f64>) -> Point3<f64> {
+        self.expect_one_value_per_joint(q);
+        let at_home = self.base_from_tool * point_in_tool;
+        self.joints
+            .iter()
+            .zip(q)
+            .rev()
+            .fold(at_home, |point, (joint, &value)| {
+                point_moved(&joint.axis, joint.kind, value, &point)
+            })
+    }
+
+    /// The motion from home of what stands before and behind each joint: n + 1 motions, the first
+    /// that of the base (none), the last that of the tool.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn motions_from_home(&self, q: &[f64]) -> Vec<Pose> {
+        self.expect_one_value_per_joint(q);
+        let mut motions = Vec::with_capacity(q.len() + 1);
+        let mut motion = Pose::identity();
+        motions.push(motion);
+        for (joint, &value) in self.joints.iter().zip(q) {
+            motion *= joint_motion(&joint.axis, joint.kind, value);
+            motions.push(motion);
+        }
+        motions
+    }
+
+    pub(super) fn expect_one_value_per_joint(&self, q: &[f64]) {
+        assert!(
+            q.len() == self.joints.len(),
+            "{} joint values for a robot with {} joints",
+            q.len(),
+            self.joints.len()
+        );
+    }
+}
+
+/// A point after one joint moved, by Rodrigues' formula about a line.
+fn point_moved(axis: &Axis, kind: JointKind, value: f64, point: &Point3<f64>) -> Point3<f64> {
+    let direction = axis.direction.into_inner();
+    match kind {
+        JointKind::Revolute => {
+            let (sine, cosine) = value.sin_cos();
+            let lever = point - axis.point_mm;
+            let along = direction * (direction.dot(&lever) * (1.0 - cosine));
+            axis.point_mm + lever * cosine + direction.cross(&lever) * sine + along
+        }
+        JointKind::Prismatic => point + direction * value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{robot_and_pose, target};
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_point_alone_goes_where_the_pose_takes_it((robot, q) in robot_and_pose(), p in target()) {
+            let by_pose = robot.base_from_tool(&q) * p;
+            let alone = robot.point_in_base(&q, &p);
+            prop_assert!((by_pose - alone).norm() < 1e-10, "{by_pose} {alone}");
+        }
+
+        #[test]
+        fn at_home_the_tool_is_at_home((robot, q) in robot_and_pose()) {
+            let home = vec![0.0; q.len()];
+            prop_assert_eq!(robot.base_from_tool(&home).translation, robot.base_from_tool.translation);
+        }
+
+        #[test]
+        fn a_chain_cut_in_two_composes((robot, q) in robot_and_pose(), cut in 0usize..8) {
+            let cut = cut.min(q.len());
+            let part = |joints: &[super::super::Joint], tool: Pose| Robot {
+                joints: joints.to_vec(),
+                base_from_tool: tool,
+                ..robot.clone()
+            };
+            let inner = part(&robot.joints[..cut], Pose::identity());
+            let outer = part(&robot.joints[cut..], robot.base_from_tool);
+            let composed = inner.base_from_tool(&q[..cut]) * outer.base_from_tool(&q[cut..]);
+            let whole = robot.base_from_tool(&q);
+            prop_assert!((composed.to_homogeneous() - whole.to_homogeneous()).norm() < 1e-10);
+        }
+
+        #[test]
+        fn the_last_motion_from_home_is_the_tools((robot, q) in robot_and_pose()) {
+            let motions = robot.motions_from_home(&q);
+            prop_assert_eq!(motions.len(), q.len() + 1);
+            let tool = motions[q.len()] * robot.base_from_tool;
+            let difference = tool.to_homogeneous() - robot.base_from_tool(&q).to_homogeneous();
+            prop_assert!(difference.norm() < 1e-12);
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "1 joint values for a robot with 2 joints")]
+    fn a_pose_that_was_not_checked_is_a_bug_and_says_so() {
+        let column = super::super::half_angle::RotatingColumn {
+            l1_mm: 1.0,
+            l2_mm: 0.0,
+            l3_mm: 0.0,
+        };
+        let mut robot = column.robot();
+        robot.joints.push(robot.joints[0].clone());
+        let _ = robot.base_from_tool(&[0.0]);
+    }
+}

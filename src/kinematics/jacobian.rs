@@ -1,0 +1,167 @@
+//! Derivatives of the tool's pose and of a point by the joint values.
+//!
+//! ```text
+//! space:  J_s = [Ad(A_0) ξ1 … Ad(A_{n−1}) ξn],   A_i = exp([ξ1] q1) … exp([ξi] qi)
+//! body:   J_b = Ad(T⁻¹) J_s
+//! point:  ∂p/∂q_i = ω_i × p + v_i,   (ω_i, v_i) column i of J_s
+//! ```
+//!
+//! Rows of a twist are (ω, v), rad and mm; a column is per rad (revolute) or per mm (prismatic).
+//! The space twist has the velocity of the body's point at the base origin, the body twist that of
+//! the tool's origin, in tool coordinates.
+//!
+//! Source: Lynch & Park, *Modern Robotics*, 2017, section 5.1.
+
+use nalgebra::{Matrix3xX, Matrix6xX, Point3};
+
+use super::robot::{Pose, Robot};
+use super::screw::{Twist, joint_motion};
+
+/// Joint values at which [`Robot::mobility`] looks, in turns of the golden angle: no two joints
+/// alike, and far from the angles where robots are built to be singular.
+const GENERIC_STEP: f64 = 2.399_963_229_728_653;
+
+impl Robot {
+    /// The twist of each joint at `q`, in the base frame, per unit of its value.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn joint_twists(&self, q: &[f64]) -> Vec<Twist> {
+        self.expect_one_value_per_joint(q);
+        let mut before = Pose::identity();
+        let mut twists = Vec::with_capacity(q.len());
+        for (joint, &value) in self.joints.iter().zip(q) {
+            twists.push(Twist::of_axis(&joint.axis.moved_by(&before), joint.kind));
+            before *= joint_motion(&joint.axis, joint.kind, value);
+        }
+        twists
+    }
+
+    /// The Jacobian of the tool's pose as twists in the base frame, 6 × n.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn space_jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
+        columns(&self.joint_twists(q))
+    }
+
+    /// The Jacobian of the tool's pose as twists in the tool frame, 6 × n.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn body_jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
+        let tool_from_base = self.base_from_tool(q).inverse();
+        let in_tool: Vec<Twist> = self
+            .joint_twists(q)
+            .iter()
+            .map(|twist| twist.transformed_by(&tool_from_base))
+            .collect();
+        columns(&in_tool)
+    }
+
+    /// The Jacobian of the position, in the base frame, of a point fixed in the tool frame, 3 × n,
+    /// mm per rad or mm.
+    ///
+    /// # Panics
+    /// If `q` does not have one value per joint.
+    pub fn position_jacobian(&self, q: &[f64], point_in_tool: &Point3<f64>) -> Matrix3xX<f64> {
+        let point = self.point_in_base(q, point_in_tool);
+        let velocities: Vec<_> = self
+            .joint_twists(q)
+            .iter()
+            .map(|twist| twist.velocity_at(&point))
+            .collect();
+        Matrix3xX::from_columns(&velocities)
+    }
+
+    /// In how many independent ways the joints move the tool in a generic pose: at most 6.
+    ///
+    /// Fewer than there are joints means that some joints stand in for each other everywhere.
+    pub fn mobility(&self) -> usize {
+        let reach_mm = self
+            .joints
+            .iter()
+            .map(|joint| joint.axis.point_mm.coords.norm())
+            .fold(self.base_from_tool.translation.vector.norm(), f64::max)
+            .max(1.0);
+        let rank_at = |seed: usize| {
+            let q: Vec<f64> = (0..self.joints.len())
+                .map(|joint| (GENERIC_STEP * (joint + seed) as f64) % 2.0 - 1.0)
+                .collect();
+            let mut jacobian = self.space_jacobian(&q);
+            // mm against rad: lengths in units of the reach make the singular values comparable.
+            jacobian.rows_mut(3, 3).unscale_mut(reach_mm);
+            // A unit column per joint, so that a slide of 1 mm is not small beside a turn of 1 rad.
+            for mut column in jacobian.column_iter_mut() {
+                let norm = column.norm();
+                if norm > 0.0 {
+                    column.unscale_mut(norm);
+                }
+            }
+            jacobian.rank(1e-9)
+        };
+        (1..=3).map(rank_at).max().unwrap_or(0)
+    }
+}
+
+pub(super) fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
+    let columns: Vec<_> = twists.iter().map(Twist::to_vector).collect();
+    Matrix6xX::from_columns(&columns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::{robot_and_pose, space_twist_between, target};
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Central differences lose about h² and ε/h; this step balances the two at 1 m of reach.
+    const STEP: f64 = 1e-5;
+
+    fn beside(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
+        let mut q = q.to_vec();
+        q[joint] += by;
+        q
+    }
+
+    proptest! {
+        #[test]
+        fn the_position_jacobian_agrees_with_central_differences(
+            (robot, q) in robot_and_pose(), p in target(),
+        ) {
+            let jacobian = robot.position_jacobian(&q, &p);
+            for joint in 0..q.len() {
+                let ahead = robot.point_in_base(&beside(&q, joint, STEP), &p);
+                let behind = robot.point_in_base(&beside(&q, joint, -STEP), &p);
+                let numerical = (ahead - behind) / (2.0 * STEP);
+                prop_assert!((jacobian.column(joint) - numerical).norm() < 2e-6);
+            }
+        }
+
+        #[test]
+        fn the_pose_jacobians_agree_with_central_differences((robot, q) in robot_and_pose()) {
+            let space = robot.space_jacobian(&q);
+            let body = robot.body_jacobian(&q);
+            for joint in 0..q.len() {
+                let ahead = robot.base_from_tool(&beside(&q, joint, STEP));
+                let behind = robot.base_from_tool(&beside(&q, joint, -STEP));
+                let numerical = space_twist_between(&behind, &ahead).to_vector() / (2.0 * STEP);
+                prop_assert!((space.column(joint) - numerical).norm() < 5e-6);
+                let numerical =
+                    super::super::screw::log(&(behind.inverse() * ahead)).to_vector() / (2.0 * STEP);
+                prop_assert!((body.column(joint) - numerical).norm() < 5e-6);
+            }
+        }
+
+        #[test]
+        fn the_body_twist_is_the_velocity_of_the_tools_origin((robot, q) in robot_and_pose()) {
+            let origin = robot.position_jacobian(&q, &Point3::origin());
+            let body = robot.body_jacobian(&q);
+            let base_from_tool = robot.base_from_tool(&q).rotation;
+            for joint in 0..q.len() {
+                let linear: nalgebra::Vector3<f64> = body.fixed_view::<3, 1>(3, joint).into();
+                prop_assert!((base_from_tool * linear - origin.column(joint)).norm() < 1e-9);
+            }
+        }
+    }
+}

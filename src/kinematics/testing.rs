@@ -1,0 +1,73 @@
+//! Random robots and poses for the tests of this module.
+
+use nalgebra::{Point3, Vector3};
+use proptest::prelude::*;
+
+use super::robot::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
+use super::screw::{self, Twist};
+
+/// A vector with components in ±`size`.
+pub(crate) fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
+    prop::array::uniform3(-size..size).prop_map(Vector3::from)
+}
+
+/// A target in the tool frame, mm.
+pub(crate) fn target() -> impl Strategy<Value = Point3<f64>> {
+    vector(150.0).prop_map(Point3::from)
+}
+
+/// A small or large twist.
+pub(crate) fn twist(rad: f64, mm: f64) -> impl Strategy<Value = Twist> {
+    (vector(rad), vector(mm)).prop_map(|(angular, linear)| Twist::new(angular, linear))
+}
+
+fn joint() -> impl Strategy<Value = Joint> {
+    let direction = prop_oneof![
+        Just(Vector3::z()),
+        Just(-Vector3::y()),
+        vector(1.0).prop_filter("a direction", |v| v.norm() > 0.1),
+    ];
+    let link = prop::option::of((0.0..30.0, vector(500.0)));
+    (direction, vector(800.0), prop::bool::weighted(0.75), link).prop_map(
+        |(direction, point, turns, link)| {
+            let axis = Axis::through(direction, Point3::from(point)).unwrap();
+            let kind = if turns {
+                JointKind::Revolute
+            } else {
+                JointKind::Prismatic
+            };
+            let mut joint = Joint::new("j", kind, axis);
+            joint.link = link.map(|(mass_kg, centre)| LinkMass {
+                mass_kg,
+                centre_mm: Point3::from(centre),
+            });
+            joint
+        },
+    )
+}
+
+/// A robot of one to seven joints under gravity, and joint values for it.
+pub(crate) fn robot_and_pose() -> impl Strategy<Value = (Robot, Vec<f64>)> {
+    let joints = prop::collection::vec((joint(), -3.0..3.0_f64), 1..8);
+    (joints, twist(2.0, 900.0), vector(10.0)).prop_map(|(joints, tool, gravity)| {
+        let q = joints
+            .iter()
+            .map(|(joint, value)| match joint.kind {
+                JointKind::Revolute => *value,
+                JointKind::Prismatic => value * 100.0,
+            })
+            .collect();
+        let robot = Robot {
+            name: "random".to_owned(),
+            joints: joints.into_iter().map(|(joint, _)| joint).collect(),
+            base_from_tool: screw::exp(&tool),
+            gravity_m_s2: Some(gravity),
+        };
+        (robot, q)
+    })
+}
+
+/// The body's small motion from `from` to `to`, as a twist in the base frame.
+pub(crate) fn space_twist_between(from: &Pose, to: &Pose) -> Twist {
+    screw::log(&(to * from.inverse()))
+}

@@ -1,0 +1,61 @@
+//! A calibration: the model that came out of a session, how sure it is, and how it came about.
+
+use nalgebra::DMatrix;
+
+use crate::kinematics::Range;
+use crate::sessions::Target;
+
+use super::Model;
+
+/// The paper's correction for one region: what to add, not what the robot does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RegionalCorrection {
+    /// The region's name.
+    pub name: String,
+    /// Lower end, rad.
+    pub from_rad: f64,
+    /// Upper end, rad.
+    pub to_rad: f64,
+    /// Number of samples it rests on.
+    pub samples: usize,
+    /// Δθ: to be added to the joint command, rad.
+    pub theta_rad: f64,
+    /// Δl1: to be added to the position along the radius at home, mm.
+    pub l1_mm: f64,
+}
+
+/// One step of the way from the nominal robot to the model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GapStep {
+    /// What was done.
+    pub what: String,
+    /// The gap after it, mm.
+    pub gap_mm: f64,
+    /// The gap on samples that no fit has seen, mm.
+    pub held_out_mm: Option<f64>,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// Name of the session.
+    pub session: String,
+    /// Robot and effects.
+    pub model: Model,
+    /// Covariance of the model's coefficients, in inner units; `None` where there is none.
+    pub covariance: Option<DMatrix<f64>>,
+    /// The paper's corrections; empty for an exact model.
+    pub regions: Vec<RegionalCorrection>,
+    /// Reflectors of the session.
+    pub targets: Vec<Target>,
+    /// Range of every joint in the measured samples, rad or mm.
+    pub measured: Vec<Range>,
+    /// Tolerance of the session, mm.
+    pub tolerance_mm: Option<f64>,
+    /// The gap, step by step; the first is the nominal robot's.
+    pub history: Vec<GapStep>,
+    /// Hash of the samples that it came from.
+    pub samples_hash: String,
+    /// Version of the program that made it.
+    pub program_version: String,
+}

@@ -1,0 +1,1 @@
+//! `truepose-model/1` on disk.
