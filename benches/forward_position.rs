@@ -21,8 +21,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
-use truepose::kinematics::sincos::sin_cos_all;
 use truepose::kinematics::{DhConvention, DhRow, PointMap, Robot, robot_from_dh};
+use truepose::sincos::sin_cos_all;
 
 /// So many that the processor learns no pattern, few enough to stay in its first cache; a power of
 /// two.

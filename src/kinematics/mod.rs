@@ -19,7 +19,7 @@
 //! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
 //!   ([`Robot::point_in_base`]).
 //! - [`point_map`]: the point alone for many poses, with everything constant computed beforehand,
-//!   on [`sincos`], sines and cosines of several joints at once.
+//!   on [`crate::sincos`], sines and cosines of several joints at once.
 //! - [`jacobian`]: derivatives by joint values; [`geometry`]: small screws of base, joint axes and
 //!   tool, what they do to a robot, and derivatives by them.
 //! - [`gravity`]: gravity's torque about a joint and its gradient.
@@ -54,7 +54,6 @@ mod problems;
 pub mod quaternion;
 pub mod robot;
 pub mod screw;
-pub mod sincos;
 pub mod urdf;
 mod urdf_document;
 

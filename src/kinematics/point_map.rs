@@ -19,7 +19,7 @@
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Vector3};
 
 use super::robot::{JointKind, Robot};
-use super::sincos::{sin_cos, sin_cos_all, sin_cos_lanes};
+use crate::sincos::{sin_cos, sin_cos_all, sin_cos_lanes};
 
 /// Joints whose sines are computed together.
 const BATCH: usize = 8;
