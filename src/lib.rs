@@ -1,7 +1,9 @@
 //! truepose: calibration of robots at commissioning.
 
+pub mod atomic;
 pub mod diagnostic;
 pub mod lanes;
+pub mod sincos;
 pub mod units;
 
 pub mod kinematics;
