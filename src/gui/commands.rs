@@ -56,6 +56,8 @@ pub(crate) enum Command {
     Blend(f32),
     /// Show this component in the chart.
     Component(Component),
+    /// Show only what is left in the chart.
+    OnlyAfter(bool),
     /// The pointer is on this sample.
     Hover(Option<usize>),
     /// Choose this sample.
@@ -237,6 +239,7 @@ impl Workbench {
             }
             Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
             Command::Component(component) => view.component = component,
+            Command::OnlyAfter(only) => view.only_after = only,
             Command::Hover(sample) => view.hovered = sample,
             Command::Select(sample) => view.selected = sample,
             Command::Side(side) => view.side = side,

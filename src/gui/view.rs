@@ -151,6 +151,8 @@ pub(crate) struct ViewState {
     pub(crate) blend: f32,
     /// The component in the deviation chart.
     pub(crate) component: Component,
+    /// Whether the chart leaves out the deviation before, so that what is left can be seen.
+    pub(crate) only_after: bool,
     /// The sample under the pointer, wherever that is.
     pub(crate) hovered: Option<usize>,
     /// The chosen sample.
@@ -177,6 +179,7 @@ impl Default for ViewState {
             magnification: None,
             blend: 1.0,
             component: Component::default(),
+            only_after: false,
             hovered: None,
             selected: None,
             side: Side::default(),

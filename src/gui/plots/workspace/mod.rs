@@ -5,4 +5,6 @@ mod layout;
 mod model;
 mod paint;
 
-pub(crate) use paint::show;
+pub(crate) use layout::nearest;
+pub(crate) use model::readable;
+pub(crate) use paint::{hover, show};

@@ -1,0 +1,340 @@
+//! The workspace plot in egui.
+
+use egui::epaint::Mesh;
+use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
+use egui_plot::{Plot, PlotPoint, PlotTransform};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::plots::{Drawing, marks, thinned};
+use crate::gui::tokens::{Palette, size};
+use crate::gui::units::{significant, trimmed};
+use crate::gui::view::Step;
+use crate::gui::widgets;
+use crate::sessions::Region;
+
+use super::handles;
+use super::layout::{self, HANDLE, SECTOR};
+use super::model::{Dial, Scene};
+
+/// The longest that the scale's arrow gets, points.
+const LONGEST_SCALE: f64 = 90.0;
+/// A sample is under the pointer within this many points.
+const REACH: f32 = 14.0;
+
+/// Shows the plot in the space that is left, and sends what the pointer does.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let view = workbench.view();
+    let scene = Scene::of(workbench);
+    let bounds = layout::bounds(&scene);
+    let names = ["x", "y", "z"];
+    let [right, up] = view.plane.axes();
+    let units = workbench.units();
+    let axis = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
+    let tick = move |mark: egui_plot::GridMark, _: &std::ops::RangeInclusive<f64>| {
+        trimmed(units.length_value(mark.value), 3)
+    };
+    let editing = view.step == Step::Regions;
+    let regions = &workbench.document().regions;
+    let plot = Plot::new(("workspace", view.plane.name(), view.fitted))
+        .data_aspect(1.0)
+        .show_x(false)
+        .show_y(false)
+        .show_background(false)
+        .show_crosshair(false)
+        .set_margin_fraction(egui::Vec2::splat(0.02))
+        .grid_color(palette.line)
+        .x_axis_label(axis(right))
+        .y_axis_label(axis(up))
+        .x_axis_formatter(tick)
+        .y_axis_formatter(tick)
+        .y_axis_min_width(36.0);
+    let emphasised = view.hovered.or(view.selected);
+    let shown = plot.show(ui, |plot| {
+        plot.add(Drawing::new("workspace", bounds, |transform, shapes| {
+            if let Some(dial) = &scene.dial {
+                sectors(shapes, transform, dial, regions, &palette, editing);
+            }
+            path(shapes, transform, &scene, &palette);
+            arrows(shapes, transform, &scene, &palette, workbench.answer().is_some());
+            points(shapes, transform, &scene, &palette);
+            if let Some(sample) = emphasised {
+                emphasis(shapes, transform, workbench, sample, &palette);
+            }
+        }));
+    });
+    let (response, transform) = (shown.response, shown.transform);
+    let samples = scene.points.len();
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Figure, true, format!("workspace plot, {samples} samples"))
+    });
+    names_of_regions(ui, &scene, &transform, regions, &palette);
+    legend(ui, &scene, &transform, workbench, &palette);
+
+    let on = |p: [f64; 2]| screen(&transform, p);
+    let pointer = response.hover_pos();
+    let under = pointer.and_then(|pointer| {
+        let candidates = scene.points.iter().map(|p| {
+            let at = on(p.at_mm);
+            (p.sample, [at.x, at.y])
+        });
+        layout::nearest(candidates, [pointer.x, pointer.y], REACH)
+    });
+    hover(&response, workbench, under, commands);
+    if editing && let Some(dial) = &scene.dial {
+        handles::show(ui, workbench, dial, &transform, commands);
+    }
+}
+
+/// Sends what is under the pointer, and says what it is.
+pub(crate) fn hover(
+    response: &egui::Response,
+    workbench: &Workbench,
+    under: Option<usize>,
+    commands: &mut Vec<Command>,
+) {
+    if response.hovered() && under != workbench.view().hovered {
+        commands.push(Command::Hover(under));
+    }
+    if response.clicked() {
+        commands.push(Command::Select(under));
+    }
+    if let Some(sample) = under {
+        let response = response.clone().on_hover_cursor(CursorIcon::PointingHand);
+        response.on_hover_ui_at_pointer(|ui| widgets::sample_card(ui, &layout::about(workbench, sample)));
+    }
+}
+
+fn screen(transform: &PlotTransform, p: [f64; 2]) -> Pos2 {
+    transform.position_from_point(&PlotPoint::new(p[0], p[1]))
+}
+
+fn sectors(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    dial: &Dial,
+    regions: &[Region],
+    palette: &Palette,
+    editing: bool,
+) {
+    let mut order: Vec<usize> = (0..regions.len()).collect();
+    order.sort_by(|a, b| regions[*a].from_rad.total_cmp(&regions[*b].from_rad));
+    // One mesh without soft edges: neighbouring pieces leave no seams.
+    let mut mesh = Mesh::default();
+    for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
+        let color = palette.sectors[place % 2];
+        for corners in layout::sector(dial, region.from_rad, region.to_rad) {
+            let first = mesh.vertices.len() as u32;
+            for corner in corners {
+                mesh.colored_vertex(screen(transform, corner), color);
+            }
+            mesh.add_triangle(first, first + 1, first + 2);
+            mesh.add_triangle(first, first + 2, first + 3);
+        }
+    }
+    shapes.push(Shape::mesh(mesh));
+    let stroke = if editing {
+        Stroke::new(1.5, palette.accent)
+    } else {
+        Stroke::new(1.0, palette.line)
+    };
+    for region in regions {
+        for angle in [region.from_rad, region.to_rad] {
+            let inner = screen(transform, dial.at(angle, SECTOR.0 * dial.radius_mm));
+            let end = if editing { HANDLE } else { SECTOR.1 };
+            let outer = screen(transform, dial.at(angle, end * dial.radius_mm));
+            shapes.push(Shape::line_segment([inner, outer], stroke));
+        }
+    }
+}
+
+fn path(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
+    let points: Vec<Pos2> = scene.path_mm.iter().map(|p| screen(transform, *p)).collect();
+    shapes.push(Shape::line(points, Stroke::new(1.25, palette.nominal)));
+    if let Some(dial) = &scene.dial {
+        let centre = screen(transform, dial.centre_mm);
+        let stroke = Stroke::new(1.5, palette.nominal);
+        for (a, b) in [((-6.0, 0.0), (6.0, 0.0)), ((0.0, -6.0), (0.0, 6.0))] {
+            let at = |(x, y): (f32, f32)| pos2(centre.x + x, centre.y + y);
+            shapes.push(Shape::line_segment([at(a), at(b)], stroke));
+        }
+        shapes.push(marks::ring(centre, 3.5, stroke));
+    }
+}
+
+fn arrows(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    scene: &Scene,
+    palette: &Palette,
+    identified: bool,
+) {
+    let m = scene.magnification;
+    let tip = |from: [f64; 2], v: [f64; 2]| [from[0] + m * v[0], from[1] + m * v[1]];
+    let ghost = Stroke::new(1.0, palette.before.gamma_multiply(0.38));
+    let color = if identified { palette.after } else { palette.before };
+    for arrow in &scene.arrows {
+        if let Some(before) = arrow.before_mm {
+            // The simulation that the deviation before belongs to.
+            let from = [
+                arrow.from_mm[0] + arrow.vector_mm[0] - before[0],
+                arrow.from_mm[1] + arrow.vector_mm[1] - before[1],
+            ];
+            let (from, to) = (screen(transform, from), screen(transform, tip(from, before)));
+            marks::arrow(shapes, from, to, ghost);
+        }
+    }
+    for arrow in &scene.arrows {
+        let from = screen(transform, arrow.from_mm);
+        let to = screen(transform, tip(arrow.from_mm, arrow.vector_mm));
+        marks::arrow(shapes, from, to, Stroke::new(1.6, color));
+    }
+}
+
+fn points(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
+    for point in &scene.points {
+        let at = screen(transform, point.at_mm);
+        shapes.push(match point.within {
+            None => marks::disc(at, 2.6, palette.text),
+            Some(true) => marks::disc(at, 2.8, palette.within),
+            Some(false) => {
+                let edge = Stroke::new(1.4, palette.outside);
+                marks::diamond(at, 4.2, palette.surface, edge)
+            }
+        });
+        if point.suspected {
+            shapes.push(marks::ring(at, 8.0, Stroke::new(1.5, palette.warning)));
+        }
+    }
+}
+
+fn emphasis(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    workbench: &Workbench,
+    sample: usize,
+    palette: &Palette,
+) {
+    let subject = workbench.subject();
+    if !subject.usable[sample] {
+        return;
+    }
+    let measured = subject.measured(sample);
+    let [right, up] = workbench.view().plane.axes();
+    let at = screen(transform, [measured[right], measured[up]]);
+    shapes.push(marks::ring(at, 9.0, Stroke::new(2.5, palette.accent)));
+}
+
+fn names_of_regions(
+    ui: &Ui,
+    scene: &Scene,
+    transform: &PlotTransform,
+    regions: &[Region],
+    palette: &Palette,
+) {
+    let Some(dial) = &scene.dial else {
+        return;
+    };
+    let painter = ui.painter().with_clip_rect(*transform.frame());
+    for region in regions {
+        let middle = 0.5 * (region.from_rad + region.to_rad);
+        let at = screen(transform, dial.at(middle, 0.42 * dial.radius_mm));
+        let font = crate::gui::tokens::strong(size::BODY);
+        painter.text(at, Align2::CENTER_CENTER, &region.name, font, palette.muted);
+    }
+}
+
+/// The scale of the vectors, what the marks mean, and what is not shown.
+fn legend(
+    ui: &mut Ui,
+    scene: &Scene,
+    transform: &PlotTransform,
+    workbench: &Workbench,
+    palette: &Palette,
+) {
+    let units = workbench.units();
+    let frame = *transform.frame();
+    let painter = ui.painter().with_clip_rect(frame);
+    let font = FontId::proportional(size::SMALL);
+    let points_per_mm = transform.dpos_dvalue_x().abs();
+    let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
+    let long = (mm * scene.magnification * points_per_mm) as f32;
+    let corner = frame.left_top() + egui::vec2(12.0, 16.0);
+    let color = if workbench.answer().is_some() {
+        palette.after
+    } else {
+        palette.before
+    };
+    let mut shapes = Vec::new();
+    marks::arrow(
+        &mut shapes,
+        corner,
+        corner + egui::vec2(long, 0.0),
+        Stroke::new(2.0, color),
+    );
+    painter.extend(shapes);
+    let says = format!(
+        "{}  ·  vectors × {}",
+        units.length(mm),
+        significant(scene.magnification, 2)
+    );
+    painter.text(
+        corner + egui::vec2(long + 8.0, 0.0),
+        Align2::LEFT_CENTER,
+        says,
+        font.clone(),
+        palette.muted,
+    );
+    let notes = [
+        thinned(scene.arrow_stride, "arrow"),
+        thinned(scene.point_stride, "point"),
+    ];
+    for (line, note) in notes.into_iter().flatten().enumerate() {
+        let at = corner + egui::vec2(0.0, 18.0 * (line + 1) as f32);
+        painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.warning);
+    }
+    meanings(ui, frame, workbench, palette);
+}
+
+fn meanings(ui: &mut Ui, frame: Rect, workbench: &Workbench, palette: &Palette) {
+    let painter = ui.painter().with_clip_rect(frame);
+    let font = FontId::proportional(size::SMALL);
+    let line = |x: Pos2, color: Color32, width: f32| {
+        let ends = [x - egui::vec2(7.0, 0.0), x + egui::vec2(7.0, 0.0)];
+        Shape::line_segment(ends, Stroke::new(width, color))
+    };
+    let mut entries: Vec<(&str, Box<dyn Fn(Pos2) -> Shape>)> = Vec::new();
+    let p = *palette;
+    entries.push(("nominal path", Box::new(move |at| line(at, p.nominal, 1.25))));
+    if workbench.answer().is_some() && workbench.view().blend > 0.0 {
+        let faint = p.before.gamma_multiply(0.5);
+        entries.push(("before", Box::new(move |at| line(at, faint, 1.5))));
+        entries.push(("after", Box::new(move |at| line(at, p.after, 1.8))));
+    }
+    if workbench.document().tolerance_mm.is_some() {
+        entries.push(("within", Box::new(move |at| marks::disc(at, 3.0, p.within))));
+        entries.push((
+            "outside",
+            Box::new(move |at| {
+                marks::diamond(at, 4.2, p.surface, Stroke::new(1.4, p.outside))
+            }),
+        ));
+    } else {
+        entries.push(("measured", Box::new(move |at| marks::disc(at, 2.6, p.text))));
+    }
+    let mut right = frame.right() - 12.0;
+    let y = frame.top() + 16.0;
+    for (name, mark) in entries.into_iter().rev() {
+        let text = painter.text(
+            pos2(right, y),
+            Align2::RIGHT_CENTER,
+            name,
+            font.clone(),
+            palette.muted,
+        );
+        painter.add(mark(pos2(text.left() - 12.0, y)));
+        right = text.left() - 32.0;
+    }
+    // Nothing in the legend can be clicked, but a reader should find it.
+    ui.interact(frame, ui.scope_id().with("legend"), Sense::empty());
+}
