@@ -155,7 +155,8 @@ impl<'a> Assignment<'a> {
     }
 
     /// The regions of a block of angles; the number of regions stands for none.
-    #[inline]
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
     pub fn regions_of(&self, q: &Lanes, to: &mut [usize; LANES]) {
         match &self.slots {
             Some(slots) if slots.thresholds.len() <= FEW_THRESHOLDS => {
