@@ -21,7 +21,7 @@ use crate::kinematics::JointKind;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
-use crate::sessions::number::plain_decimal;
+use crate::sessions::number::{ShortCell, plain_decimal};
 use crate::sessions::table::{Cells, Table};
 
 /// Complaints that are worth printing; the rest is counted.
@@ -136,28 +136,31 @@ impl Rows<'_> {
                 break;
             }
             if let Cells::Numbers(values) = column
-                && let Some((value, after)) = plain_decimal(bytes, at)
+                && let Some(cell) = ShortCell::at(bytes, at)
             {
-                match bytes.get(after) {
-                    Some(b',') => {
-                        values.push(value);
-                        at = after + 1;
-                        continue;
-                    }
-                    Some(b'\n') => {
-                        values.push(value);
-                        at = after + 1;
-                        stop = Stop::Line;
-                        continue;
-                    }
-                    Some(b'\r') if bytes.get(after + 1) == Some(&b'\n') => {
-                        values.push(value);
-                        at = after + 2;
-                        stop = Stop::Line;
-                        continue;
-                    }
-                    _ => {}
+                let end_of_cell = at + cell.length();
+                let after = match bytes[end_of_cell] {
+                    b',' => Some((1, Stop::Comma)),
+                    b'\n' => Some((1, Stop::Line)),
+                    b'\r' if bytes[end_of_cell + 1] == b'\n' => Some((2, Stop::Line)),
+                    _ => None,
+                };
+                if let Some((skip, what)) = after
+                    && let Some(value) = cell.value()
+                {
+                    values.push(value);
+                    at = end_of_cell + skip;
+                    stop = what;
+                    continue;
                 }
+            }
+            if let Cells::Numbers(values) = column
+                && let Some((value, after)) = plain_decimal(bytes, at)
+                && bytes.get(after) == Some(&b',')
+            {
+                values.push(value);
+                at = after + 1;
+                continue;
             }
             let cell = Cell::read(bytes, at, end);
             if cell.unclosed && !last {
