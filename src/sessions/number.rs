@@ -153,6 +153,13 @@ impl ShortCell {
         self.length as usize
     }
 
+    /// The value of a cell of length one.
+    #[inline]
+    pub(crate) fn digit(self) -> Option<f64> {
+        let digit = (self.low & 0xff) ^ 0x30;
+        (digit <= 9).then(|| signed(digit, 0))
+    }
+
     /// The value of `[-]digits[.digits]` with one to seven digits before the point and at most
     /// eight behind it, if that is what stands here. `None` is no verdict.
     #[inline]

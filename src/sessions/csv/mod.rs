@@ -135,31 +135,17 @@ impl Rows<'_> {
                 }
                 break;
             }
+            let expected = if index + 1 < count { b',' } else { b'\n' };
             if let Cells::Numbers(values) = column
-                && let Some(cell) = ShortCell::at(bytes, at)
-            {
-                let end_of_cell = at + cell.length();
-                let after = match bytes[end_of_cell] {
-                    b',' => Some((1, Stop::Comma)),
-                    b'\n' => Some((1, Stop::Line)),
-                    b'\r' if bytes[end_of_cell + 1] == b'\n' => Some((2, Stop::Line)),
-                    _ => None,
-                };
-                if let Some((skip, what)) = after
-                    && let Some(value) = cell.value()
-                {
-                    values.push(value);
-                    at = end_of_cell + skip;
-                    stop = what;
-                    continue;
-                }
-            }
-            if let Cells::Numbers(values) = column
-                && let Some((value, after)) = plain_decimal(bytes, at)
-                && bytes.get(after) == Some(&b',')
+                && let Some((value, after)) = number_cell(bytes, at, expected)
             {
                 values.push(value);
-                at = after + 1;
+                at = after;
+                stop = if expected == b',' {
+                    Stop::Comma
+                } else {
+                    Stop::Line
+                };
                 continue;
             }
             let cell = Cell::read(bytes, at, end);
@@ -184,6 +170,24 @@ impl Rows<'_> {
         self.line.push(first_line);
         self.next_line += 1;
         Some(at)
+    }
+}
+
+/// A plain number that is ended as expected, and where the next cell starts. `None` is no verdict.
+#[inline]
+fn number_cell(bytes: &[u8], at: usize, expected: u8) -> Option<(f64, usize)> {
+    let (value, end) = match ShortCell::at(bytes, at) {
+        // Directions, loads and speeds are often a single digit.
+        Some(cell) if cell.length() == 1 => (cell.digit()?, at + 1),
+        Some(cell) => (cell.value()?, at + cell.length()),
+        None => plain_decimal(bytes, at)?,
+    };
+    match bytes.get(end) {
+        Some(&byte) if byte == expected => Some((value, end + 1)),
+        Some(b'\r') if expected == b'\n' && bytes.get(end + 1) == Some(&b'\n') => {
+            Some((value, end + 2))
+        }
+        _ => None,
     }
 }
 
