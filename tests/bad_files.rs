@@ -1,5 +1,10 @@
 //! Bad sessions, one of each kind: every one is refused, and the answer says where and why.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot prepare its files has failed"
+)]
+
 use std::fs;
 use std::path::Path;
 

@@ -2,6 +2,11 @@
 //! panic or hang, and whatever is accepted keeps its promises. The fuzzers themselves are in
 //! `fuzz/`.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot prepare its files has failed"
+)]
+
 use proptest::prelude::*;
 use truepose::sessions::{Loaded, parse, parse_robot, parse_with_csv, write_inline};
 

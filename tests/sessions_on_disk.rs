@@ -1,5 +1,10 @@
 //! Sessions as files: practice data, a million samples, and saving that survives a kill.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot prepare its files has failed"
+)]
+
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -117,94 +117,94 @@ pub(crate) fn plain_decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     ))
 }
 
-/// A cell of at most fifteen bytes: the sixteen bytes from its start, and its length.
-#[derive(Clone, Copy)]
-pub(crate) struct ShortCell {
-    low: u64,
-    high: u64,
-    length: u32,
+/// Powers of ten to divide by, and the same with a minus: m / −10^k is −(m / 10^k), and 0 becomes −0.
+const SIGNED_TEN: [[f64; 16]; 2] = {
+    let mut table = [[0.0; 16]; 2];
+    let mut i = 0;
+    while i < 16 {
+        table[0][i] = TEN_F64[i];
+        table[1][i] = -TEN_F64[i];
+        i += 1;
+    }
+    table
+};
+
+/// Length of the cell that starts at `at`, if it is shorter than sixteen bytes: the distance to the
+/// first byte below '-', which is what ends a cell (comma, line feed, carriage return) or makes it
+/// a case for the general way (quotes, spaces, plus signs). That is quickly found, and it is all
+/// that the next cell has to wait for.
+#[inline]
+pub(crate) fn short_cell(bytes: &[u8], at: usize) -> Option<usize> {
+    const FIRST_CONTENT: u64 = 0x2d2d_2d2d_2d2d_2d2d;
+    // A borrow only spoils the bytes after the first that is below.
+    let below = |word: u64| word.wrapping_sub(FIRST_CONTENT) & !word & HIGH_BITS;
+    let [low, high] = two_words(bytes, at)?;
+    let (low, high) = (below(low), below(high));
+    let length = if low == 0 {
+        8 + high.trailing_zeros() / 8
+    } else {
+        low.trailing_zeros() / 8
+    };
+    (length < 16).then_some(length as usize)
 }
 
-impl ShortCell {
-    /// Finds the end of the cell that starts at `at`: the first byte below '-', which is what ends
-    /// a cell (comma, line feed, carriage return) or makes it a case for the general way (quotes,
-    /// spaces, plus signs). That is quickly done, and it is all that the next cell has to wait for.
-    #[inline]
-    pub(crate) fn at(bytes: &[u8], at: usize) -> Option<Self> {
-        const FIRST_CONTENT: u64 = 0x2d2d_2d2d_2d2d_2d2d;
-        // A borrow only spoils the bytes after the first that is below.
-        let below = |word: u64| word.wrapping_sub(FIRST_CONTENT) & !word & HIGH_BITS;
-        let sixteen = bytes.get(at..)?.first_chunk::<16>()?;
-        let (low, high) = sixteen.split_at(8);
-        let low = u64::from_le_bytes(*low.first_chunk()?);
-        let high = u64::from_le_bytes(*high.first_chunk()?);
-        let (end_low, end_high) = (below(low), below(high));
-        let length = if end_low != 0 {
-            end_low.trailing_zeros() / 8
-        } else {
-            8 + end_high.trailing_zeros() / 8
-        };
-        (length < 16).then_some(Self { low, high, length })
-    }
-
-    /// Length of the cell in bytes; the byte behind it is what ended it.
-    #[inline]
-    pub(crate) fn length(self) -> usize {
-        self.length as usize
-    }
-
-    /// The value of a cell of length one.
-    #[inline]
-    pub(crate) fn digit(self) -> Option<f64> {
-        let digit = (self.low & 0xff) ^ 0x30;
-        (digit <= 9).then(|| signed(digit, 0))
-    }
-
-    /// The value of `[-]digits[.digits]` with one to seven digits before the point and at most
-    /// eight behind it, if that is what stands here. `None` is no verdict.
-    #[inline]
-    pub(crate) fn value(self) -> Option<f64> {
-        let Self { low, high, length } = self;
-        let negative = u64::from(low & 0xff == u64::from(b'-'));
-        let sign_bits = 8 * negative;
-        // The shift in two steps is none at all where there is no sign.
-        let low = (low >> sign_bits) | ((high << 1 << (63 - sign_bits)) & negative.wrapping_neg());
-        let high = high >> sign_bits;
-        let length = length - u32::from(negative == 1);
-        let values = low ^ ZEROS;
-        let whole_bits = not_digits(values).trailing_zeros() & !7;
-        if whole_bits == 0 || whole_bits == 64 {
-            return None;
-        }
-        let whole = eight_digits(values << (64 - whole_bits));
-        if 8 * length == whole_bits {
-            return Some(signed(whole, negative));
-        }
-        // What stands behind the point: at least seven bits are left to shift by.
-        let behind = (low >> whole_bits >> 8) | (high << (56 - whole_bits));
-        let digits = length.wrapping_sub(whole_bits / 8 + 1);
-        if (low >> whole_bits) & 0xff != u64::from(b'.') || digits.wrapping_sub(1) > 7 {
-            return None;
-        }
-        let values = (behind ^ ZEROS) << (64 - 8 * digits);
-        if not_digits(values) != 0 {
-            return None;
-        }
-        // At most 7 + 8 digits: below 2^53.
-        let digits = digits as usize & 15;
-        let mantissa = whole * TEN_U64[digits] + eight_digits(values);
-        Some(signed(mantissa, negative) / TEN_F64[digits])
-    }
+/// The sixteen bytes from `at`, the first one lowest in the first word.
+#[inline]
+fn two_words(bytes: &[u8], at: usize) -> Option<[u64; 2]> {
+    let (low, high) = bytes.get(at..)?.first_chunk::<16>()?.split_at(8);
+    Some([
+        u64::from_le_bytes(*low.first_chunk()?),
+        u64::from_le_bytes(*high.first_chunk()?),
+    ])
 }
 
-/// The double of a whole number up to 2^53 with this sign; −0 stays −0.
+/// The value of the cell `bytes[at..at + length]`, if it is `[-]digits[.digits]` with one to seven
+/// digits before the point and one to eight behind it. `None` is no verdict.
+#[inline]
+pub(crate) fn short_decimal(bytes: &[u8], at: usize, length: usize) -> Option<f64> {
+    let negative = usize::from(*bytes.get(at)? == b'-');
+    let [low, high] = two_words(bytes, at + negative)?;
+    let bits = 8 * (length - negative);
+    let values = low ^ ZEROS;
+    let whole_bits = (not_digits(values).trailing_zeros() & !7) as usize;
+    if whole_bits == 0 || whole_bits == 64 {
+        return None;
+    }
+    let whole = eight_digits(values << (64 - whole_bits));
+    if bits == whole_bits {
+        return Some(exact(whole) / SIGNED_TEN[negative][0]);
+    }
+    // At most seven bytes before the point: nothing of what stands behind is shifted out.
+    let from_point = low >> whole_bits;
+    let behind = (from_point >> 8) | (high << (56 - whole_bits));
+    let digit_bits = bits.wrapping_sub(whole_bits + 8);
+    if from_point & 0xff != u64::from(b'.') || digit_bits.wrapping_sub(1) > 63 {
+        return None;
+    }
+    let values = (behind ^ ZEROS) << (64 - digit_bits);
+    if not_digits(values) != 0 {
+        return None;
+    }
+    // At most 7 + 8 digits: below 2^53.
+    let digits = (digit_bits / 8) & 15;
+    let mantissa = whole * TEN_U64[digits] + eight_digits(values);
+    Some(exact(mantissa) / SIGNED_TEN[negative][digits])
+}
+
+/// The double of a whole number up to 2^53.
 #[inline]
 #[expect(
     clippy::cast_possible_wrap,
     reason = "below 2^53; the signed conversion is one instruction"
 )]
+fn exact(mantissa: u64) -> f64 {
+    (mantissa as i64) as f64
+}
+
+/// The double of a whole number up to 2^53 with this sign; −0 stays −0.
+#[inline]
 fn signed(mantissa: u64, negative: u64) -> f64 {
-    f64::from_bits(((mantissa as i64) as f64).to_bits() | (negative << 63))
+    f64::from_bits(exact(mantissa).to_bits() | (negative << 63))
 }
 
 /// Why a text is not a number.
@@ -270,8 +270,8 @@ mod tests {
         let mut padded = text.as_bytes().to_vec();
         padded.push(b',');
         padded.resize(padded.len() + PADDING, 0);
-        let cell = ShortCell::at(&padded, 0)?;
-        (cell.length() == text.len()).then(|| cell.value())?
+        let length = short_cell(&padded, 0)?;
+        (length == text.len()).then(|| short_decimal(&padded, 0, length))?
     }
 
     fn assert_same_bits(text: &str) {

@@ -21,7 +21,7 @@ use crate::kinematics::JointKind;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
-use crate::sessions::number::{ShortCell, plain_decimal};
+use crate::sessions::number::{plain_decimal, short_cell, short_decimal};
 use crate::sessions::table::{Cells, Table};
 
 /// Complaints that are worth printing; the rest is counted.
@@ -176,10 +176,8 @@ impl Rows<'_> {
 /// A plain number that is ended as expected, and where the next cell starts. `None` is no verdict.
 #[inline]
 fn number_cell(bytes: &[u8], at: usize, expected: u8) -> Option<(f64, usize)> {
-    let (value, end) = match ShortCell::at(bytes, at) {
-        // Directions, loads and speeds are often a single digit.
-        Some(cell) if cell.length() == 1 => (cell.digit()?, at + 1),
-        Some(cell) => (cell.value()?, at + cell.length()),
+    let (value, end) = match short_cell(bytes, at) {
+        Some(length) => (short_decimal(bytes, at, length)?, at + length),
         None => plain_decimal(bytes, at)?,
     };
     match bytes.get(end) {
