@@ -16,10 +16,11 @@ use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
 use crate::kinematics::JointKind;
-use crate::lanes::{LANES, add_scaled, dot, minus};
+use crate::lanes::{LANES, Lanes, add_scaled, dot, minus};
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
-use crate::sincos::sin_cos_small as sin_cos;
+use crate::sincos::sin_cos_lanes;
+use crate::wide::{Loop, wide};
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
@@ -46,6 +47,15 @@ pub struct RegionSums {
 }
 
 impl RegionSums {
+    /// Adds sums of 1, ΔPx, ΔPy and ΔPx² + ΔPy² over samples with the same l1.
+    fn add(&mut self, [samples, dx, dy, square]: [f64; 4], l1: f64) {
+        self.samples += samples as usize;
+        self.dx += dx;
+        self.l1_dy += l1 * dy;
+        self.l1_l1 += l1 * l1 * samples;
+        self.square += square;
+    }
+
     /// Δθ in rad and Δl1 in mm, by (7).
     pub fn correction(&self) -> (f64, f64) {
         let theta = if self.l1_l1 > 0.0 {
@@ -61,25 +71,65 @@ impl RegionSums {
 pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>, usize) {
     let plane = Plane::new(problem.session);
     let assignment = Assignment::new(regions);
-    let mut sums = vec![RegionSums::default(); regions.len()];
-    let mut outside = 0;
-    plane.each_sample(problem, |i, dx, dy, l1| {
-        if !problem.used[i] {
-            return;
-        }
-        match assignment.region_of(problem.inputs.q[0][i]) {
-            None => outside += 1,
-            Some(region) => {
-                let sums = &mut sums[region];
-                sums.samples += 1;
-                sums.dx += dx;
-                sums.l1_dy += l1 * dy;
-                sums.l1_l1 += l1 * l1;
-                sums.square += dx * dx + dy * dy;
-            }
-        }
+    // A slot for each region and target, so that l1 is the same throughout a slot; after the
+    // regions one for samples in none, and one for samples that do not count.
+    let slots = regions.len() + 2;
+    let mut copies = vec![[[0.0; 4]; COPIES]; slots * plane.homes.len()];
+    wide(Summing {
+        plane: &plane,
+        problem,
+        assignment: &assignment,
+        slots,
+        copies: &mut copies,
     });
+    let mut sums = vec![RegionSums::default(); slots];
+    for (slot, copies) in copies.iter().enumerate() {
+        let l1 = plane.homes[slot / slots].2;
+        for copy in copies {
+            sums[slot % slots].add(*copy, l1);
+        }
+    }
+    let outside = sums[regions.len()].samples;
+    sums.truncate(regions.len());
     (sums, outside)
+}
+
+/// Neighbouring lanes add to different copies of a sum, so that one addition need not wait for
+/// the one before it.
+const COPIES: usize = 4;
+
+/// The loop of [`sum_by_region`].
+struct Summing<'a> {
+    plane: &'a Plane,
+    problem: &'a Problem<'a>,
+    assignment: &'a Assignment<'a>,
+    slots: usize,
+    copies: &'a mut [[[f64; 4]; COPIES]],
+}
+
+impl Loop for Summing<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let mut places = [0; LANES];
+        let uncounted = self.slots - 1;
+        self.plane.each_block(self.problem, |start, len, block| {
+            self.assignment.regions_of(&block.q, &mut places);
+            let used = &self.problem.used[start..start + len];
+            for (lane, used) in used.iter().enumerate() {
+                let place = if *used { places[lane] } else { uncounted };
+                let (dx, dy) = (block.dx[lane], block.dy[lane]);
+                let slot = place + self.slots * block.target[lane];
+                let sums = &mut self.copies[slot][lane % COPIES];
+                let add = [1.0, dx, dy, dx * dx + dy * dy];
+                for (sum, value) in sums.iter_mut().zip(add) {
+                    *sum += value;
+                }
+            }
+        });
+    }
 }
 
 /// The plane in which a single axis moves a reflector.
@@ -89,6 +139,26 @@ struct Plane {
     y: [f64; 3],
     /// In-plane coordinates of every reflector at home, and its distance from the axis.
     homes: Vec<(f64, f64, f64)>,
+}
+
+/// A block of samples in the plane: the angle, ΔP = nominal − measured, and l1.
+struct PlaneBlock {
+    q: Lanes,
+    dx: Lanes,
+    dy: Lanes,
+    target: [usize; LANES],
+}
+
+impl Default for PlaneBlock {
+    fn default() -> Self {
+        let zero = [0.0; LANES];
+        Self {
+            q: zero,
+            dx: zero,
+            dy: zero,
+            target: [0; LANES],
+        }
+    }
 }
 
 impl Plane {
@@ -113,38 +183,62 @@ impl Plane {
         }
     }
 
-    /// Calls `see` with (sample, ΔPx, ΔPy, l1) for every usable sample.
-    fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
+    /// Calls `see` with (first sample, number of samples, ΔP) for every block. Samples that cannot
+    /// be used are among them.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn each_block(&self, problem: &Problem, mut see: impl FnMut(usize, usize, &PlaneBlock)) {
         let samples = &problem.session.samples;
         let q = &problem.inputs.q[0];
         let target = problem.inputs.target.as_deref();
         let flat = self.x == [1.0, 0.0, 0.0] && self.y == [0.0, 1.0, 0.0];
-        let n = q.len();
-        let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
-        for start in (0..n).step_by(LANES) {
-            let len = (n - start).min(LANES);
-            for i in 0..len {
-                (sin[i], cos[i]) = sin_cos(q[start + i]);
-            }
-            for lane in 0..len {
-                let i = start + lane;
-                if !problem.usable[i] {
-                    continue;
+        let mut block = PlaneBlock::default();
+        let (a0, b0, _) = self.homes[0];
+        let (mut a, mut b) = ([a0; LANES], [b0; LANES]);
+        for start in (0..q.len()).step_by(LANES) {
+            let len = (q.len() - start).min(LANES);
+            block.q[..len].copy_from_slice(&q[start..start + len]);
+            let (sin, cos) = sin_cos_lanes(&block.q);
+            if let Some(target) = target {
+                for lane in 0..len {
+                    block.target[lane] = target[start + lane] as usize;
+                    (a[lane], b[lane], _) = self.homes[block.target[lane]];
                 }
-                let (a, b, l1) = self.homes[target.map_or(0, |t| t[i] as usize)];
-                let nominal_x = a * cos[lane] - b * sin[lane];
-                let nominal_y = a * sin[lane] + b * cos[lane];
-                let (x, y) = (samples.x_mm[i], samples.y_mm[i]);
-                let (measured_x, measured_y) = if flat {
-                    (x - self.origin[0], y - self.origin[1])
-                } else {
-                    let z = samples.z_mm.as_ref().map_or(self.origin[2], |z| z[i]);
-                    let arm = minus([x, y, z], self.origin);
-                    (dot(arm, self.x), dot(arm, self.y))
-                };
-                see(i, nominal_x - measured_x, nominal_y - measured_y, l1);
             }
+            let (mut x, mut y) = ([0.0; LANES], [0.0; LANES]);
+            x[..len].copy_from_slice(&samples.x_mm[start..start + len]);
+            y[..len].copy_from_slice(&samples.y_mm[start..start + len]);
+            if flat {
+                for lane in 0..LANES {
+                    x[lane] -= self.origin[0];
+                    y[lane] -= self.origin[1];
+                }
+            } else {
+                for lane in 0..len {
+                    let z = samples
+                        .z_mm
+                        .as_ref()
+                        .map_or(self.origin[2], |z| z[start + lane]);
+                    let arm = minus([x[lane], y[lane], z], self.origin);
+                    (x[lane], y[lane]) = (dot(arm, self.x), dot(arm, self.y));
+                }
+            }
+            for lane in 0..LANES {
+                block.dx[lane] = a[lane] * cos[lane] - b[lane] * sin[lane] - x[lane];
+                block.dy[lane] = a[lane] * sin[lane] + b[lane] * cos[lane] - y[lane];
+            }
+            see(start, len, &block);
         }
+    }
+
+    /// Calls `see` with (sample, ΔPx, ΔPy, l1) for every usable sample.
+    fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
+        self.each_block(problem, |start, len, block| {
+            for lane in (0..len).filter(|lane| problem.usable[start + lane]) {
+                let l1 = self.homes[block.target[lane]].2;
+                see(start + lane, block.dx[lane], block.dy[lane], l1);
+            }
+        });
     }
 
     /// A deviation in the plane as a vector in the measuring frame: −ΔP.
