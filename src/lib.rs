@@ -13,3 +13,6 @@ pub mod sessions;
 pub mod effects;
 pub mod identification;
 pub mod model;
+
+#[cfg(feature = "gui")]
+pub mod gui;

@@ -41,7 +41,12 @@ pub(crate) enum Command {
     /// Ask for a file to save to.
     ChooseWhereToSave,
     /// Write the session to this file.
-    SaveAs(PathBuf),
+    SaveAs {
+        /// The file.
+        path: PathBuf,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
     /// Make a session by simulation.
     Simulate(Form),
     /// Drop the task that is under way.
@@ -68,6 +73,8 @@ pub(crate) enum Command {
     Length(LengthUnit),
     /// Show angles in this unit.
     Angle(AngleUnit),
+    /// Light, dark, or as the system has it.
+    Theme(egui::ThemePreference),
     /// Open, change or close a sheet.
     Sheet(Option<Sheet>),
     /// The message was read.
@@ -208,11 +215,11 @@ impl Workbench {
                 self.tasks
                     .start("waiting for a file name", move || files::choose_to_save(&name));
             }
-            Command::SaveAs(path) => {
+            Command::SaveAs { path, replace } => {
                 self.view.sheet = None;
                 let session = self.document().session_to_save();
                 let what = format!("saving {}", path.display());
-                self.tasks.start(what, move || files::save(&session, &path));
+                self.tasks.start(what, move || files::save(&session, &path, replace));
             }
             Command::Simulate(form) => match form.problem() {
                 Some(problem) => {
@@ -245,6 +252,7 @@ impl Workbench {
             Command::Side(side) => view.side = side,
             Command::Length(unit) => view.length = unit,
             Command::Angle(unit) => view.angle = unit,
+            Command::Theme(theme) => view.theme = theme,
             Command::Sheet(sheet) => view.sheet = sheet,
             Command::Dismiss => view.message = None,
             Command::Fit => view.fitted += 1,
@@ -332,14 +340,29 @@ impl Workbench {
                 self.view.message = Some(message);
             }
             Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
-            // Cancelled, or no dialog on this system: the typed path is always there.
+            // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
             Report::ChosenToOpen(None) => {
-                self.view.sheet = Some(Sheet::OpenPath(String::new()));
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: "No file was chosen".to_owned(),
+                    details: vec![
+                        "If no dialog appeared, drop the file on the window, or type its path \
+                         in the Session step"
+                            .to_owned(),
+                    ],
+                });
             }
-            Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs(path)),
+            Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs {
+                path,
+                // The dialog has asked.
+                replace: true,
+            }),
             Report::ChosenToSave(None) => {
                 let name = files::file_name_for(&self.document().subject.session);
-                self.view.sheet = Some(Sheet::SavePath(name));
+                self.view.sheet = Some(Sheet::SavePath {
+                    path: name,
+                    replace: false,
+                });
             }
             Report::Saved(Ok(path)) => {
                 self.saved = Arc::clone(self.history.present());

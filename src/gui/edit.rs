@@ -32,8 +32,10 @@ pub(crate) enum Edit {
     Effect(&'static str, bool),
     /// How far a position may be off, mm.
     Tolerance(Option<f64>),
-    /// Identify from now on.
+    /// Identify from now on, as it is chosen.
     Identify,
+    /// Identify from now on, by this method.
+    IdentifyBy(Method),
 }
 
 impl Edit {
@@ -50,7 +52,7 @@ impl Edit {
             Self::Method(_) => "choose method",
             Self::Effect(..) => "choose effects",
             Self::Tolerance(_) => "set tolerance",
-            Self::Identify => "identify",
+            Self::Identify | Self::IdentifyBy(_) => "identify",
         }
     }
 
@@ -101,7 +103,8 @@ impl Edit {
                 name.clone_into(&mut renamed.name);
                 next.regions = regions.into();
             }
-            Self::Method(Method::Regional) if !document.subject.single_revolute() => {
+            Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
+                if !document.subject.single_revolute() => {
                 return Err("regions are for a single joint that turns".to_owned());
             }
             Self::Method(method) => next.method = *method,
@@ -113,6 +116,10 @@ impl Edit {
                 next.tolerance_mm = *tolerance_mm;
             }
             Self::Identify => next.identified = true,
+            Self::IdentifyBy(method) => {
+                next.method = *method;
+                next.identified = true;
+            }
         }
         Ok(next)
     }

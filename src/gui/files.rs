@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::sessions::Session;
+use crate::atomic::WriteError;
+use crate::diagnostic::Diagnostic;
+use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::simulate::{Chosen, Form};
 use super::subject::{Origin, Subject};
@@ -39,11 +41,27 @@ pub(crate) fn open_example(index: usize) -> Report {
 
 /// Reads a session file.
 pub(crate) fn open(path: &Path) -> Report {
-    Report::Opened(Err(Message {
-        wrong: true,
-        title: format!("{} could not be opened", path.display()),
-        details: vec!["reading is not there yet".to_owned()],
-    }))
+    Report::Opened(match sessions::load(path) {
+        Ok(Loaded { session, findings }) => {
+            let origin = Origin::File(path.to_path_buf());
+            Ok(Arc::new(Subject::new(session, findings, origin)))
+        }
+        Err(rejected) => Err(Message {
+            wrong: true,
+            title: format!("{} could not be opened; nothing was changed", path.display()),
+            details: listed(&rejected.diagnostics),
+        }),
+    })
+}
+
+/// Findings as lines, no more than can be read.
+fn listed(findings: &[Diagnostic]) -> Vec<String> {
+    const MOST: usize = 8;
+    let mut lines: Vec<String> = findings.iter().take(MOST).map(ToString::to_string).collect();
+    if findings.len() > MOST {
+        lines.push(format!("and {} more", findings.len() - MOST));
+    }
+    lines
 }
 
 /// Makes a session by simulation.
@@ -62,9 +80,32 @@ pub(crate) fn simulate(form: &Form) -> Report {
     })
 }
 
-/// Writes a session.
-pub(crate) fn save(_: &Session, path: &Path) -> Report {
-    Report::Saved(Ok(path.to_path_buf()))
+/// Writes a session: the document, and its samples beside it.
+pub(crate) fn save(session: &Session, path: &Path, replace: bool) -> Report {
+    let path = if path.extension().is_none() {
+        path.with_extension("json")
+    } else {
+        path.to_path_buf()
+    };
+    let replacing = Replacing {
+        force: replace,
+        inputs: &[],
+    };
+    Report::Saved(match sessions::save(session, &path, replacing) {
+        Ok(_) => Ok(path),
+        Err(error) => Err(Message {
+            wrong: true,
+            title: format!("{} could not be saved", path.display()),
+            details: vec![
+                if matches!(error, WriteError::Exists(_)) {
+                    "it exists already; allow replacing it, or choose another name".to_owned()
+                } else {
+                    error.to_string()
+                },
+                "What was there before is there still".to_owned(),
+            ],
+        }),
+    })
 }
 
 /// Asks the user for a session file.

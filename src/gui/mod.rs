@@ -24,6 +24,8 @@ mod plots;
 mod simulate;
 mod subject;
 mod tasks;
+#[cfg(test)]
+mod testing;
 mod tokens;
 mod undo;
 mod units;

@@ -6,7 +6,6 @@ use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::regions::{Assignment, RegionChoice};
 use crate::identification::{Identification, identify_exact, identify_regional};
-use crate::model::Positions;
 
 use super::document::{Asks, Question};
 use super::subject::Subject;
@@ -27,8 +26,8 @@ pub(crate) struct Answer {
     pub(crate) identification: Identification,
     /// What is left of the deviations, mm; NaN for samples that cannot be used.
     pub(crate) after_mm: [Vec<f64>; 3],
-    /// Where the model says that the samples are, mm.
-    pub(crate) predicted: Positions,
+    /// Their lengths, mm.
+    pub(crate) lengths_mm: Vec<f64>,
     /// Suspected outliers.
     pub(crate) suspected: Vec<bool>,
 }
@@ -69,11 +68,8 @@ fn answer(question: &Question) -> Result<Answer, String> {
             (identification, after)
         }
     };
-    let predicted = Positions {
-        x_mm: minus(&measured(subject, 0), &after_mm[0]),
-        y_mm: minus(&measured(subject, 1), &after_mm[1]),
-        z_mm: minus(&measured(subject, 2), &after_mm[2]),
-    };
+    let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+    let lengths_mm = (0..subject.len()).map(length).collect();
     let mut suspected = vec![false; subject.len()];
     for outlier in &identification.outliers {
         suspected[outlier.sample] = true;
@@ -81,19 +77,9 @@ fn answer(question: &Question) -> Result<Answer, String> {
     Ok(Answer {
         identification,
         after_mm,
-        predicted,
+        lengths_mm,
         suspected,
     })
-}
-
-fn measured(subject: &Subject, axis: usize) -> Vec<f64> {
-    (0..subject.len())
-        .map(|i| subject.measured(i)[axis])
-        .collect()
-}
-
-fn minus(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 /// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of

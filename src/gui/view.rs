@@ -1,6 +1,8 @@
 //! How the window looks at the document. Nothing here changes what is saved, and nothing here can
 //! be undone.
 
+use egui::ThemePreference;
+
 use super::simulate::Form;
 use super::subject::Component;
 
@@ -115,10 +117,13 @@ pub(crate) enum Side {
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Sheet {
-    /// A path to open, as it is typed.
-    OpenPath(String),
     /// A path to save to, as it is typed.
-    SavePath(String),
+    SavePath {
+        /// The path.
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
     /// A simulation, as it is filled in.
     Simulate(Form),
     /// The keyboard.
@@ -167,6 +172,8 @@ pub(crate) struct ViewState {
     pub(crate) sheet: Option<Sheet>,
     /// What the user has to know.
     pub(crate) message: Option<Message>,
+    /// Light, dark, or as the system has it.
+    pub(crate) theme: ThemePreference,
     /// Counts up when the plots are to show everything again.
     pub(crate) fitted: u64,
 }
@@ -187,6 +194,7 @@ impl Default for ViewState {
             angle: AngleUnit::default(),
             sheet: None,
             message: None,
+            theme: ThemePreference::System,
             fitted: 0,
         }
     }
