@@ -13,7 +13,7 @@ use super::{files, panels};
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
-    theme: Option<egui::ThemePreference>,
+    theme: egui::ThemePreference,
     title: String,
 }
 
@@ -29,7 +29,7 @@ impl App {
         }
         Self {
             workbench,
-            theme: None,
+            theme: egui::ThemePreference::System,
             title: String::new(),
         }
     }
@@ -65,13 +65,13 @@ impl App {
             .frame(bar(palette.surface))
             .show(ui, |ui| panels::status::show(ui, workbench, commands));
         Panel::left("steps")
-            .default_size(292.0)
-            .size_range(260.0..=400.0)
+            .exact_size(304.0)
+            .resizable(false)
             .frame(side(palette.surface))
             .show(ui, |ui| panels::steps::show(ui, workbench, commands));
         Panel::right("results")
-            .default_size(340.0)
-            .size_range(300.0..=520.0)
+            .exact_size(344.0)
+            .resizable(false)
             .frame(side(palette.background))
             .show(ui, |ui| panels::results::show(ui, workbench, commands));
         CentralPanel::no_frame()
@@ -83,9 +83,9 @@ impl App {
 
     fn keep_theme_and_title(&mut self, ctx: &Context) {
         let theme = self.workbench.view().theme;
-        if self.theme != Some(theme) {
+        if self.theme != theme {
             ctx.set_theme(theme);
-            self.theme = Some(theme);
+            self.theme = theme;
         }
         let title = panels::menu::window_title(&self.workbench);
         if title != self.title {

@@ -18,16 +18,6 @@ pub(crate) enum Method {
     Regional,
 }
 
-impl Method {
-    /// Its name.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Exact => "exact",
-            Self::Regional => "regional",
-        }
-    }
-}
-
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone)]
 pub(crate) struct Document {

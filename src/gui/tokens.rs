@@ -107,10 +107,6 @@ pub(crate) mod space {
     pub(crate) const TIGHT: f32 = 4.0;
     /// Between rows.
     pub(crate) const ROW: f32 = 8.0;
-    /// Between groups.
-    pub(crate) const GROUP: f32 = 16.0;
-    /// Between sections.
-    pub(crate) const SECTION: f32 = 24.0;
     /// Inside panels.
     pub(crate) const PANEL: i8 = 16;
     /// Height of fields and buttons.
@@ -253,6 +249,7 @@ fn dressed(palette: &Palette, mut visuals: Visuals) -> Visuals {
     visuals.warn_fg_color = palette.warning;
     visuals.error_fg_color = palette.outside;
     visuals.slider_trailing_fill = true;
+    visuals.handle_shape = egui::style::HandleShape::Circle;
     visuals.numeric_color_space = NumericColorSpace::GammaByte;
     visuals
 }

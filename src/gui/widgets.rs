@@ -32,9 +32,8 @@ pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
         .font(strong(size::BODY))
         .color(palette.on_accent);
     let button = Button::new(label)
-        .fill(palette.accent)
-        .min_size(vec2(ui.available_width(), 36.0));
-    ui.add(button)
+        .fill(palette.accent);
+    ui.add_sized(vec2(ui.available_width(), 36.0), button)
 }
 
 /// Something else that can be done, as wide as the panel.
@@ -42,9 +41,8 @@ pub(crate) fn secondary(ui: &mut Ui, text: &str) -> Response {
     let palette = Palette::of(ui);
     let button = Button::new(text)
         .fill(palette.surface)
-        .stroke(Stroke::new(1.0, palette.line))
-        .min_size(vec2(ui.available_width(), 32.0));
-    ui.add(button)
+        .stroke(Stroke::new(1.0, palette.line));
+    ui.add_sized(vec2(ui.available_width(), 32.0), button)
 }
 
 /// One of several, side by side. The one that was clicked.
@@ -62,7 +60,11 @@ pub(crate) fn segmented<T: Copy + PartialEq>(
     frame.show(ui, |ui| {
         ui.spacing_mut().item_spacing.x = 2.0;
         ui.horizontal(|ui| {
-            for (value, name) in options {
+            // Where a row runs from right to left the first still stands at the left.
+            let backwards = ui.layout().prefer_right_to_left();
+            for k in 0..options.len() {
+                let k = if backwards { options.len() - 1 - k } else { k };
+                let (value, name) = &options[k];
                 let on = *value == current;
                 let (text, fill) = if on {
                     (palette.accent, palette.surface)
@@ -184,11 +186,14 @@ pub(crate) fn step_row(
 /// A name and what it is, on one line.
 pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
     let palette = Palette::of(ui);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = 18.0;
-        ui.label(RichText::new(name).color(palette.muted));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add(egui::Label::new(value.into()).truncate());
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = 16.0;
+        ui.spacing_mut().item_spacing.y = 4.0;
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(name).color(palette.muted));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.add(egui::Label::new(value.into()).truncate());
+            });
         });
     });
 }

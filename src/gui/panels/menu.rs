@@ -12,6 +12,9 @@ use crate::gui::widgets;
 
 use super::shortcuts::{self, Action};
 
+/// Width of the menus, points.
+const MENUS: f32 = 200.0;
+
 /// What the window is called.
 pub(crate) fn window_title(workbench: &Workbench) -> String {
     let name = &workbench.document().subject.session.name;
@@ -29,13 +32,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 .color(palette.accent),
         );
         ui.add_space(8.0);
-        MenuBar::new().ui(ui, |ui| {
-            ui.menu_button("File", |ui| file(ui, workbench, commands));
-            ui.menu_button("Edit", |ui| edit(ui, workbench, commands));
-            ui.menu_button("View", |ui| view(ui, workbench, commands));
-            ui.menu_button("Help", |ui| help(ui, commands));
+        // A menu bar takes all the width that it is given.
+        ui.allocate_ui(egui::vec2(MENUS, ui.available_height()), |ui| {
+            MenuBar::new().ui(ui, |ui| {
+                ui.menu_button("File", |ui| file(ui, workbench, commands));
+                ui.menu_button("Edit", |ui| edit(ui, workbench, commands));
+                ui.menu_button("View", |ui| view(ui, workbench, commands));
+                ui.menu_button("Help", |ui| help(ui, commands));
+            });
         });
-        ui.add_space(8.0);
         name(ui, workbench);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let redo = workbench.redoes();

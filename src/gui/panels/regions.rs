@@ -2,7 +2,7 @@
 
 use egui::{DragValue, Grid, RichText, TextEdit, Ui};
 
-use crate::gui::boundaries::{self, Boundary};
+use crate::gui::boundaries;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::Method;
 use crate::gui::edit::Edit;
@@ -65,6 +65,7 @@ fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     Grid::new("regions")
         .num_columns(5)
         .spacing([6.0, 4.0])
+        .min_col_width(0.0)
         .show(ui, |ui| {
             for title in ["name", "from", "to", "samples", ""] {
                 ui.label(RichText::new(title).size(size::SMALL).color(palette.muted));
@@ -79,7 +80,7 @@ fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 for (end, at_rad, boundary) in ends {
                     let name = format!("{end}, region {}", region.name);
                     if let Some(boundary) = boundary {
-                        angle_field(ui, workbench, &name, at_rad, (boundary, &all), commands);
+                        angle_field(ui, workbench, &name, at_rad, boundary, commands);
                     }
                 }
                 let count = counts[k];
@@ -134,7 +135,7 @@ fn angle_field(
     workbench: &Workbench,
     name: &str,
     at_rad: f64,
-    (boundary, _all): (usize, &[Boundary]),
+    boundary: usize,
     commands: &mut Vec<Command>,
 ) {
     let regions = &workbench.document().regions;
@@ -146,7 +147,7 @@ fn angle_field(
         .range(deg_from_rad(low)..=deg_from_rad(high))
         .clamp_existing_to_range(false)
         .speed(0.2)
-        .max_decimals(2)
+        .custom_formatter(|value, _| crate::gui::units::trimmed(value, 2))
         .suffix("°");
     let response = widgets::cell_number(ui, name, 62.0, field);
     if degrees != now {

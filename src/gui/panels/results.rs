@@ -214,10 +214,11 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     title(ui, "Correction of each region");
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     Grid::new("region results")
         .num_columns(4)
-        .spacing([12.0, 4.0])
-        .striped(false)
+        .spacing([16.0, 6.0])
+        .min_col_width(0.0)
         .show(ui, |ui| {
             let length = units.length_name();
             for head in ["region", "Δθ, rad", "Δl1, mm", &format!("gap, {length}")] {
@@ -256,10 +257,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 ui.end_row();
             }
         });
-    widgets::hint(
-        ui,
-        "Corrections: what to add, with half the 95 % interval",
-    );
+    widgets::hint(ui, "What to add, ± half the 95 % interval");
 }
 
 fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

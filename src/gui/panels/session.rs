@@ -54,21 +54,15 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         subject.len().to_string()
     };
     widgets::fact(ui, "samples", samples);
+    if !session.instrument.name.is_empty() {
+        widgets::fact(ui, "instrument", &session.instrument.name);
+    }
     let sigma = match session.instrument.sigma_mm {
-        None => "noise not given".to_owned(),
-        Some(Sigma::Overall(sigma)) => format!("σ {}", units.length(sigma)),
-        Some(Sigma::PerAxis([x, y, z])) => {
-            let rms = ((x * x + y * y + z * z) / 3.0).sqrt();
-            format!("σ {}", units.length(rms))
-        }
+        None => "not given".to_owned(),
+        Some(Sigma::Overall(sigma)) => units.length(sigma),
+        Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
     };
-    let name = &session.instrument.name;
-    let instrument = if name.is_empty() {
-        sigma
-    } else {
-        format!("{name}, {sigma}")
-    };
-    widgets::fact(ui, "instrument", instrument);
+    widgets::fact(ui, "noise, one σ", sigma);
     if session.samples.z_mm.is_none() {
         widgets::fact(ui, "coordinates", "x and y; z was not measured");
     }

@@ -6,6 +6,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::{deviation, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::units::significant;
 use crate::gui::view::Plane;
 use crate::gui::widgets;
 
@@ -17,7 +18,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
     Panel::bottom("deviation")
         .resizable(true)
-        .default_size(0.36 * height)
+        .default_size(0.34 * height)
         .size_range(140.0..=(0.7 * height).max(150.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
@@ -80,13 +81,12 @@ fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
             commands.push(Command::Look(plane));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            magnification(ui, workbench, commands);
             if workbench.answer().is_some() {
-                ui.add_space(space::ROW);
                 blend(ui, workbench, commands);
             }
         });
     });
+    ui.horizontal(|ui| magnification(ui, workbench, commands));
 }
 
 fn caption(ui: &mut Ui, text: &str) -> egui::Response {
@@ -114,19 +114,9 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     let reach = subject.joint.radius_mm.max(1.0);
     let before = workspace::readable(reach, &subject.before.length_mm);
     let now = workbench.view().magnification.unwrap_or(before);
-    if let Some(answer) = workbench.answer() {
-        let left = workspace::readable(reach, &answer.lengths_mm);
-        let button = ui.small_button("fit after");
-        if button.on_hover_text("make what is left readable").clicked() {
-            commands.push(Command::Magnify(Some(left)));
-        }
-    }
-    let button = ui.small_button("fit before");
-    if button.on_hover_text("make the deviation of the nominal robot readable").clicked() {
-        commands.push(Command::Magnify(None));
-    }
+    caption(ui, "vectors");
     let mut factor = now;
-    ui.spacing_mut().slider_width = 72.0;
+    ui.spacing_mut().slider_width = 110.0;
     let slider = Slider::new(&mut factor, 1.0..=100_000.0)
         .logarithmic(true)
         .show_value(false);
@@ -136,7 +126,19 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     if slider.changed() && factor != now {
         commands.push(Command::Magnify(Some(factor)));
     }
-    caption(ui, "vectors");
+    caption(ui, &format!("× {}", significant(now, 2)));
+    let Some(answer) = workbench.answer() else {
+        return;
+    };
+    let left = workspace::readable(reach, &answer.lengths_mm);
+    ui.add_space(space::ROW);
+    caption(ui, "readable");
+    let options = [(Some(before), "before"), (Some(left), "after")];
+    match widgets::segmented(ui, &options, Some(now)) {
+        Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
+        Some(factor) => commands.push(Command::Magnify(factor)),
+        None => {}
+    }
 }
 
 fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -151,7 +153,7 @@ fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if workbench.answer().is_some() {
-                let shown = [(false, "before and after"), (true, "after")];
+                let shown = [(false, "both"), (true, "only after")];
                 if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
                     commands.push(Command::OnlyAfter(only));
                 }

@@ -1,11 +1,13 @@
 //! Plots: each in a model (what is shown, from the workbench), a layout (where it goes; both are
 //! tested without pixels) and paint (egui).
 
+mod axes;
 pub(crate) mod deviation;
 mod drawing;
 mod marks;
 pub(crate) mod workspace;
 
+pub(crate) use axes::axis;
 pub(crate) use drawing::Drawing;
 
 /// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.

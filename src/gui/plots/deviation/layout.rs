@@ -27,13 +27,14 @@ pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
     if q[0] > q[1] {
         q = [-1.0, 1.0];
     }
-    let margin = |[low, high]: [f64; 2], part: f64, least: f64| {
-        let by = (part * (high - low)).max(least);
-        [low - by, high + by]
+    let margin = |[low, high]: [f64; 2], [below, above]: [f64; 2], least: f64| {
+        let wide = high - low;
+        [low - (below * wide).max(least), high + (above * wide).max(least)]
     };
     Extent {
-        q: margin(q, 0.03, 1e-3),
-        mm: margin(mm, 0.12, 1e-6),
+        q: margin(q, [0.03, 0.03], 1e-3),
+        // The legend stands at the top.
+        mm: margin(mm, [0.08, 0.25], 1e-6),
     }
 }
 

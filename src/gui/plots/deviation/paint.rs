@@ -1,13 +1,13 @@
 //! The deviation chart in egui.
 
 use egui::{Align2, Color32, FontId, Role, Shape, Stroke, Ui, WidgetInfo, pos2};
-use egui_plot::{Plot, PlotPoint, PlotTransform};
+use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, marks, thinned, workspace};
+use crate::gui::plots::{Drawing, axis, marks, thinned, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::{Units, trimmed};
+use crate::gui::units::Units;
 
 use super::layout::{self, Extent};
 use super::model::Series;
@@ -59,8 +59,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         [axes.along(extent.q[0]), units.length_value(extent.mm[0])],
         [axes.along(extent.q[1]), units.length_value(extent.mm[1])],
     ];
-    let tick =
-        |mark: egui_plot::GridMark, _: &std::ops::RangeInclusive<f64>| trimmed(mark.value, 4);
+    let across = format!("{joint}, {unit}");
+    let upwards = format!("{}, {}", view.component.name(), units.length_name());
     let plot = Plot::new(("deviation", view.component.name(), only_after, view.fitted))
         .show_x(false)
         .show_y(false)
@@ -68,11 +68,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
-        .x_axis_label(format!("{joint}, {unit}"))
-        .y_axis_label(format!("{}, {}", view.component.name(), units.length_name()))
-        .x_axis_formatter(tick)
-        .y_axis_formatter(tick)
-        .y_axis_min_width(36.0);
+        .custom_x_axes(axis(Axis::X, across, &palette, |q| q))
+        .custom_y_axes(axis(Axis::Y, upwards, &palette, |mm| mm));
     let emphasised = view.hovered.or(view.selected);
     let drawn = &series;
     let shown = plot.show(ui, |plot| {

@@ -2,12 +2,12 @@
 
 use egui::epaint::Mesh;
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
-use egui_plot::{Plot, PlotPoint, PlotTransform};
+use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, marks, thinned};
+use crate::gui::plots::{Drawing, axis, marks, thinned};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::{significant, trimmed};
+use crate::gui::units::significant;
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::sessions::Region;
@@ -30,9 +30,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let names = ["x", "y", "z"];
     let [right, up] = view.plane.axes();
     let units = workbench.units();
-    let axis = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
-    let tick = move |mark: egui_plot::GridMark, _: &std::ops::RangeInclusive<f64>| {
-        trimmed(units.length_value(mark.value), 3)
+    let name = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
+    let hints = |side, k: usize| {
+        axis(side, name(k), &palette, move |mm| units.length_value(mm))
     };
     let editing = view.step == Step::Regions;
     let regions = &workbench.document().regions;
@@ -44,11 +44,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
-        .x_axis_label(axis(right))
-        .y_axis_label(axis(up))
-        .x_axis_formatter(tick)
-        .y_axis_formatter(tick)
-        .y_axis_min_width(36.0);
+        .custom_x_axes(hints(Axis::X, right))
+        .custom_y_axes(hints(Axis::Y, up));
     let emphasised = view.hovered.or(view.selected);
     let shown = plot.show(ui, |plot| {
         plot.add(Drawing::new("workspace", bounds, |transform, shapes| {
@@ -56,8 +53,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 sectors(shapes, transform, dial, regions, &palette, editing);
             }
             path(shapes, transform, &scene, &palette);
-            arrows(shapes, transform, &scene, &palette, workbench.answer().is_some());
             points(shapes, transform, &scene, &palette);
+            arrows(shapes, transform, &scene, &palette, workbench.answer().is_some());
             if let Some(sample) = emphasised {
                 emphasis(shapes, transform, workbench, sample, &palette);
             }
@@ -192,14 +189,16 @@ fn arrows(
 }
 
 fn points(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
+    // Many points stand close together, and small ones apart.
+    let size = if scene.points.len() > 80 { 0.75 } else { 1.0 };
     for point in &scene.points {
         let at = screen(transform, point.at_mm);
         shapes.push(match point.within {
-            None => marks::disc(at, 2.6, palette.text),
-            Some(true) => marks::disc(at, 2.8, palette.within),
+            None => marks::disc(at, 2.6 * size, palette.text),
+            Some(true) => marks::disc(at, 2.8 * size, palette.within),
             Some(false) => {
                 let edge = Stroke::new(1.4, palette.outside);
-                marks::diamond(at, 4.2, palette.surface, edge)
+                marks::diamond(at, 4.2 * size, palette.surface, edge)
             }
         });
         if point.suspected {
@@ -323,7 +322,7 @@ fn meanings(ui: &mut Ui, frame: Rect, workbench: &Workbench, palette: &Palette) 
         entries.push(("measured", Box::new(move |at| marks::disc(at, 2.6, p.text))));
     }
     let mut right = frame.right() - 12.0;
-    let y = frame.top() + 16.0;
+    let y = frame.bottom() - 14.0;
     for (name, mark) in entries.into_iter().rev() {
         let text = painter.text(
             pos2(right, y),
