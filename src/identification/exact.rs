@@ -28,6 +28,9 @@ pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
 const MOST_ROUNDS: usize = 10;
 
 /// Fits the named effects, each on every joint where it can be tested.
+///
+/// # Errors
+/// An unknown effect, or no sample to fit.
 pub fn identify_exact(
     session: &Session,
     effects: &[String],

@@ -248,6 +248,9 @@ impl Plane {
 }
 
 /// The paper's identification of a session with a single revolute joint.
+///
+/// # Errors
+/// Another robot, regions that make no sense, or no sample to fit.
 pub fn identify_regional(
     session: &Session,
     choice: &RegionChoice,
