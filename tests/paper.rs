@@ -14,7 +14,14 @@ use truepose::sessions::{Instrument, Region, Samples, Session, Target};
 
 /// Angles of the paper's samples in degrees, region by region.
 fn sample_angles() -> Vec<f64> {
-    let signs_and_starts = [(1.0, 6), (1.0, 36), (1.0, 66), (-1.0, 6), (-1.0, 36), (-1.0, 66)];
+    let signs_and_starts = [
+        (1.0, 6),
+        (1.0, 36),
+        (1.0, 66),
+        (-1.0, 6),
+        (-1.0, 36),
+        (-1.0, 66),
+    ];
     signs_and_starts
         .iter()
         .flat_map(|(sign, start)| (0..5).map(move |k| sign * f64::from(start + 6 * k)))
@@ -106,15 +113,26 @@ const PRINTED: [(f64, f64); 6] = [
 
 #[test]
 fn the_twelve_corrections_of_the_second_table_are_reproduced() {
-    let answer =
-        identify_regional(&paper_session(), &RegionChoice::FromSession, JointValues::Commanded)
-            .unwrap();
+    let answer = identify_regional(
+        &paper_session(),
+        &RegionChoice::FromSession,
+        JointValues::Commanded,
+    )
+    .unwrap();
     assert_eq!(answer.regions.len(), 6);
     for (k, region) in answer.regions.iter().enumerate() {
         assert_eq!(region.correction.samples, 5);
         let (theta, l1) = (region.correction.theta_rad, region.correction.l1_mm);
-        assert!((theta - RECOMPUTED[k].0).abs() < 1e-7, "region {}: Δθ {theta}", k + 1);
-        assert!((l1 - RECOMPUTED[k].1).abs() < 1e-7, "region {}: Δl1 {l1}", k + 1);
+        assert!(
+            (theta - RECOMPUTED[k].0).abs() < 1e-7,
+            "region {}: Δθ {theta}",
+            k + 1
+        );
+        assert!(
+            (l1 - RECOMPUTED[k].1).abs() < 1e-7,
+            "region {}: Δl1 {l1}",
+            k + 1
+        );
         assert!((theta - PRINTED[k].0).abs() <= 0.0005);
         assert!((l1 - PRINTED[k].1).abs() <= 0.0005);
     }
@@ -141,9 +159,12 @@ const PRINTED_TO: f64 = 1.6e-3;
 
 #[test]
 fn the_rows_of_the_first_table_are_reproduced_except_the_y_column_of_region_1() {
-    let answer =
-        identify_regional(&paper_session(), &RegionChoice::FromSession, JointValues::Commanded)
-            .unwrap();
+    let answer = identify_regional(
+        &paper_session(),
+        &RegionChoice::FromSession,
+        JointValues::Commanded,
+    )
+    .unwrap();
     for (theta_deg, compensated, before, after) in FIRST_TABLE {
         let region = &answer.regions[usize::from(theta_deg > 30.0)].correction;
         let angle = theta_deg.to_radians();
@@ -154,15 +175,24 @@ fn the_rows_of_the_first_table_are_reproduced_except_the_y_column_of_region_1() 
         for axis in 0..2 {
             let at = format!("{theta_deg}°, axis {axis}");
             let error = nominal[axis] - actual[axis];
-            assert!((error - before[axis]).abs() < PRINTED_TO, "before, {at}: {error}");
+            assert!(
+                (error - before[axis]).abs() < PRINTED_TO,
+                "before, {at}: {error}"
+            );
             let inconsistent = theta_deg <= 30.0 && axis == 1;
             let corrected = actual[axis] + shift[axis];
             let left = nominal[axis] - corrected;
             if inconsistent {
                 continue;
             }
-            assert!((corrected - compensated[axis]).abs() < PRINTED_TO, "compensated, {at}");
-            assert!((left - after[axis]).abs() < PRINTED_TO, "after, {at}: {left}");
+            assert!(
+                (corrected - compensated[axis]).abs() < PRINTED_TO,
+                "compensated, {at}"
+            );
+            assert!(
+                (left - after[axis]).abs() < PRINTED_TO,
+                "after, {at}: {left}"
+            );
         }
     }
 }
@@ -171,9 +201,12 @@ fn the_rows_of_the_first_table_are_reproduced_except_the_y_column_of_region_1() 
 /// l1·Δθ = 13.692 mm. With (8) as written other errors are left.
 #[test]
 fn the_papers_region_1_y_column_does_not_follow_from_its_own_equation() {
-    let answer =
-        identify_regional(&paper_session(), &RegionChoice::FromSession, JointValues::Commanded)
-            .unwrap();
+    let answer = identify_regional(
+        &paper_session(),
+        &RegionChoice::FromSession,
+        JointValues::Commanded,
+    )
+    .unwrap();
     let shift = 250.0 * answer.regions[0].correction.theta_rad;
     assert!((shift - 13.692).abs() < 5e-4, "l1·Δθ of region 1: {shift}");
     let left_by_8 = [-0.382, -0.041, 0.152, 0.192, 0.080];
@@ -182,7 +215,11 @@ fn the_papers_region_1_y_column_does_not_follow_from_its_own_equation() {
         let left = 250.0 * angle.sin() - (actual(row.0)[1] + shift);
         assert!((left - expected).abs() < PRINTED_TO, "{}°: {left}", row.0);
         let printed_shift = row.1[1] - actual(row.0)[1];
-        assert!((printed_shift - 13.126).abs() < PRINTED_TO, "{}°: {printed_shift}", row.0);
+        assert!(
+            (printed_shift - 13.126).abs() < PRINTED_TO,
+            "{}°: {printed_shift}",
+            row.0
+        );
     }
 }
 
@@ -190,10 +227,29 @@ fn the_papers_region_1_y_column_does_not_follow_from_its_own_equation() {
 fn the_exact_method_finds_the_one_constant_error() {
     let effects = ["joint-zero-offset", "link-length"].map(str::to_owned);
     let answer = identify_exact(&paper_session(), &effects, JointValues::Commanded).unwrap();
-    let value = |name: &str| answer.parameters.iter().find(|p| p.name == name).unwrap().value;
-    assert!((value("offset_deg") + 3.0).abs() < 1e-11, "{}", value("offset_deg"));
-    assert!((value("delta_mm") + 5.0).abs() < 1e-10, "{}", value("delta_mm"));
-    assert!(answer.gap.after.max_mm < 1e-9, "{}", answer.gap.after.max_mm);
+    let value = |name: &str| {
+        answer
+            .parameters
+            .iter()
+            .find(|p| p.name == name)
+            .unwrap()
+            .value
+    };
+    assert!(
+        (value("offset_deg") + 3.0).abs() < 1e-11,
+        "{}",
+        value("offset_deg")
+    );
+    assert!(
+        (value("delta_mm") + 5.0).abs() < 1e-10,
+        "{}",
+        value("delta_mm")
+    );
+    assert!(
+        answer.gap.after.max_mm < 1e-9,
+        "{}",
+        answer.gap.after.max_mm
+    );
     assert!(answer.gap.before.rms_mm > 13.0);
     assert!(answer.outliers.is_empty() && answer.not_identifiable.is_empty());
     assert!(answer.quality.converged);
