@@ -1,5 +1,6 @@
 //! truepose: calibration of robots at commissioning.
 
+pub mod atomic;
 pub mod diagnostic;
 pub mod lanes;
 pub mod units;

@@ -32,6 +32,16 @@ pub enum Unusable {
     LostReflector,
 }
 
+impl Unusable {
+    /// In words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::MissingCell => "a joint value or a coordinate is missing",
+            Self::LostReflector => "the instrument lost the reflector: it wrote 0, 0, 0",
+        }
+    }
+}
+
 impl<'a> Problem<'a> {
     /// All usable samples of a session that are not held out.
     pub fn new(session: &'a Session, values: JointValues) -> Self {

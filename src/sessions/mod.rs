@@ -1,148 +1,33 @@
-//! A measurement session: the robot, how it was measured, and every sample.
+//! Measurement sessions: reading, checking and saving them.
 //!
-//! These are the types that the program thinks in, in inner units (mm, rad, s, kg, °C); files on
-//! disk have types of their own in [`format_v1`](self).
+//! [`load`] takes a file and gives a [`Session`] with everything worth knowing about it, or refuses
+//! it with every problem that it found, each with its place, what stands there and what should.
+//! [`save`] writes it back, whole or not at all, so that loading gives the same session to the last
+//! bit.
+//!
+//! The way in: bytes → [`json`] (a tree that knows places) → [`format_v1`] (units, ranges, the
+//! robot) → [`csv`] or inline columns → [`columns`] (what headings mean) → [`assemble`] (samples in
+//! inner units) → [`validation`] (what spans fields). The types that the program thinks in are in
+//! [`domain`]; they know nothing of files.
 
-use std::path::PathBuf;
+mod assemble;
+mod columns;
+mod csv;
+mod domain;
+mod files;
+mod format_v1;
+mod hash;
+pub(crate) mod json;
+mod load;
+pub(crate) mod number;
+mod save;
+mod saved_columns;
+mod table;
+mod validation;
 
-use nalgebra::Point3;
-
-use crate::kinematics::Robot;
-
-/// A reflector that the instrument sees, fixed in the tool frame.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Target {
-    /// Its name in the file.
-    pub name: String,
-    /// Where it sits in the tool frame, mm.
-    pub position_mm: Point3<f64>,
-}
-
-/// What the instrument's maker or the technician says about its noise, one standard deviation.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Sigma {
-    /// Root mean square over the axes; the ratio between the axes is not known.
-    Overall(f64),
-    /// One number for each of x, y, z.
-    PerAxis([f64; 3]),
-}
-
-/// The measuring instrument.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Instrument {
-    /// What it is called.
-    pub name: String,
-    /// Its noise in mm, where it is known.
-    pub sigma_mm: Option<Sigma>,
-}
-
-/// A range of the joint angle that gets a correction of its own.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Region {
-    /// Its name in tables.
-    pub name: String,
-    /// Lower end, rad.
-    pub from_rad: f64,
-    /// Upper end, rad; larger than the lower.
-    pub to_rad: f64,
-}
-
-/// A column that the program does not know: kept, reported and ignored.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UnknownColumn {
-    /// Its heading.
-    pub name: String,
-    /// Its cells as they stand in the file, one per sample.
-    pub cells: Vec<String>,
-}
-
-/// Which free measuring frame each sample was taken in.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setups {
-    /// Names, in the order in which they first occur.
-    pub names: Vec<String>,
-    /// Index into `names` for each sample.
-    pub index: Vec<u32>,
-}
-
-/// The measured samples as columns, in measuring order. Every column has [`Samples::len`] values.
-/// A missing cell is NaN (`None` for a column that is not there at all); nothing else is NaN and
-/// nothing is infinite.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Samples {
-    /// Commanded joint values, one column per joint; rad or mm.
-    pub q: Vec<Vec<f64>>,
-    /// Joint values read back from the controller, where the file has them.
-    pub q_read: Vec<Option<Vec<f64>>>,
-    /// Measured x in the measuring frame, mm.
-    pub x_mm: Vec<f64>,
-    /// Measured y, mm.
-    pub y_mm: Vec<f64>,
-    /// Measured z, mm; `None` in a planar session.
-    pub z_mm: Option<Vec<f64>>,
-    /// Measured orientation as w, x, y, z columns.
-    pub orientation_wxyz: Option<[Vec<f64>; 4]>,
-    /// Index into the session's targets; `None`: all samples see the first.
-    pub target: Option<Vec<u32>>,
-    /// Side from which each joint came: +1 moving positive, −1, 0 unknown.
-    pub dir: Vec<Option<Vec<f64>>>,
-    /// Signed joint speed while measuring, rad/s or mm/s; 0 at standstill.
-    pub speed: Vec<Option<Vec<f64>>>,
-    /// Load at the tool's origin, kg.
-    pub load_kg: Option<Vec<f64>>,
-    /// Temperature, °C.
-    pub temperature_c: Option<Vec<f64>>,
-    /// Time of the sample, s.
-    pub time_s: Option<Vec<f64>>,
-    /// Free measuring frames.
-    pub setups: Option<Setups>,
-    /// True where the file says `held-out`; `None` without a `use` column.
-    pub held_out: Option<Vec<bool>>,
-    /// Columns that are kept but not understood.
-    pub unknown: Vec<UnknownColumn>,
-    /// Line in the samples file of each sample, so that a finding can name its place;
-    /// empty for inline or simulated samples, where a sample is named by its number.
-    pub line: Vec<u64>,
-}
-
-impl Samples {
-    /// Number of samples.
-    pub fn len(&self) -> usize {
-        self.x_mm.len()
-    }
-
-    /// Whether there is no sample at all (a valid session has one).
-    pub fn is_empty(&self) -> bool {
-        self.x_mm.is_empty()
-    }
-}
-
-/// Everything that one file of measurements says.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Session {
-    /// Its name.
-    pub name: String,
-    /// Free text.
-    pub note: String,
-    /// The robot as its controller believes it to be.
-    pub robot: Robot,
-    /// Reflectors; at least one.
-    pub targets: Vec<Target>,
-    /// The instrument.
-    pub instrument: Instrument,
-    /// How far a measured position may be off, mm.
-    pub tolerance_mm: Option<f64>,
-    /// Regions that the session brings along.
-    pub regions: Vec<Region>,
-    /// Hash of the model whose table was active while measuring; `None`: uncompensated.
-    pub compensated_by: Option<String>,
-    /// The samples.
-    pub samples: Samples,
-    /// The file it was read from, if any.
-    pub path: Option<PathBuf>,
-}
-
-/// Stand-in until the sessions module is complete.
-pub fn hash_of_samples(_: &Session) -> String {
-    String::new()
-}
+pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
+pub use hash::hash_of_samples;
+pub use load::{Loaded, LoadedRobot, load, load_robot, parse, parse_robot, parse_with_csv};
+pub use save::{
+    Replacing, commanded_heading, samples_path, save, write_csv, write_inline, write_robot,
+};

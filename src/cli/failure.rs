@@ -1,0 +1,53 @@
+//! How a command fails, and what the terminal and the exit status say then.
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use truepose::diagnostic::Rejected;
+use truepose::identification::IdentifyError;
+
+/// The input or the arguments are wrong.
+pub(crate) const WRONG_INPUT: u8 = 2;
+/// The program could not do its job.
+const FAILED: u8 = 1;
+
+/// See the module.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The user can mend it.
+    WrongInput(String),
+    /// The user cannot.
+    Failed(anyhow::Error),
+}
+
+impl Failure {
+    /// Tells the user, once, and gives the exit status.
+    pub(crate) fn report(&self) -> ExitCode {
+        let (text, status) = match self {
+            Self::WrongInput(text) => (text.clone(), WRONG_INPUT),
+            Self::Failed(error) => (format!("{error:#}"), FAILED),
+        };
+        let mut stderr = std::io::stderr().lock();
+        // With standard error closed there is nobody left to tell.
+        let _ = writeln!(stderr, "truepose: {text}");
+        ExitCode::from(status)
+    }
+}
+
+impl From<Rejected> for Failure {
+    fn from(rejected: Rejected) -> Self {
+        Self::WrongInput(rejected.to_string())
+    }
+}
+
+impl From<IdentifyError> for Failure {
+    fn from(error: IdentifyError) -> Self {
+        Self::WrongInput(error.to_string())
+    }
+}
+
+impl From<anyhow::Error> for Failure {
+    fn from(error: anyhow::Error) -> Self {
+        Self::Failed(error)
+    }
+}

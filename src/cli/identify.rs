@@ -1,0 +1,372 @@
+//! `truepose identify`: from a session to a model.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+
+use truepose::effects::{Inputs, JointValues};
+use truepose::identification::regions::RegionChoice;
+use truepose::identification::{
+    DEFAULT_EFFECTS, Gap, Identification, identify_exact, identify_regional,
+};
+use truepose::units::{deg_from_rad, rad_from_deg};
+
+use super::failure::Failure;
+use super::output;
+
+/// Identify a session's robot: the exact fit, or the paper's method by regions
+#[derive(Debug, Args)]
+pub(crate) struct Identify {
+    /// Session to identify
+    session: PathBuf,
+    /// How to identify
+    #[arg(long, value_enum, default_value = "exact")]
+    method: Method,
+    /// Effects to fit, separated by commas [default: joint-zero-offset,link-length]
+    #[arg(long, value_delimiter = ',', value_name = "ID")]
+    effects: Vec<String>,
+    /// Number of uniform regions, or their boundaries in degrees: 6 | -90,-60,… [default: the session's, else 6]
+    #[arg(long, allow_hyphen_values = true)]
+    regions: Option<String>,
+    /// Joint values to start from
+    #[arg(long, value_enum, default_value = "commanded")]
+    joint_values: Values,
+    /// Write the model to this file; - is standard output
+    #[arg(long, value_name = "MODEL")]
+    out: Option<PathBuf>,
+    /// Replace the file if it exists
+    #[arg(long)]
+    force: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Method {
+    /// Nonlinear least squares for the named effects
+    Exact,
+    /// The paper's constant corrections by region
+    Regional,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Values {
+    /// What the controller was told
+    Commanded,
+    /// What the controller read back
+    Read,
+}
+
+impl Identify {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        output::one_use_of_standard_output(self.json, self.out.as_deref())?;
+        let values = match self.joint_values {
+            Values::Commanded => JointValues::Commanded,
+            Values::Read => JointValues::Read,
+        };
+        if self.method == Method::Regional && !self.effects.is_empty() {
+            return Err(Failure::WrongInput(
+                "--effects belongs to --method exact; the regional method fits angle and radius by region".to_owned(),
+            ));
+        }
+        if self.method == Method::Exact && self.regions.is_some() {
+            return Err(Failure::WrongInput(
+                "--regions belongs to --method regional; the exact method needs none".to_owned(),
+            ));
+        }
+        let loaded = truepose::sessions::load(&self.session)?;
+        output::findings(&loaded.findings);
+        let session = loaded.session;
+        let answer = match self.method {
+            Method::Exact => {
+                let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
+                let effects = if self.effects.is_empty() { defaults() } else { self.effects };
+                identify_exact(&session, &effects, values)?
+            }
+            Method::Regional => {
+                let choice = match &self.regions {
+                    None => RegionChoice::FromSession,
+                    Some(text) => parse_regions(text)?,
+                };
+                identify_regional(&session, &choice, values)?
+            }
+        };
+        if let Some(out) = &self.out {
+            let calibration = answer.calibration(&session, &Inputs::new(&session, values));
+            let text = truepose::model::format_v1::write_model(&calibration);
+            output::document(out, text.as_bytes(), self.force, &[&self.session])?;
+        }
+        if self.json {
+            output::json(&Answer::new(&answer))
+        } else if self.out.as_ref().is_some_and(|out| out.as_os_str() == "-") {
+            Ok(())
+        } else {
+            output::text(&in_words(&answer))
+        }
+    }
+}
+
+fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
+    let wrong = || {
+        Failure::WrongInput(format!(
+            "--regions '{text}': expected a number of regions, or boundaries in degrees such as -90,-60,-30,0"
+        ))
+    };
+    if let Ok(number) = text.trim().parse::<usize>() {
+        return Ok(RegionChoice::Uniform(number));
+    }
+    let boundary = |part: &str| {
+        let degrees: f64 = part.trim().parse().map_err(|_| wrong())?;
+        if degrees.is_finite() { Ok(rad_from_deg(degrees)) } else { Err(wrong()) }
+    };
+    let boundaries: Result<Vec<f64>, Failure> = text.split(',').map(boundary).collect();
+    Ok(RegionChoice::Boundaries(boundaries?))
+}
+
+/// `truepose-identification/1`.
+#[derive(Serialize)]
+struct Answer<'a> {
+    format: &'static str,
+    session: &'a str,
+    method: &'static str,
+    samples: usize,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    regions: Vec<RegionRow<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    parameters: Option<Vec<ParameterRow>>,
+    not_identifiable: Vec<NotIdentifiableRow<'a>>,
+    gap: GapRow,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    held_out: Option<HeldOutRow>,
+    outliers: Vec<OutlierRow>,
+    left_out: Vec<LeftOutRow>,
+    noise_mm: Option<[f64; 3]>,
+    solver: SolverRow,
+    notes: &'a [String],
+}
+
+#[derive(Serialize)]
+struct RegionRow<'a> {
+    name: &'a str,
+    from_deg: f64,
+    to_deg: f64,
+    samples: usize,
+    correction: Correction,
+    ci95: Intervals,
+    rms_before_mm: f64,
+    rms_after_mm: f64,
+}
+
+#[derive(Serialize)]
+struct Correction {
+    theta_rad: f64,
+    l1_mm: f64,
+}
+
+#[derive(Serialize)]
+struct Intervals {
+    theta_rad: Option<[f64; 2]>,
+    l1_mm: Option<[f64; 2]>,
+}
+
+#[derive(Serialize)]
+struct ParameterRow {
+    effect: &'static str,
+    joint: Option<usize>,
+    name: &'static str,
+    value: f64,
+    ci95: Option<[f64; 2]>,
+}
+
+#[derive(Serialize)]
+struct NotIdentifiableRow<'a> {
+    combination: &'a str,
+    because: &'a str,
+}
+
+#[derive(Serialize)]
+struct GapRow {
+    before_mm: f64,
+    after_mm: f64,
+    max_before_mm: f64,
+    max_after_mm: f64,
+}
+
+#[derive(Serialize)]
+struct HeldOutRow {
+    samples: usize,
+    #[serde(flatten)]
+    gap: GapRow,
+}
+
+#[derive(Serialize)]
+struct OutlierRow {
+    sample: usize,
+    deviation_mm: f64,
+}
+
+#[derive(Serialize)]
+struct LeftOutRow {
+    sample: usize,
+    because: &'static str,
+}
+
+#[derive(Serialize)]
+struct SolverRow {
+    converged: bool,
+    stopped: &'static str,
+    passes: usize,
+    coefficients: usize,
+    rank: usize,
+    condition: f64,
+}
+
+impl GapRow {
+    fn new(gap: &Gap) -> Self {
+        Self {
+            before_mm: gap.before.rms_mm,
+            after_mm: gap.after.rms_mm,
+            max_before_mm: gap.before.max_mm,
+            max_after_mm: gap.after.max_mm,
+        }
+    }
+}
+
+impl<'a> Answer<'a> {
+    fn new(answer: &'a Identification) -> Self {
+        let parameters = answer.parameters.iter().map(|p| ParameterRow {
+            effect: p.effect,
+            joint: p.joint,
+            name: p.name,
+            value: p.value,
+            ci95: p.ci95,
+        });
+        let regions = answer.regions.iter().map(|r| RegionRow {
+            name: &r.correction.name,
+            from_deg: rounded_degrees(r.correction.from_rad),
+            to_deg: rounded_degrees(r.correction.to_rad),
+            samples: r.correction.samples,
+            correction: Correction {
+                theta_rad: r.correction.theta_rad,
+                l1_mm: r.correction.l1_mm,
+            },
+            ci95: Intervals {
+                theta_rad: r.theta_ci95,
+                l1_mm: r.l1_ci95,
+            },
+            rms_before_mm: r.rms_before_mm,
+            rms_after_mm: r.rms_after_mm,
+        });
+        let not_identifiable = answer.not_identifiable.iter().map(|n| NotIdentifiableRow {
+            combination: &n.combination,
+            because: &n.because,
+        });
+        // Samples are counted from 1 where people and other programs read them.
+        let outliers = answer.outliers.iter().map(|o| OutlierRow {
+            sample: o.sample + 1,
+            deviation_mm: o.deviation_mm,
+        });
+        let left_out = answer.left_out.iter().map(|l| LeftOutRow {
+            sample: l.sample + 1,
+            because: l.because.says(),
+        });
+        Self {
+            format: "truepose-identification/1",
+            session: &answer.session,
+            method: answer.method,
+            samples: answer.samples,
+            regions: regions.collect(),
+            parameters: (answer.method == "exact").then(|| parameters.collect()),
+            not_identifiable: not_identifiable.collect(),
+            gap: GapRow::new(&answer.gap),
+            held_out: answer.held_out.as_ref().map(|gap| HeldOutRow {
+                samples: gap.samples,
+                gap: GapRow::new(gap),
+            }),
+            outliers: outliers.collect(),
+            left_out: left_out.collect(),
+            noise_mm: answer.noise_mm,
+            solver: SolverRow {
+                converged: answer.quality.converged,
+                stopped: answer.quality.stopped,
+                passes: answer.quality.passes,
+                coefficients: answer.quality.coefficients,
+                rank: answer.quality.rank,
+                condition: answer.quality.condition,
+            },
+            notes: &answer.notes,
+        }
+    }
+}
+
+/// Degrees as a person wrote them: the conversion to radians and back can cost the last bit.
+fn rounded_degrees(rad: f64) -> f64 {
+    (deg_from_rad(rad) * 1e9).round() / 1e9
+}
+
+fn in_words(answer: &Identification) -> String {
+    let gap = &answer.gap;
+    let mut text = format!(
+        "{}: {} identification of {} samples\n",
+        answer.session, answer.method, answer.samples
+    );
+    text += &format!(
+        "gap          {:.6} mm before, {:.6} mm after (largest {:.6} and {:.6})\n",
+        gap.before.rms_mm, gap.after.rms_mm, gap.before.max_mm, gap.after.max_mm
+    );
+    if let Some(held_out) = &answer.held_out {
+        text += &format!(
+            "held out     {:.6} mm before, {:.6} mm after, on {} samples that the fit has not seen\n",
+            held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
+        );
+    }
+    if !answer.parameters.is_empty() {
+        text += &format!("\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n", "effect", "joint", "parameter", "value");
+    }
+    for p in &answer.parameters {
+        let joint = p.joint.map_or("-".to_owned(), |j| j.to_string());
+        let interval = p.ci95.map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));
+        text += &format!("{:<24} {joint:>5}  {:<22} {:>14.6}   {interval}\n", p.effect, p.name, p.value);
+    }
+    if !answer.regions.is_empty() {
+        text += &format!(
+            "\n{:<8} {:>9} {:>9} {:>8} {:>14} {:>12} {:>12} {:>12}\n",
+            "region", "from °", "to °", "samples", "Δθ rad", "Δl1 mm", "before mm", "after mm"
+        );
+    }
+    for r in &answer.regions {
+        let c = &r.correction;
+        text += &format!(
+            "{:<8} {:>9.3} {:>9.3} {:>8} {:>14.7} {:>12.7} {:>12.4} {:>12.4}\n",
+            c.name,
+            rounded_degrees(c.from_rad),
+            rounded_degrees(c.to_rad),
+            c.samples,
+            c.theta_rad,
+            c.l1_mm,
+            r.rms_before_mm,
+            r.rms_after_mm
+        );
+    }
+    for n in &answer.not_identifiable {
+        text += &format!("\nnot identifiable: {}: {}", n.combination, n.because);
+    }
+    for o in &answer.outliers {
+        text += &format!("\nsuspected outlier: sample {}, {:.4} mm from the model", o.sample + 1, o.deviation_mm);
+    }
+    for l in &answer.left_out {
+        text += &format!("\nleft out: sample {}: {}", l.sample + 1, l.because.says());
+    }
+    if !answer.quality.converged {
+        text += &format!("\nthe solver {}", answer.quality.stopped);
+    }
+    for note in &answer.notes {
+        text += &format!("\nnote: {note}");
+    }
+    if !text.ends_with('\n') {
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,77 @@
+//! The terminal: one file per command.
+//!
+//! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, or there is
+//! no display for the window. With `--json` standard output carries exactly one JSON document;
+//! messages always go to standard error.
+
+mod effects;
+mod export;
+mod failure;
+mod identify;
+mod output;
+mod simulate;
+mod verify;
+mod window;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+
+/// Calibrates a robot: finds where measurement and simulation disagree, and writes the table
+/// that the controller reads
+#[derive(Debug, Parser)]
+#[command(name = "truepose", version, about, long_about = None, args_conflicts_with_subcommands = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Session or model to open in the window
+    file: Option<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Make a session by simulation from a scenario
+    Simulate(simulate::Simulate),
+    /// Identify a session's robot: the exact fit, or the paper's method by regions
+    Identify(identify::Identify),
+    /// Check a model on another session
+    Verify(verify::Verify),
+    /// Write the table that a controller reads
+    Export(export::Export),
+    /// List the effects that the program knows
+    Effects(effects::Effects),
+}
+
+/// Runs the program with the process's arguments.
+pub(crate) fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return complain_about_arguments(&error),
+    };
+    let done = match arguments.command {
+        None => window::open(arguments.file),
+        Some(Command::Simulate(command)) => command.run(),
+        Some(Command::Identify(command)) => command.run(),
+        Some(Command::Verify(command)) => command.run(),
+        Some(Command::Export(command)) => command.run(),
+        Some(Command::Effects(command)) => command.run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
+
+/// Help and version are no errors; anything else is a wrong argument.
+fn complain_about_arguments(error: &clap::Error) -> ExitCode {
+    // Where standard output or error is closed there is nobody left to tell.
+    let _ = error.print();
+    if error.use_stderr() {
+        ExitCode::from(failure::WRONG_INPUT)
+    } else {
+        ExitCode::SUCCESS
+    }
+}

@@ -1,0 +1,63 @@
+//! Standard output: one JSON document, or text.
+
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+
+use anyhow::Context;
+use serde::Serialize;
+
+use truepose::diagnostic::Diagnostic;
+
+use super::failure::Failure;
+
+/// Prints one JSON document.
+pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
+    let mut text = serde_json::to_string_pretty(document).context("cannot write the answer")?;
+    text.push('\n');
+    self::text(&text)
+}
+
+/// Prints text. A reader that has had enough (`| head`) is no failure.
+pub(crate) fn text(text: &str) -> Result<(), Failure> {
+    let mut stdout = std::io::stdout().lock();
+    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    match written {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        other => Ok(other.context("cannot write to standard output")?),
+    }
+}
+
+/// Tells the user what was noticed while reading.
+pub(crate) fn findings(findings: &[Diagnostic]) {
+    let mut stderr = std::io::stderr().lock();
+    for finding in findings {
+        // With standard error closed there is nobody left to tell.
+        let _ = writeln!(stderr, "truepose: {finding}");
+    }
+}
+
+/// Refuses to mix two documents on standard output.
+pub(crate) fn one_use_of_standard_output(json: bool, out: Option<&Path>) -> Result<(), Failure> {
+    if json && out.is_some_and(|out| out.as_os_str() == "-") {
+        return Err(Failure::WrongInput(
+            "--json and --out - both want standard output; give the output a file name".to_owned(),
+        ));
+    }
+    Ok(())
+}
+
+/// Writes a document whole or not at all; `-` is standard output.
+pub(crate) fn document(
+    out: &Path,
+    bytes: &[u8],
+    force: bool,
+    inputs: &[&Path],
+) -> Result<(), Failure> {
+    if out.as_os_str() == "-" {
+        let mut stdout = std::io::stdout().lock();
+        let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
+        return Ok(written.context("cannot write to standard output")?);
+    }
+    truepose::atomic::refuse_to_replace_inputs(out, inputs)?;
+    Ok(truepose::atomic::write_atomically(out, force, |file| file.write_all(bytes))?)
+}

@@ -1,0 +1,228 @@
+//! From a table as it was read to samples in inner units.
+//!
+//! Here a cell gets its meaning: units become mm and rad, names become indices, and what a number
+//! cannot be (a direction of 2, a target that nobody declared) is said with its place.
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::sessions::columns::{Heading, Quantity};
+use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
+use crate::sessions::number::quoted;
+use crate::sessions::table::{Cells, Names, Table};
+
+/// Complaints about one column that are worth printing.
+const MOST_COMPLAINTS: usize = 10;
+
+/// Where a cell is: column, then row, both counted from 0.
+pub(crate) type Locate<'a> = &'a dyn Fn(usize, usize) -> Place;
+
+/// Makes samples of a table. They are usable only if `findings` got no error.
+pub(crate) fn samples(
+    table: Table,
+    targets: &[Target],
+    locate: Locate<'_>,
+    whole: &Place,
+    findings: &mut Vec<Diagnostic>,
+) -> Samples {
+    let rows = table.rows();
+    let joints = table.layout.joints;
+    if rows == 0 {
+        findings.push(Diagnostic::error(
+            whole.clone(),
+            "no sample",
+            "at least one",
+        ));
+    }
+    let missing = || vec![f64::NAN; rows];
+    let mut samples = Samples {
+        q: vec![Vec::new(); joints],
+        q_read: vec![None; joints],
+        dir: vec![None; joints],
+        speed: vec![None; joints],
+        line: table.line,
+        ..Samples::default()
+    };
+    let mut orientation: [Option<Vec<f64>>; 4] = Default::default();
+    let columns = table
+        .layout
+        .headings
+        .iter()
+        .zip(table.names)
+        .zip(table.columns);
+    for (index, ((heading, name), cells)) in columns.enumerate() {
+        let mut column = Column {
+            index,
+            locate,
+            findings: &mut *findings,
+        };
+        match (heading, cells) {
+            (Heading::Unknown { .. }, Cells::Text(cells)) => {
+                samples.unknown.push(UnknownColumn { name, cells });
+            }
+            (Heading::Known(quantity, unit), Cells::Numbers(values)) => {
+                let values = column.scaled(values, unit.factor());
+                match *quantity {
+                    Quantity::Commanded(joint) => put(&mut samples.q, joint, values),
+                    Quantity::ReadBack(joint) => put(&mut samples.q_read, joint, Some(values)),
+                    Quantity::Speed(joint) => put(&mut samples.speed, joint, Some(values)),
+                    Quantity::Direction(joint) => {
+                        column.check_directions(&values);
+                        put(&mut samples.dir, joint, Some(values));
+                    }
+                    Quantity::X => samples.x_mm = values,
+                    Quantity::Y => samples.y_mm = values,
+                    Quantity::Z => samples.z_mm = Some(values),
+                    Quantity::Orientation(part) => orientation[part] = Some(values),
+                    Quantity::Load => samples.load_kg = Some(values),
+                    Quantity::Temperature => samples.temperature_c = Some(values),
+                    Quantity::Time => samples.time_s = Some(values),
+                    Quantity::Target | Quantity::Setup | Quantity::Use => {}
+                }
+            }
+            (Heading::Known(Quantity::Target, _), Cells::Names(cells)) => {
+                samples.target = Some(column.targets(&cells, targets));
+            }
+            (Heading::Known(Quantity::Setup, _), Cells::Names(Names { list, index, .. })) => {
+                samples.setups = Some(Setups { names: list, index });
+            }
+            (Heading::Known(Quantity::Use, _), Cells::Names(cells)) => {
+                samples.held_out = Some(column.held_out(&cells));
+            }
+            _ => {}
+        }
+    }
+    // Columns that are missing although they are required were reported with the headings.
+    for column in samples
+        .q
+        .iter_mut()
+        .chain([&mut samples.x_mm, &mut samples.y_mm])
+    {
+        if column.len() != rows {
+            *column = missing();
+        }
+    }
+    if let [Some(w), Some(x), Some(y), Some(z)] = orientation {
+        samples.orientation_wxyz = Some([w, x, y, z]);
+    }
+    samples
+}
+
+/// Puts a column in its place; a joint that does not exist was reported with the headings.
+fn put<T>(columns: &mut [T], joint: usize, values: T) {
+    if let Some(column) = columns.get_mut(joint) {
+        *column = values;
+    }
+}
+
+/// One column and where to complain about it.
+struct Column<'a> {
+    index: usize,
+    locate: Locate<'a>,
+    findings: &'a mut Vec<Diagnostic>,
+}
+
+impl Column<'_> {
+    fn complain(self, rows: &[usize], found: &dyn Fn(usize) -> String, expected: &str) {
+        for &row in rows.iter().take(MOST_COMPLAINTS) {
+            let place = (self.locate)(self.index, row);
+            self.findings
+                .push(Diagnostic::error(place, found(row), expected));
+        }
+        if let Some(&row) = rows.get(MOST_COMPLAINTS) {
+            let place = (self.locate)(self.index, row);
+            let more = rows.len() - MOST_COMPLAINTS;
+            let found = format!("{more} more cells like these from here on");
+            self.findings
+                .push(Diagnostic::error(place, found, expected));
+        }
+    }
+
+    /// In inner units.
+    fn scaled(&mut self, mut values: Vec<f64>, factor: f64) -> Vec<f64> {
+        if factor != 1.0 {
+            for value in &mut values {
+                *value *= factor;
+            }
+        }
+        // Numbers as they are read are finite, but 1e308 m is not a finite number of mm.
+        if let Some(row) = values.iter().position(|value| value.is_infinite()) {
+            let place = (self.locate)(self.index, row);
+            self.findings.push(Diagnostic::error(
+                place,
+                "a number that overflows in mm",
+                "a length that a double can hold in mm",
+            ));
+        }
+        values
+    }
+
+    fn check_directions(self, values: &[f64]) {
+        let wrong = rows_where(values, |value| {
+            !value.is_nan() && value != 0.0 && value.abs() != 1.0
+        });
+        self.complain(
+            &wrong,
+            &|row| values[row].to_string(),
+            "1, -1 or 0 (unknown)",
+        );
+    }
+
+    fn targets(self, cells: &Names, targets: &[Target]) -> Vec<u32> {
+        let only_one = targets.len() == 1;
+        let known: Vec<Option<u32>> = cells
+            .list
+            .iter()
+            .map(|name| {
+                let found = targets
+                    .iter()
+                    .zip(0..)
+                    .find(|(target, _)| target.name == *name);
+                match found {
+                    Some((_, index)) => Some(index),
+                    None if name.is_empty() && only_one => Some(0),
+                    None => None,
+                }
+            })
+            .collect();
+        let of = |row: usize| cells.index[row] as usize;
+        let wrong: Vec<usize> = (0..cells.index.len())
+            .filter(|&row| known[of(row)].is_none())
+            .collect();
+        let names: Vec<&str> = targets.iter().map(|target| target.name.as_str()).collect();
+        let expected = format!("a target of the session: {}", names.join(", "));
+        let found = |row: usize| match cells.list[of(row)].as_str() {
+            "" => "an empty cell, while there are several targets".to_owned(),
+            name => format!("target {} is not declared", quoted(name)),
+        };
+        self.complain(&wrong, &found, &expected);
+        (0..cells.index.len())
+            .map(|row| known[of(row)].unwrap_or(0))
+            .collect()
+    }
+
+    fn held_out(self, cells: &Names) -> Vec<bool> {
+        let wrong: Vec<usize> = (0..cells.index.len())
+            .filter(|&row| {
+                !matches!(
+                    cells.list[cells.index[row] as usize].as_str(),
+                    "" | "fit" | "held-out"
+                )
+            })
+            .collect();
+        let found = |row: usize| quoted(&cells.list[cells.index[row] as usize]);
+        self.complain(&wrong, &found, "fit or held-out");
+        let held_out: Vec<bool> = cells.list.iter().map(|name| name == "held-out").collect();
+        cells
+            .index
+            .iter()
+            .map(|&name| held_out[name as usize])
+            .collect()
+    }
+}
+
+fn rows_where(values: &[f64], is_wrong: impl Fn(f64) -> bool) -> Vec<usize> {
+    let wrong = values
+        .iter()
+        .enumerate()
+        .filter(|(_, value)| is_wrong(**value));
+    wrong.map(|(row, _)| row).collect()
+}

@@ -1,0 +1,420 @@
+//! What a heading says: a quantity and, in its last part, the unit.
+//!
+//! `q1_deg` is the commanded value of the first joint in degrees, `speed1_deg_s` its speed. The
+//! units `_m`, `_mm`, `_um`, `_in`, `_deg` and `_rad` are understood; inside they become mm and
+//! rad. A revolute joint takes angles only and a prismatic one lengths only.
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::kinematics::JointKind;
+use crate::sessions::number::quoted;
+use crate::units::rad_from_deg;
+
+/// What a column holds. Joints count from 0 here and from 1 in headings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Quantity {
+    Commanded(usize),
+    ReadBack(usize),
+    X,
+    Y,
+    Z,
+    /// Component of the measured orientation: w, x, y, z.
+    Orientation(usize),
+    Target,
+    Direction(usize),
+    Speed(usize),
+    Load,
+    Temperature,
+    Time,
+    Setup,
+    Use,
+}
+
+/// What kind of cells a column has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CellKind {
+    Number,
+    /// Few different names.
+    Name,
+    /// Kept as it stands.
+    Text,
+}
+
+/// A unit in a heading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Unit {
+    Length(f64),
+    Angle(f64),
+    /// The only unit that the quantity has.
+    Fixed,
+}
+
+impl Unit {
+    fn from_suffix(suffix: &str) -> Option<Self> {
+        Some(match suffix {
+            "m" => Self::Length(1000.0),
+            "mm" => Self::Length(1.0),
+            "um" => Self::Length(1e-3),
+            "in" => Self::Length(25.4),
+            "deg" => Self::Angle(rad_from_deg(1.0)),
+            "rad" => Self::Angle(1.0),
+            _ => return None,
+        })
+    }
+
+    /// How many inner units (mm, rad) one of these is.
+    pub(crate) fn factor(self) -> f64 {
+        match self {
+            Self::Length(factor) | Self::Angle(factor) => factor,
+            Self::Fixed => 1.0,
+        }
+    }
+}
+
+/// A heading that is understood, or not.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Heading {
+    Known(Quantity, Unit),
+    /// Kept and ignored; the hint says what it might have been meant to be.
+    Unknown {
+        hint: Option<String>,
+    },
+}
+
+impl Heading {
+    pub(crate) fn cells(&self) -> CellKind {
+        match self {
+            Self::Unknown { .. } => CellKind::Text,
+            Self::Known(Quantity::Target | Quantity::Setup | Quantity::Use, _) => CellKind::Name,
+            Self::Known(..) => CellKind::Number,
+        }
+    }
+
+    /// Reads a heading by itself, without knowing the robot.
+    pub(crate) fn read(heading: &str) -> Self {
+        known(heading).map_or_else(
+            || Self::Unknown {
+                hint: hint(heading),
+            },
+            |(quantity, unit)| Self::Known(quantity, unit),
+        )
+    }
+}
+
+fn known(heading: &str) -> Option<(Quantity, Unit)> {
+    let fixed = match heading {
+        "qw" => Quantity::Orientation(0),
+        "qx" => Quantity::Orientation(1),
+        "qy" => Quantity::Orientation(2),
+        "qz" => Quantity::Orientation(3),
+        "target" => Quantity::Target,
+        "load_kg" => Quantity::Load,
+        "temperature_c" => Quantity::Temperature,
+        "time_s" => Quantity::Time,
+        "setup" => Quantity::Setup,
+        "use" => Quantity::Use,
+        _ => return known_with_unit(heading),
+    };
+    Some((fixed, Unit::Fixed))
+}
+
+fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
+    if let Some(joint) = heading.strip_prefix("dir") {
+        return Some((Quantity::Direction(joint_index(joint)?), Unit::Fixed));
+    }
+    if let Some(rest) = heading.strip_prefix("speed") {
+        let (joint, unit) = rest.strip_suffix("_s")?.split_once('_')?;
+        return Some((
+            Quantity::Speed(joint_index(joint)?),
+            Unit::from_suffix(unit)?,
+        ));
+    }
+    let (name, suffix) = heading.rsplit_once('_')?;
+    let unit = Unit::from_suffix(suffix)?;
+    let quantity = match name {
+        "x" => Quantity::X,
+        "y" => Quantity::Y,
+        "z" => Quantity::Z,
+        _ => {
+            let joint = name.strip_prefix('q')?;
+            match joint.strip_suffix("_read") {
+                Some(joint) => Quantity::ReadBack(joint_index(joint)?),
+                None => Quantity::Commanded(joint_index(joint)?),
+            }
+        }
+    };
+    let position = matches!(quantity, Quantity::X | Quantity::Y | Quantity::Z);
+    (!position || matches!(unit, Unit::Length(_))).then_some((quantity, unit))
+}
+
+/// The joint's index from its number in a heading: `1` is the first; `01` and `0` are no numbers.
+fn joint_index(number: &str) -> Option<usize> {
+    let plain = number.len() <= 4
+        && !number.starts_with('0')
+        && number.bytes().all(|byte| byte.is_ascii_digit());
+    if plain {
+        number.parse::<usize>().ok()?.checked_sub(1)
+    } else {
+        None
+    }
+}
+
+/// What an unknown heading may have been meant to be.
+fn hint(heading: &str) -> Option<String> {
+    let plain = heading.trim().to_ascii_lowercase().replace(' ', "_");
+    if plain != heading && known(&plain).is_some() {
+        return Some(format!("'{plain}'"));
+    }
+    let name = plain.split(['_', '[', '(']).next().unwrap_or_default();
+    let meant = match name {
+        "x" | "y" | "z" => format!("{name}_mm, {name}_m, {name}_um or {name}_in"),
+        "load" => "load_kg".to_owned(),
+        "temperature" | "temp" => "temperature_c".to_owned(),
+        "time" | "t" => "time_s".to_owned(),
+        _ if name.strip_prefix('q').and_then(joint_index).is_some() => {
+            format!("{name}_deg, {name}_rad or, for a sliding joint, {name}_mm")
+        }
+        _ if name.strip_prefix("speed").and_then(joint_index).is_some() => {
+            format!("{name}_deg_s, {name}_rad_s or, for a sliding joint, {name}_mm_s")
+        }
+        _ => return None,
+    };
+    Some(meant)
+}
+
+/// The headings of a whole table, checked against the robot's joints.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Layout {
+    /// One for each column of the table.
+    pub(crate) headings: Vec<Heading>,
+    /// Number of joints of the robot.
+    pub(crate) joints: usize,
+}
+
+impl Layout {
+    /// Reads the headings. `place` says where the heading with an index stands and `table` where
+    /// the table does. Without joints (the robot itself is wrong) every joint is taken as it is.
+    pub(crate) fn read(
+        names: &[String],
+        joints: Option<&[JointKind]>,
+        table: &Place,
+        place: &dyn Fn(usize) -> Place,
+        findings: &mut Vec<Diagnostic>,
+    ) -> Self {
+        let headings: Vec<Heading> = names.iter().map(|name| Heading::read(name)).collect();
+        let mut seen: Vec<(Quantity, usize)> = Vec::new();
+        for (index, heading) in headings.iter().enumerate() {
+            match heading {
+                Heading::Known(quantity, unit) => {
+                    if let Some((_, first)) = seen.iter().find(|(other, _)| other == quantity) {
+                        findings.push(Diagnostic::error(
+                            place(index),
+                            format!(
+                                "the same quantity as column {}, {}",
+                                first + 1,
+                                quoted(&names[*first])
+                            ),
+                            "one column for each quantity: remove one of the two",
+                        ));
+                    }
+                    seen.push((*quantity, index));
+                    if let Some(kinds) = joints {
+                        check_joint(*quantity, *unit, kinds, place(index), findings);
+                    }
+                }
+                Heading::Unknown { hint } => {
+                    findings.push(unknown_column(place(index), &names[index], hint.as_deref()));
+                }
+            }
+        }
+        let has = |quantity| seen.iter().any(|(other, _)| *other == quantity);
+        require_columns(joints, &has, table, findings);
+        let joints = joints.map_or_else(|| highest_joint(&headings), <[_]>::len);
+        Self { headings, joints }
+    }
+}
+
+fn unknown_column(place: Place, name: &str, hint: Option<&str>) -> Diagnostic {
+    let found = format!("column {} is not known: kept and ignored", quoted(name));
+    match hint {
+        Some(hint) => {
+            Diagnostic::warning(place, found, format!("{hint}, if that is what is meant"))
+        }
+        None => Diagnostic::note(place, found),
+    }
+}
+
+/// The joint exists and the unit suits its kind.
+fn check_joint(
+    quantity: Quantity,
+    unit: Unit,
+    kinds: &[JointKind],
+    place: Place,
+    findings: &mut Vec<Diagnostic>,
+) {
+    let (Quantity::Commanded(joint)
+    | Quantity::ReadBack(joint)
+    | Quantity::Speed(joint)
+    | Quantity::Direction(joint)) = quantity
+    else {
+        return;
+    };
+    let number = joint + 1;
+    let expected = match (kinds.get(joint), unit) {
+        (None, _) => {
+            findings.push(Diagnostic::error(
+                place,
+                format!("joint {number} does not exist"),
+                format!("a joint of the robot, from 1 to {}", kinds.len()),
+            ));
+            return;
+        }
+        (Some(JointKind::Revolute), Unit::Length(_)) => "_deg or _rad",
+        (Some(JointKind::Prismatic), Unit::Angle(_)) => "_mm, _m, _um or _in",
+        _ => return,
+    };
+    let (kind, wrong) = match unit {
+        Unit::Length(_) => ("revolute", "a length"),
+        _ => ("prismatic", "an angle"),
+    };
+    findings.push(Diagnostic::error(
+        place,
+        format!("{wrong} for joint {number}, which is {kind}"),
+        expected,
+    ));
+}
+
+fn require_columns(
+    joints: Option<&[JointKind]>,
+    has: &dyn Fn(Quantity) -> bool,
+    table: &Place,
+    findings: &mut Vec<Diagnostic>,
+) {
+    let mut missing = |found: String, expected: String| {
+        findings.push(Diagnostic::error(table.clone(), found, expected));
+    };
+    for (joint, kind) in joints.unwrap_or_default().iter().enumerate() {
+        if !has(Quantity::Commanded(joint)) {
+            let number = joint + 1;
+            let unit = match kind {
+                JointKind::Revolute => "deg",
+                JointKind::Prismatic => "mm",
+            };
+            missing(
+                format!("no column for the commanded value of joint {number}"),
+                format!("q{number}_{unit}"),
+            );
+        }
+    }
+    for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
+        if !has(quantity) {
+            missing(
+                format!("no column for the measured {name}"),
+                format!("{name}_mm"),
+            );
+        }
+    }
+    let orientation = (0..4)
+        .filter(|&part| has(Quantity::Orientation(part)))
+        .count();
+    if orientation != 0 && orientation != 4 {
+        missing(
+            format!("{orientation} of the 4 columns of the measured orientation"),
+            "all of qw, qx, qy, qz or none".to_owned(),
+        );
+    }
+}
+
+/// Number of joints that the headings speak of.
+fn highest_joint(headings: &[Heading]) -> usize {
+    headings
+        .iter()
+        .filter_map(|heading| match heading {
+            Heading::Known(
+                Quantity::Commanded(joint)
+                | Quantity::ReadBack(joint)
+                | Quantity::Speed(joint)
+                | Quantity::Direction(joint),
+                _,
+            ) => Some(joint + 1),
+            _ => None,
+        })
+        .max()
+        .unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(names: &[&str], kinds: &[JointKind]) -> Vec<String> {
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        let mut findings = Vec::new();
+        Layout::read(
+            &names,
+            Some(kinds),
+            &Place::default(),
+            &|_| Place::default(),
+            &mut findings,
+        );
+        findings.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn headings_carry_quantity_and_unit() {
+        let unit = |heading| match Heading::read(heading) {
+            Heading::Known(quantity, unit) => Some((quantity, unit.factor())),
+            Heading::Unknown { .. } => None,
+        };
+        assert_eq!(unit("q1_rad"), Some((Quantity::Commanded(0), 1.0)));
+        assert_eq!(
+            unit("q12_read_deg"),
+            Some((Quantity::ReadBack(11), rad_from_deg(1.0)))
+        );
+        assert_eq!(unit("x_in"), Some((Quantity::X, 25.4)));
+        assert_eq!(unit("speed2_mm_s"), Some((Quantity::Speed(1), 1.0)));
+        assert_eq!(unit("dir3"), Some((Quantity::Direction(2), 1.0)));
+        for stranger in [
+            "x",
+            "x_deg",
+            "q0_deg",
+            "q01_deg",
+            "qx_mm",
+            "speed1_deg",
+            "dir",
+            "",
+            "_mm",
+        ] {
+            assert_eq!(unit(stranger), None, "{stranger}");
+        }
+    }
+
+    #[test]
+    fn two_units_of_one_quantity_are_refused() {
+        let findings = read(&["q1_deg", "x_mm", "y_mm", "x_in"], &[JointKind::Revolute]);
+        assert_eq!(findings.len(), 1);
+        assert!(
+            findings[0].contains("same quantity as column 2, 'x_mm'"),
+            "{findings:?}"
+        );
+    }
+
+    #[test]
+    fn a_sliding_joint_takes_no_degrees() {
+        let findings = read(&["q1_deg", "x_mm", "y_mm"], &[JointKind::Prismatic]);
+        assert_eq!(findings.len(), 1);
+        assert!(
+            findings[0].contains("joint 1, which is prismatic"),
+            "{findings:?}"
+        );
+    }
+
+    #[test]
+    fn a_unit_that_is_not_understood_is_said_with_what_would_be() {
+        let findings = read(
+            &["q1_deg", "x_mm", "y_mm", "temperature_f"],
+            &[JointKind::Revolute],
+        );
+        assert_eq!(findings.len(), 1);
+        assert!(findings[0].contains("temperature_c"), "{findings:?}");
+    }
+}

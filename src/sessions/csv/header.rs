@@ -1,0 +1,118 @@
+//! The first line, and what a file looks like that is no session CSV at all.
+
+use std::io::{self, Read};
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::sessions::csv::blocks::Blocks;
+use crate::sessions::csv::cells::{Cell, Stop};
+use crate::sessions::number::{any_decimal, quoted};
+
+/// Reads the headings; `None`, with the reason in `findings`, when the file is something else.
+pub(crate) fn read<R: Read>(
+    blocks: &mut Blocks<R>,
+    file: &Place,
+    findings: &mut Vec<Diagnostic>,
+) -> io::Result<Option<Vec<String>>> {
+    let start = blocks.peek()?;
+    let bom = if start.starts_with(b"\xef\xbb\xbf") {
+        3
+    } else {
+        0
+    };
+    if let Some(diagnostic) = something_else(&start[bom..], file) {
+        findings.push(diagnostic);
+        return Ok(None);
+    }
+    if bom > 0 {
+        blocks.consume(bom);
+    }
+    let Some(lines) = blocks.next_rows()? else {
+        findings.push(Diagnostic::error(
+            file.clone(),
+            "no line end",
+            "a line of headings",
+        ));
+        return Ok(None);
+    };
+    let mut names = Vec::new();
+    let mut at = 0;
+    loop {
+        let cell = Cell::read(lines.bytes, at, lines.end);
+        match cell.text() {
+            Ok(text) if cell.line_feeds == 0 => names.push(text.trim().to_owned()),
+            Ok(text) => {
+                let place = file.clone().at_line(1).at_column(names.len() as u64 + 1);
+                findings.push(Diagnostic::error(
+                    place,
+                    quoted(text),
+                    "a heading on one line",
+                ));
+                return Ok(None);
+            }
+            Err((found, expected)) => {
+                let place = file.clone().at_line(1).at_column(names.len() as u64 + 1);
+                findings.push(Diagnostic::error(place, found, expected));
+                return Ok(None);
+            }
+        }
+        at = cell.after;
+        if cell.stop == Stop::Line {
+            break;
+        }
+    }
+    blocks.consume(at);
+    Ok(wrong_dialect(&names, file, findings).then_some(names))
+}
+
+/// Recognises what is no text by its first bytes.
+fn something_else(start: &[u8], file: &Place) -> Option<Diagnostic> {
+    const IMPORT: &str = "UTF-8 text; `truepose import FILE --as csv` reads UTF-16";
+    let error = |found: &str, expected: &str| {
+        Some(Diagnostic::error(file.clone().at_line(1), found, expected))
+    };
+    if start.trim_ascii().is_empty() {
+        return error(
+            "an empty file",
+            "a line of headings and one line per sample",
+        );
+    }
+    if start.starts_with(b"\xff\xfe") || start.starts_with(b"\xfe\xff") {
+        return error("a file in UTF-16", IMPORT);
+    }
+    let nul = memchr::memchr(0, start)?;
+    if nul <= 1 && start.len() > 3 && start[(nul + 1) % 2].is_ascii_graphic() {
+        return error("a file in UTF-16 without a byte order mark", IMPORT);
+    }
+    error(
+        "a binary file (it holds NUL bytes)",
+        "a CSV file: headings and one line per sample",
+    )
+}
+
+/// Whether the headings are separated as they should be; says what to do if not.
+fn wrong_dialect(names: &[String], file: &Place, findings: &mut Vec<Diagnostic>) -> bool {
+    let place = file.clone().at_line(1);
+    if let [only] = names {
+        for (separator, called) in [(';', "semicolons"), ('\t', "tabs")] {
+            if only.contains(separator) {
+                findings.push(Diagnostic::error(
+                    place,
+                    format!("headings separated by {called}: {}", quoted(only)),
+                    "commas (and decimal points); `truepose import FILE --as csv` reads other \
+                     separators and decimal commas",
+                ));
+                return false;
+            }
+        }
+    }
+    if names.iter().all(|name| any_decimal(name).is_ok()) {
+        findings.push(Diagnostic::error(
+            place,
+            format!("numbers in the first line: {}", quoted(&names.join(","))),
+            "headings such as q1_deg,x_mm,y_mm,z_mm; `truepose import FILE --as tracker` reads \
+             files without headings",
+        ));
+        return false;
+    }
+    true
+}

@@ -1,0 +1,274 @@
+//! Reads a CSV file of samples, in one pass and large blocks.
+//!
+//! The file is never mapped (a mapped file that shrinks kills the program) and never held whole:
+//! a block is read, its complete rows go cell by cell straight into their columns, and what is
+//! left of the last row moves to the front of the next block. Numbers take the exact short cut of
+//! [`number`](super::number); everything else, quotes and every complaint included, is off the hot
+//! path in [`cells`].
+//!
+//! Dialect: UTF-8 (a byte order mark is skipped), comma, decimal point, LF or CRLF, `"` around
+//! cells that need it (RFC 4180), headings in the first line. Blank lines are skipped. Other
+//! dialects go through `truepose import`.
+
+mod blocks;
+mod cells;
+mod header;
+
+use std::io::{self, Read};
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::kinematics::JointKind;
+use crate::sessions::columns::Layout;
+use crate::sessions::csv::blocks::Blocks;
+use crate::sessions::csv::cells::{Cell, Stop};
+use crate::sessions::number::plain_decimal;
+use crate::sessions::table::{Cells, Table};
+
+/// Complaints that are worth printing; the rest is counted.
+const MOST_COMPLAINTS: usize = 50;
+
+/// Reads a table. `bytes` is the length of the input where it is known. `None` when the headings
+/// already make no sense; otherwise the table is whole only if `findings` got no error.
+///
+/// # Errors
+/// What reading from `input` says.
+pub(crate) fn read(
+    input: impl Read,
+    bytes: Option<u64>,
+    file: &Place,
+    joints: Option<&[JointKind]>,
+    findings: &mut Vec<Diagnostic>,
+) -> io::Result<Option<Table>> {
+    let mut blocks = Blocks::new(input);
+    let Some(names) = header::read(&mut blocks, file, findings)? else {
+        return Ok(None);
+    };
+    let place = |index: usize| {
+        let column = file.clone().at_line(1).at_column(index as u64 + 1);
+        column.in_field(names[index].as_str())
+    };
+    let header = file.clone().at_line(1);
+    let layout = Layout::read(&names, joints, &header, &place, findings);
+    let rows = blocks.rows_to_expect(bytes);
+    let columns = layout
+        .headings
+        .iter()
+        .map(|heading| Cells::of(heading.cells(), rows))
+        .collect();
+    let mut rows = Rows {
+        columns,
+        line: Vec::with_capacity(rows),
+        next_line: 2,
+        complaints: Complaints::new(file, &names),
+    };
+    while let Some(block) = blocks.next_rows()? {
+        let used = rows.take(block.bytes, block.end, block.last);
+        blocks.consume(used);
+        if rows.complaints.hopeless {
+            break;
+        }
+    }
+    if let Some(line) = blocks.endless_line(rows.next_line) {
+        let place = file.clone().at_line(line);
+        findings.push(Diagnostic::error(
+            place,
+            format!("a line of more than {} MiB", blocks::LONGEST_LINE >> 20),
+            "one sample per line",
+        ));
+    }
+    let Rows {
+        columns,
+        line,
+        complaints,
+        ..
+    } = rows;
+    complaints.into(findings);
+    Ok(Some(Table {
+        layout,
+        names,
+        columns,
+        line,
+    }))
+}
+
+/// The rows so far.
+struct Rows<'a> {
+    columns: Vec<Cells>,
+    line: Vec<u64>,
+    next_line: u64,
+    complaints: Complaints<'a>,
+}
+
+impl Rows<'_> {
+    /// Takes every complete row of `bytes[..end]`, which ends with a line feed; beyond it there is
+    /// padding. Returns how many bytes it used: less than `end` only when a quoted cell goes on in
+    /// the next block.
+    fn take(&mut self, bytes: &[u8], end: usize, last_block: bool) -> usize {
+        let mut at = 0;
+        while at < end {
+            if bytes[at] == b'\n' || bytes[at..].starts_with(b"\r\n") {
+                at += if bytes[at] == b'\n' { 1 } else { 2 };
+                self.next_line += 1;
+                continue;
+            }
+            match self.take_row(bytes, at, end, last_block) {
+                Some(next) => at = next,
+                None => break,
+            }
+        }
+        at
+    }
+
+    /// Takes one row and returns where the next one starts; `None` if its end is in the next block.
+    #[inline]
+    fn take_row(&mut self, bytes: &[u8], start: usize, end: usize, last: bool) -> Option<usize> {
+        let rows = self.line.len();
+        let first_line = self.next_line;
+        let mut at = start;
+        let mut stop = Stop::Comma;
+        let count = self.columns.len();
+        for (index, column) in self.columns.iter_mut().enumerate() {
+            if stop == Stop::Line {
+                self.complaints.too_few_cells(self.next_line, index, count);
+                for column in &mut self.columns[index..] {
+                    column.push_missing();
+                }
+                break;
+            }
+            if let Cells::Numbers(values) = column
+                && let Some((value, after)) = plain_decimal(bytes, at)
+            {
+                match bytes.get(after) {
+                    Some(b',') => {
+                        values.push(value);
+                        at = after + 1;
+                        continue;
+                    }
+                    Some(b'\n') => {
+                        values.push(value);
+                        at = after + 1;
+                        stop = Stop::Line;
+                        continue;
+                    }
+                    Some(b'\r') if bytes.get(after + 1) == Some(&b'\n') => {
+                        values.push(value);
+                        at = after + 2;
+                        stop = Stop::Line;
+                        continue;
+                    }
+                    _ => {}
+                }
+            }
+            let cell = Cell::read(bytes, at, end);
+            if cell.unclosed && !last {
+                for column in &mut self.columns {
+                    column.truncate(rows);
+                }
+                self.next_line = first_line;
+                return None;
+            }
+            cell.store(column, &mut self.complaints, self.next_line, index);
+            at = cell.after;
+            stop = cell.stop;
+            self.next_line += cell.line_feeds;
+        }
+        if stop == Stop::Comma {
+            let (after, cells) = cells::skip_line(bytes, at, end);
+            self.complaints
+                .too_many_cells(self.next_line, count + cells, count);
+            at = after;
+        }
+        self.line.push(first_line);
+        self.next_line += 1;
+        Some(at)
+    }
+}
+
+/// Problems in cells, with their places; the first ones in full, the rest as a number.
+pub(crate) struct Complaints<'a> {
+    file: &'a Place,
+    names: &'a [String],
+    list: Vec<Diagnostic>,
+    more: u64,
+    /// Binary: there is no point in going on.
+    hopeless: bool,
+}
+
+impl<'a> Complaints<'a> {
+    fn new(file: &'a Place, names: &'a [String]) -> Self {
+        Self {
+            file,
+            names,
+            list: Vec::new(),
+            more: 0,
+            hopeless: false,
+        }
+    }
+
+    #[cold]
+    fn add(&mut self, place: Place, found: impl Into<String>, expected: impl Into<String>) {
+        if self.list.len() < MOST_COMPLAINTS {
+            self.list.push(Diagnostic::error(place, found, expected));
+        } else {
+            self.more += 1;
+        }
+    }
+
+    #[cold]
+    pub(crate) fn about_cell(
+        &mut self,
+        line: u64,
+        index: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        let place = self.file.clone().at_line(line).at_column(index as u64 + 1);
+        self.add(place.in_field(self.names[index].as_str()), found, expected);
+    }
+
+    #[cold]
+    fn too_few_cells(&mut self, line: u64, cells: usize, headings: usize) {
+        let place = self.file.clone().at_line(line).at_column(cells as u64);
+        self.add(
+            place,
+            format!("the line ends after {}", counted(cells, "cell")),
+            format!("{}, one for each heading", counted(headings, "cell")),
+        );
+    }
+
+    #[cold]
+    fn too_many_cells(&mut self, line: u64, cells: usize, headings: usize) {
+        let place = self
+            .file
+            .clone()
+            .at_line(line)
+            .at_column(headings as u64 + 1);
+        self.add(
+            place,
+            counted(cells, "cell"),
+            format!(
+                "{}, one for each heading; a file with decimal commas is read by \
+                 `truepose import --decimal ,`",
+                counted(headings, "cell")
+            ),
+        );
+    }
+
+    fn into(self, findings: &mut Vec<Diagnostic>) {
+        findings.extend(self.list);
+        if self.more > 0 {
+            findings.push(Diagnostic::error(
+                self.file.clone(),
+                format!("{} more problems of this kind", self.more),
+                "",
+            ));
+        }
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,118 @@
+//! Opens what a session names, and nothing else.
+//!
+//! A session is often somebody else's file. It may point to its samples in its own folder or
+//! below; a device, a directory or a pipe is refused before it is opened, because opening a pipe
+//! waits for ever and reading a device never ends.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Component, Path, PathBuf};
+
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+
+/// What was found and what was expected.
+pub(crate) type Refusal = (String, String);
+
+/// Opens a regular file and says how long it is.
+pub(crate) fn open_regular(path: &Path) -> Result<(File, u64), Refusal> {
+    let failed = |error: &io::Error| (reason(error), "a file that can be read".to_owned());
+    // Looked at before it is opened, and once more after, lest it was exchanged in between.
+    let before = fs::metadata(path).map_err(|error| failed(&error))?;
+    regular(&before)?;
+    let file = File::open(path).map_err(|error| failed(&error))?;
+    let after = file.metadata().map_err(|error| failed(&error))?;
+    regular(&after)?;
+    Ok((file, after.len()))
+}
+
+fn regular(metadata: &fs::Metadata) -> Result<(), Refusal> {
+    if metadata.is_file() {
+        return Ok(());
+    }
+    let found = if metadata.is_dir() {
+        "a directory"
+    } else {
+        "a device or a pipe"
+    };
+    Err((found.to_owned(), "a regular file".to_owned()))
+}
+
+fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// The whole of a document that the user named.
+pub(crate) fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
+    let refused = |(found, expected): Refusal| {
+        Rejected::because(Diagnostic::error(Place::file(path), found, expected))
+    };
+    let (mut file, length) = open_regular(path).map_err(refused)?;
+    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+    file.read_to_end(&mut bytes)
+        .map_err(|error| refused((reason(&error), "a file that can be read".to_owned())))?;
+    Ok(bytes)
+}
+
+/// The path of the samples that a session in `folder` calls `name`.
+pub(crate) fn beside(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
+    const EXPECTED: &str = "a file in the session's folder or below it";
+    let refused = |found: &str| (format!("{found}: {name}"), EXPECTED.to_owned());
+    let relative = Path::new(name);
+    if name.is_empty() || name.contains('\0') {
+        return Err(refused("not a file name"));
+    }
+    for component in relative.components() {
+        match component {
+            Component::Normal(_) | Component::CurDir => {}
+            Component::ParentDir => return Err(refused("a path that leads upwards")),
+            Component::RootDir | Component::Prefix(_) => return Err(refused("an absolute path")),
+        }
+    }
+    let path = folder.join(relative);
+    let failed = |error: &io::Error| refused(&reason(error));
+    // A symbolic link may lead elsewhere.
+    let real = fs::canonicalize(&path).map_err(|error| failed(&error))?;
+    let real_folder = fs::canonicalize(folder).map_err(|error| failed(&error))?;
+    if !real.starts_with(&real_folder) {
+        return Err(refused("a link that leaves the session's folder"));
+    }
+    Ok(path)
+}
+
+/// The folder of a file; the current one for a bare name.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// A JSON document as text.
+pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
+    const EXPECTED: &str = "a JSON document in UTF-8";
+    let refused = |place: Place, found: &str| {
+        Err(Rejected::because(Diagnostic::error(place, found, EXPECTED)))
+    };
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if bytes.trim_ascii().is_empty() {
+        return refused(file.clone(), "an empty file");
+    }
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return refused(file.clone().at_line(1), "a file in UTF-16");
+    }
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(text),
+        Err(error) => {
+            let before = &bytes[..error.valid_up_to()];
+            let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
+            let start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
+            let place = file.clone().at_line(line);
+            let place = place.at_column((before.len() - start) as u64 + 1);
+            refused(place, "bytes that are not UTF-8")
+        }
+    }
+}

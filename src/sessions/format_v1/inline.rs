@@ -1,0 +1,179 @@
+//! Samples inside the document: `"columns": { "q1_deg": [...], "x_mm": [...] }`.
+//!
+//! The names are the headings of a CSV file, null is an empty cell, and texts stand in quotes.
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::kinematics::JointKind;
+use crate::sessions::columns::{CellKind, Layout};
+use crate::sessions::json::{Fields, Member, Node, Path, Source, Value, element_offset};
+use crate::sessions::table::{Cells, Names, Table};
+
+/// A table and where its columns stand in the document, so that a finding can name its place.
+pub(crate) struct Inline {
+    pub(crate) table: Table,
+    /// Name and first byte of each array.
+    columns: Vec<(String, usize)>,
+}
+
+impl Inline {
+    /// Takes the place of each cell from the document.
+    pub(crate) fn locator<'a>(
+        &self,
+        source: &'a Source<'a>,
+    ) -> impl Fn(usize, usize) -> Place + use<'a> {
+        let columns = self.columns.clone();
+        move |column, row| {
+            let (name, at) = &columns[column];
+            source
+                .place(element_offset(source, *at, row))
+                .in_field(format!("samples.columns.{name}[{row}]"))
+        }
+    }
+}
+
+/// Reads the columns; what is wrong with them goes to the findings.
+pub(crate) fn read(
+    fields: &mut Fields<'_>,
+    node: Node,
+    joints: Option<&[JointKind]>,
+) -> Option<Inline> {
+    let samples = Path::Root.key("samples");
+    let path = &samples.key("columns");
+    let at = node.at;
+    let Value::Object(members) = node.value else {
+        fields.mismatch(&node, path, "an object with an array for each column");
+        return None;
+    };
+    let names: Vec<String> = members
+        .iter()
+        .map(|member| member.key.trim().to_owned())
+        .collect();
+    let mut findings = Vec::new();
+    let layout = {
+        let place = |index: usize| {
+            let member: &Member = &members[index];
+            fields.place(member.key_at, &path.key(&member.key))
+        };
+        Layout::read(
+            &names,
+            joints,
+            &fields.place(at, path),
+            &place,
+            &mut findings,
+        )
+    };
+    fields.findings.append(&mut findings);
+    let mut columns = Vec::new();
+    let mut cells = Vec::new();
+    for (member, heading) in members.into_iter().zip(&layout.headings) {
+        let path = &path.key(&member.key);
+        columns.push((member.key.clone(), member.node.at));
+        cells.push(column(fields, member.node, path, heading.cells()));
+    }
+    let cells: Vec<Cells> = cells.into_iter().collect::<Option<_>>()?;
+    let rows = cells.first().map_or(0, Cells::len);
+    let same = cells
+        .iter()
+        .zip(&columns)
+        .fold(true, |same, (cells, (name, at))| {
+            if cells.len() != rows {
+                let found = format!("{} values", cells.len());
+                let expected = format!("{rows} values, as in '{}'", columns[0].0);
+                fields.error(*at, &path.key(name), found, expected);
+            }
+            same && cells.len() == rows
+        });
+    same.then_some(Inline {
+        table: Table {
+            layout,
+            names,
+            columns: cells,
+            line: Vec::new(),
+        },
+        columns,
+    })
+}
+
+fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) -> Option<Cells> {
+    let expected = match kind {
+        CellKind::Number => "an array of numbers (null where one is missing)",
+        CellKind::Name => "an array of texts (null where one is missing)",
+        CellKind::Text => "an array",
+    };
+    match (kind, node.value) {
+        (CellKind::Number, Value::Numbers(values)) => {
+            if let Some(row) = values.iter().position(|value| value.is_infinite()) {
+                let place = fields.element_place(node.at, path, row);
+                let expected = "a number that a double can hold (below 1.8e308)";
+                let found = "a number that overflows";
+                fields
+                    .findings
+                    .push(Diagnostic::error(place, found, expected));
+                return None;
+            }
+            Some(Cells::Numbers(values))
+        }
+        (CellKind::Name | CellKind::Text, Value::Numbers(values)) => {
+            // Names such as 1, 2, 3 are written without quotes easily enough.
+            let cell = |value: &f64| {
+                if value.is_nan() {
+                    String::new()
+                } else {
+                    value.to_string()
+                }
+            };
+            Some(text_cells(kind, values.iter().map(cell)))
+        }
+        (_, Value::List(list)) => {
+            let wrong: Vec<&Node> = list
+                .iter()
+                .filter(|cell| {
+                    !matches!(
+                        (&cell.value, kind),
+                        (Value::Null, _) | (_, CellKind::Text) | (Value::Text(_), CellKind::Name)
+                    )
+                })
+                .collect();
+            if let Some(first) = wrong.first() {
+                let index = list
+                    .iter()
+                    .position(|cell| cell.at == first.at)
+                    .unwrap_or(0);
+                let more = match wrong.len() {
+                    1 => String::new(),
+                    count => format!(" (and {} more like it)", count - 1),
+                };
+                let found = format!("{}{more}", first.value.describe());
+                fields.error(first.at, &path.index(index), found, expected);
+                return None;
+            }
+            Some(match kind {
+                CellKind::Number => Cells::Numbers(vec![f64::NAN; list.len()]),
+                _ => text_cells(kind, list.iter().map(|cell| plain_text(&cell.value))),
+            })
+        }
+        (_, value) => {
+            fields.mismatch(&Node { at: node.at, value }, path, expected);
+            None
+        }
+    }
+}
+
+fn text_cells(kind: CellKind, cells: impl Iterator<Item = String>) -> Cells {
+    if kind == CellKind::Text {
+        return Cells::Text(cells.collect());
+    }
+    let mut names = Names::default();
+    for cell in cells {
+        names.push(&cell);
+    }
+    Cells::Names(names)
+}
+
+fn plain_text(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::Text(text) => text.clone(),
+        other => other.describe(),
+    }
+}

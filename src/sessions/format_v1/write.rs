@@ -1,0 +1,184 @@
+//! The document as serde writes it.
+//!
+//! Twins of the domain types, in degrees and mm. Robots from Denavit–Hartenberg rows or a URDF file
+//! are written as joints and tool: that is what the program computed with. Keys that were not
+//! understood on reading are not written.
+
+use serde::ser::{SerializeMap, Serializer};
+use serde::{Deserialize, Serialize};
+
+use super::FORMAT;
+use super::degrees::degrees;
+use super::read::default_targets;
+use crate::kinematics::{Joint, JointKind, Robot};
+use crate::sessions::domain::{Region, Session, Sigma, Target};
+
+#[derive(Debug, Serialize)]
+pub(crate) struct SessionTwin<'a, S> {
+    format: &'static str,
+    name: &'a str,
+    #[serde(skip_serializing_if = "str::is_empty")]
+    note: &'a str,
+    robot: RobotTwin,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    targets: Option<TargetsTwin<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    instrument: Option<InstrumentTwin<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tolerance_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    regions: Vec<RegionTwin<'a>>,
+    compensated_by: Option<&'a str>,
+    samples: S,
+}
+
+/// The `robot` object, as any document of this program writes it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct RobotTwin {
+    name: String,
+    joints: Vec<JointTwin>,
+    tool: ToolTwin,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    gravity_m_s2: Option<[f64; 3]>,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct JointTwin {
+    name: String,
+    kind: KindTwin,
+    axis: [f64; 3],
+    point_mm: [f64; 3],
+    /// Degrees or mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    limits: Option<[f64; 2]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    mass_kg: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    centre_mm: Option<[f64; 3]>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum KindTwin {
+    Revolute,
+    Prismatic,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct ToolTwin {
+    position_mm: [f64; 3],
+    quaternion_wxyz: [f64; 4],
+}
+
+#[derive(Debug)]
+struct TargetsTwin<'a>(&'a [Target]);
+
+impl Serialize for TargetsTwin<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for target in self.0 {
+            let position: [f64; 3] = target.position_mm.coords.into();
+            map.serialize_entry(&target.name, &position)?;
+        }
+        map.end()
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct InstrumentTwin<'a> {
+    name: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_mm: Option<SigmaTwin>,
+}
+
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum SigmaTwin {
+    Overall(f64),
+    PerAxis([f64; 3]),
+}
+
+#[derive(Debug, Serialize)]
+struct RegionTwin<'a> {
+    name: &'a str,
+    from_deg: f64,
+    to_deg: f64,
+}
+
+/// Samples in a file.
+#[derive(Debug, Serialize)]
+pub(crate) struct FileTwin<'a> {
+    pub(crate) file: &'a str,
+}
+
+impl<'a, S> SessionTwin<'a, S> {
+    pub(crate) fn of(session: &'a Session, samples: S) -> Self {
+        let instrument = &session.instrument;
+        let has_instrument = !instrument.name.is_empty() || instrument.sigma_mm.is_some();
+        Self {
+            format: FORMAT,
+            name: &session.name,
+            note: &session.note,
+            robot: RobotTwin::of(&session.robot),
+            targets: (session.targets != default_targets())
+                .then_some(TargetsTwin(&session.targets)),
+            instrument: has_instrument.then(|| InstrumentTwin {
+                name: &instrument.name,
+                sigma_mm: instrument.sigma_mm.map(|sigma| match sigma {
+                    Sigma::Overall(sigma) => SigmaTwin::Overall(sigma),
+                    Sigma::PerAxis(sigma) => SigmaTwin::PerAxis(sigma),
+                }),
+            }),
+            tolerance_mm: session.tolerance_mm,
+            regions: session.regions.iter().map(RegionTwin::of).collect(),
+            compensated_by: session.compensated_by.as_deref(),
+            samples,
+        }
+    }
+}
+
+impl RobotTwin {
+    pub(crate) fn of(robot: &Robot) -> Self {
+        let tool = &robot.base_from_tool;
+        let turn = tool.rotation.quaternion();
+        Self {
+            name: robot.name.clone(),
+            joints: robot.joints.iter().map(JointTwin::of).collect(),
+            tool: ToolTwin {
+                position_mm: tool.translation.vector.into(),
+                quaternion_wxyz: [turn.w, turn.i, turn.j, turn.k],
+            },
+            gravity_m_s2: robot.gravity_m_s2.map(Into::into),
+        }
+    }
+}
+
+impl JointTwin {
+    fn of(joint: &Joint) -> Self {
+        let (kind, outside): (_, fn(f64) -> f64) = match joint.kind {
+            JointKind::Revolute => (KindTwin::Revolute, degrees),
+            JointKind::Prismatic => (KindTwin::Prismatic, |mm| mm),
+        };
+        Self {
+            name: joint.name.clone(),
+            kind,
+            axis: joint.axis.direction.into_inner().into(),
+            point_mm: joint.axis.point_mm.coords.into(),
+            limits: joint
+                .limits
+                .map(|limits| [outside(limits.from), outside(limits.to)]),
+            mass_kg: joint.link.map(|link| link.mass_kg),
+            centre_mm: joint.link.map(|link| link.centre_mm.coords.into()),
+        }
+    }
+}
+
+impl<'a> RegionTwin<'a> {
+    fn of(region: &'a Region) -> Self {
+        Self {
+            name: &region.name,
+            from_deg: degrees(region.from_rad),
+            to_deg: degrees(region.to_rad),
+        }
+    }
+}

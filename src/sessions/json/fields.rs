@@ -1,0 +1,213 @@
+//! Reads objects field by field and collects every problem on the way.
+//!
+//! A wrong field yields a diagnostic and `None`; its siblings are still read, so that a file is
+//! mended once and not ten times.
+
+use std::fmt;
+
+use super::{Member, Node, Source, Value, element_offset};
+use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::sessions::number::quoted;
+
+/// The way from the document to a value, such as `robot.joints[0].axis`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Path<'a> {
+    Root,
+    Key(&'a Path<'a>, &'a str),
+    Index(&'a Path<'a>, usize),
+}
+
+impl Path<'_> {
+    pub(crate) fn key<'b>(&'b self, key: &'b str) -> Path<'b> {
+        Path::Key(self, key)
+    }
+
+    pub(crate) fn index(&self, index: usize) -> Path<'_> {
+        Path::Index(self, index)
+    }
+}
+
+impl fmt::Display for Path<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Path::Root => Ok(()),
+            Path::Key(Path::Root, key) => write!(f, "{key}"),
+            Path::Key(parent, key) => write!(f, "{parent}.{key}"),
+            Path::Index(parent, index) => write!(f, "{parent}[{index}]"),
+        }
+    }
+}
+
+/// A document that is being read, and what was found so far.
+pub(crate) struct Fields<'a> {
+    pub(crate) source: Source<'a>,
+    pub(crate) findings: Vec<Diagnostic>,
+}
+
+impl<'a> Fields<'a> {
+    pub(crate) fn new(source: Source<'a>) -> Self {
+        Self {
+            source,
+            findings: Vec::new(),
+        }
+    }
+
+    /// Whether anything so far makes the document unusable.
+    pub(crate) fn has_errors(&self) -> bool {
+        self.findings
+            .iter()
+            .any(|finding| finding.severity == Severity::Error)
+    }
+
+    /// The place of a byte, under its path.
+    pub(crate) fn place(&self, at: usize, path: &Path<'_>) -> Place {
+        let place = self.source.place(at);
+        match path {
+            Path::Root => place,
+            _ => place.in_field(path.to_string()),
+        }
+    }
+
+    /// The place of an element of an array.
+    pub(crate) fn element_place(&self, array_at: usize, path: &Path<'_>, index: usize) -> Place {
+        let at = element_offset(&self.source, array_at, index);
+        self.place(at, &path.index(index))
+    }
+
+    pub(crate) fn error(
+        &mut self,
+        at: usize,
+        path: &Path<'_>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        let place = self.place(at, path);
+        self.findings
+            .push(Diagnostic::error(place, found, expected));
+    }
+
+    /// Complains that a value is something else.
+    pub(crate) fn mismatch(&mut self, node: &Node, path: &Path<'_>, expected: &str) {
+        self.error(node.at, path, node.value.describe(), expected);
+    }
+
+    /// The members of an object.
+    pub(crate) fn object<'n>(
+        &mut self,
+        node: &'n Node,
+        path: &Path<'_>,
+        expected: &str,
+    ) -> Option<&'n [Member]> {
+        if let Value::Object(members) = &node.value {
+            return Some(members);
+        }
+        self.mismatch(node, path, expected);
+        None
+    }
+
+    /// Reports keys that nobody reads.
+    pub(crate) fn unknown_keys(&mut self, members: &[Member], path: &Path<'_>, known: &[&str]) {
+        for member in members {
+            if !known.contains(&member.key.as_str()) {
+                let place = self.place(member.key_at, &path.key(&member.key));
+                let found = format!("key {} is not known: ignored", quoted(&member.key));
+                self.findings.push(Diagnostic::note(place, found));
+            }
+        }
+    }
+
+    /// A member that has to be there; `at` is where its object starts.
+    pub(crate) fn required<'n>(
+        &mut self,
+        members: &'n [Member],
+        at: usize,
+        path: &Path<'_>,
+        key: &str,
+        expected: &str,
+    ) -> Option<&'n Node> {
+        let found = members.iter().find(|member| member.key == key);
+        if found.is_none() {
+            self.error(at, path, format!("no key {}", quoted(key)), expected);
+        }
+        found.map(|member| &member.node)
+    }
+
+    /// A text that has to be there.
+    pub(crate) fn required_text(
+        &mut self,
+        members: &[Member],
+        at: usize,
+        path: &Path<'_>,
+        key: &str,
+    ) -> Option<String> {
+        let node = self.required(members, at, path, key, "a text")?;
+        self.text(node, &path.key(key))
+    }
+
+    pub(crate) fn text(&mut self, node: &Node, path: &Path<'_>) -> Option<String> {
+        if let Value::Text(text) = &node.value {
+            return Some(text.clone());
+        }
+        self.mismatch(node, path, "a text");
+        None
+    }
+
+    /// A finite number.
+    pub(crate) fn number(&mut self, node: &Node, path: &Path<'_>) -> Option<f64> {
+        match node.value {
+            Value::Number(value) if value.is_finite() => Some(value),
+            _ => {
+                self.mismatch(node, path, "a number");
+                None
+            }
+        }
+    }
+
+    /// A finite number that has to be there.
+    pub(crate) fn required_number(
+        &mut self,
+        members: &[Member],
+        at: usize,
+        path: &Path<'_>,
+        key: &str,
+    ) -> Option<f64> {
+        let node = self.required(members, at, path, key, "a number")?;
+        self.number(node, &path.key(key))
+    }
+
+    /// `N` finite numbers.
+    pub(crate) fn numbers<const N: usize>(
+        &mut self,
+        node: &Node,
+        path: &Path<'_>,
+        expected: &str,
+    ) -> Option<[f64; N]> {
+        if let Value::Numbers(values) = &node.value
+            && let Ok(numbers) = <[f64; N]>::try_from(values.as_slice())
+            && numbers.iter().all(|value| value.is_finite())
+        {
+            return Some(numbers);
+        }
+        self.mismatch(node, path, expected);
+        None
+    }
+
+    /// `N` finite numbers that have to be there.
+    pub(crate) fn required_numbers<const N: usize>(
+        &mut self,
+        members: &[Member],
+        at: usize,
+        path: &Path<'_>,
+        key: &str,
+        expected: &str,
+    ) -> Option<[f64; N]> {
+        let node = self.required(members, at, path, key, expected)?;
+        self.numbers(node, &path.key(key), expected)
+    }
+}
+
+/// A member that may be missing or null.
+pub(crate) fn optional<'n>(members: &'n [Member], key: &str) -> Option<&'n Node> {
+    let member = members.iter().find(|member| member.key == key)?;
+    (member.node.value != Value::Null).then_some(&member.node)
+}

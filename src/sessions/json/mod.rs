@@ -1,0 +1,96 @@
+//! Reads a JSON document into a tree that knows where everything stands.
+//!
+//! A calibration session is written by hand as often as by a program, and a complaint such as
+//! "robot.joints[0].axis: 2 numbers; expected 3" is only worth something with its line. So every
+//! value keeps the byte at which it starts, numbers keep being correctly rounded doubles, and an
+//! array of numbers goes straight into a `Vec<f64>`: 10⁶ inline samples are no trees of nodes.
+//!
+//! RFC 8259, strictly; besides, a key may occur only once in an object, and nesting ends at
+//! 64 levels. A number that overflows is infinite here and refused where it is used.
+
+mod fields;
+mod parser;
+
+pub(crate) use fields::{Fields, Path, optional};
+pub(crate) use parser::{element_offset, parse};
+
+use std::path::PathBuf;
+
+use crate::diagnostic::Place;
+
+/// A value and the byte of the document at which it starts.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Node {
+    pub(crate) at: usize,
+    pub(crate) value: Value,
+}
+
+/// A JSON value.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Value {
+    Null,
+    Bool(bool),
+    Number(f64),
+    Text(String),
+    /// An array of nothing but numbers and nulls (NaN), not empty.
+    Numbers(Vec<f64>),
+    /// Any other array.
+    List(Vec<Node>),
+    Object(Vec<Member>),
+}
+
+/// A key and its value.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Member {
+    pub(crate) key: String,
+    pub(crate) key_at: usize,
+    pub(crate) node: Node,
+}
+
+impl Value {
+    /// What it is, for a message.
+    pub(crate) fn describe(&self) -> String {
+        match self {
+            Self::Null => "null".to_owned(),
+            Self::Bool(value) => value.to_string(),
+            Self::Number(value) if value.is_infinite() => "a number that overflows".to_owned(),
+            Self::Number(value) => value.to_string(),
+            Self::Text(text) => super::number::quoted(text),
+            Self::Numbers(values) if values.iter().any(|value| value.is_infinite()) => {
+                "an array with a number that overflows".to_owned()
+            }
+            Self::Numbers(values) if values.iter().any(|value| value.is_nan()) => {
+                "an array with null in it".to_owned()
+            }
+            Self::Numbers(values) => format!("an array of {} numbers", values.len()),
+            Self::List(list) if list.is_empty() => "an empty array".to_owned(),
+            Self::List(list) => format!("an array of {} values", list.len()),
+            Self::Object(_) => "an object".to_owned(),
+        }
+    }
+}
+
+/// The text of a document and its name.
+#[derive(Debug, Clone)]
+pub(crate) struct Source<'a> {
+    pub(crate) file: Option<PathBuf>,
+    pub(crate) text: &'a str,
+}
+
+impl Source<'_> {
+    /// Line and column (in bytes) of a byte of the document.
+    pub(crate) fn place(&self, at: usize) -> Place {
+        let before = &self.text.as_bytes()[..at.min(self.text.len())];
+        let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
+        let line_start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
+        Place {
+            file: self.file.clone(),
+            ..Place::default()
+        }
+        .at_line(line)
+        .at_column((before.len() - line_start) as u64 + 1)
+    }
+}
+
+#[cfg(test)]
+mod tests;

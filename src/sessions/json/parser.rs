@@ -1,0 +1,385 @@
+//! The grammar.
+
+use std::collections::BTreeSet;
+
+use super::{Member, Node, Source, Value};
+use crate::diagnostic::{Diagnostic, Rejected};
+use crate::sessions::number::{NotANumber, any_decimal, plain_decimal, quoted};
+
+/// Nobody nests deeper than this, and the stack is finite.
+const DEEPEST: usize = 64;
+
+/// A syntax error: where, what is there, what should be.
+struct Wrong {
+    at: usize,
+    found: String,
+    expected: &'static str,
+}
+
+type Parsed<T> = Result<T, Wrong>;
+
+/// Reads a whole document.
+///
+/// # Errors
+/// The first syntax error; after it nothing in the document can be trusted.
+pub(crate) fn parse(source: &Source<'_>) -> Result<Node, Rejected> {
+    let mut parser = Parser {
+        bytes: source.text.as_bytes(),
+        at: 0,
+        depth: 0,
+    };
+    let document = parser.value().and_then(|node| {
+        parser.skip_space();
+        if parser.at < parser.bytes.len() {
+            return Err(parser.wrong("the end of the document"));
+        }
+        Ok(node)
+    });
+    document.map_err(|wrong| {
+        let place = source.place(wrong.at);
+        Rejected::because(Diagnostic::error(place, wrong.found, wrong.expected))
+    })
+}
+
+/// Where the element with this index starts in the array that starts at `at` of a document that
+/// was read without an error.
+pub(crate) fn element_offset(source: &Source<'_>, at: usize, index: usize) -> usize {
+    let mut parser = Parser {
+        bytes: source.text.as_bytes(),
+        at: at + 1,
+        depth: 0,
+    };
+    for _ in 0..index {
+        if parser.value().is_err() {
+            return at;
+        }
+        parser.skip_space();
+        parser.at += 1;
+    }
+    parser.skip_space();
+    parser.at
+}
+
+struct Parser<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    depth: usize,
+}
+
+impl Parser<'_> {
+    #[inline]
+    fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    #[inline]
+    fn skip_space(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\n' | b'\r' | b'\t')) {
+            self.at += 1;
+        }
+    }
+
+    #[cold]
+    fn wrong(&self, expected: &'static str) -> Wrong {
+        self.wrong_at(self.at, expected)
+    }
+
+    #[cold]
+    fn wrong_at(&self, at: usize, expected: &'static str) -> Wrong {
+        let rest = self.bytes.get(at..).unwrap_or_default();
+        let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-._".contains(byte);
+        let word = rest.iter().take_while(|byte| is_word(byte)).count();
+        let found = if rest.is_empty() {
+            "the end of the file".to_owned()
+        } else if word > 0 {
+            quoted(&String::from_utf8_lossy(&rest[..word]))
+        } else {
+            let first = String::from_utf8_lossy(&rest[..rest.len().min(4)]);
+            quoted(&first.chars().take(1).collect::<String>())
+        };
+        Wrong {
+            at,
+            found,
+            expected,
+        }
+    }
+
+    fn value(&mut self) -> Parsed<Node> {
+        self.skip_space();
+        let at = self.at;
+        let value = match self.peek() {
+            Some(b'{') => self.nested(Self::object)?,
+            Some(b'[') => self.nested(Self::array)?,
+            Some(b'"') => Value::Text(self.text()?),
+            Some(b'-' | b'0'..=b'9') => Value::Number(self.number()?),
+            Some(b't') => self.word("true", Value::Bool(true))?,
+            Some(b'f') => self.word("false", Value::Bool(false))?,
+            Some(b'n') => self.word("null", Value::Null)?,
+            _ => return Err(self.wrong("a JSON value")),
+        };
+        Ok(Node { at, value })
+    }
+
+    fn nested(&mut self, read: fn(&mut Self) -> Parsed<Value>) -> Parsed<Value> {
+        if self.depth == DEEPEST {
+            return Err(Wrong {
+                at: self.at,
+                found: format!("more than {DEEPEST} levels of nesting"),
+                expected: "a session or a robot, which have fewer",
+            });
+        }
+        self.depth += 1;
+        self.at += 1;
+        let value = read(self)?;
+        self.depth -= 1;
+        Ok(value)
+    }
+
+    fn word(&mut self, word: &str, value: Value) -> Parsed<Value> {
+        if !self.bytes[self.at..].starts_with(word.as_bytes()) {
+            return Err(self.wrong("a JSON value"));
+        }
+        self.at += word.len();
+        Ok(value)
+    }
+
+    fn object(&mut self) -> Parsed<Value> {
+        let mut members: Vec<Member> = Vec::new();
+        let mut keys = BTreeSet::new();
+        self.skip_space();
+        if self.peek() == Some(b'}') {
+            self.at += 1;
+            return Ok(Value::Object(members));
+        }
+        loop {
+            self.skip_space();
+            let key_at = self.at;
+            if self.peek() != Some(b'"') {
+                return Err(self.wrong("a key in double quotes"));
+            }
+            let key = self.text()?;
+            if !keys.insert(key.clone()) {
+                return Err(Wrong {
+                    at: key_at,
+                    found: format!("the key {} a second time", quoted(&key)),
+                    expected: "every key once",
+                });
+            }
+            self.skip_space();
+            if self.peek() != Some(b':') {
+                return Err(self.wrong("':' after the key"));
+            }
+            self.at += 1;
+            let node = self.value()?;
+            members.push(Member { key, key_at, node });
+            self.skip_space();
+            match self.peek() {
+                Some(b',') => self.at += 1,
+                Some(b'}') => {
+                    self.at += 1;
+                    return Ok(Value::Object(members));
+                }
+                _ => return Err(self.wrong("',' or '}'")),
+            }
+        }
+    }
+
+    fn array(&mut self) -> Parsed<Value> {
+        self.skip_space();
+        if self.peek() == Some(b']') {
+            self.at += 1;
+            return Ok(Value::List(Vec::new()));
+        }
+        let start = self.at;
+        if let Some(numbers) = self.numbers()? {
+            return Ok(Value::Numbers(numbers));
+        }
+        // Something else is among them: once more, with a node for each.
+        self.at = start;
+        let mut list = Vec::new();
+        loop {
+            list.push(self.value()?);
+            self.skip_space();
+            match self.peek() {
+                Some(b',') => self.at += 1,
+                Some(b']') => {
+                    self.at += 1;
+                    return Ok(Value::List(list));
+                }
+                _ => return Err(self.wrong("',' or ']'")),
+            }
+        }
+    }
+
+    /// The rest of an array if it holds nothing but numbers and nulls, and not only nulls.
+    fn numbers(&mut self) -> Parsed<Option<Vec<f64>>> {
+        let mut numbers = Vec::new();
+        let mut any = false;
+        loop {
+            self.skip_space();
+            match self.peek() {
+                Some(b'-' | b'0'..=b'9') => {
+                    any = true;
+                    numbers.push(self.number()?);
+                }
+                Some(b'n') => {
+                    self.word("null", Value::Null)?;
+                    numbers.push(f64::NAN);
+                }
+                _ => return Ok(None),
+            }
+            self.skip_space();
+            match self.peek() {
+                Some(b',') => self.at += 1,
+                Some(b']') => {
+                    self.at += 1;
+                    return Ok(any.then_some(numbers));
+                }
+                _ => return Err(self.wrong("',' or ']'")),
+            }
+        }
+    }
+
+    #[inline]
+    fn number(&mut self) -> Parsed<f64> {
+        if let Some((value, after)) = plain_decimal(self.bytes, self.at)
+            && !matches!(
+                self.bytes.get(after),
+                Some(b'0'..=b'9' | b'.' | b'e' | b'E' | b'+' | b'-')
+            )
+            && !self.has_leading_zero()
+        {
+            self.at = after;
+            return Ok(value);
+        }
+        self.any_number()
+    }
+
+    /// `01` is no JSON number.
+    #[inline]
+    fn has_leading_zero(&self) -> bool {
+        let first = self.at + usize::from(self.peek() == Some(b'-'));
+        self.bytes.get(first) == Some(&b'0')
+            && self.bytes.get(first + 1).is_some_and(u8::is_ascii_digit)
+    }
+
+    fn any_number(&mut self) -> Parsed<f64> {
+        let start = self.at;
+        let wrong = |parser: &Self| parser.wrong_at(start, "a JSON number such as -12.5 or 3e-4");
+        if self.has_leading_zero() {
+            return Err(wrong(self));
+        }
+        self.at += usize::from(self.peek() == Some(b'-'));
+        self.digits().ok_or_else(|| wrong(self))?;
+        if self.peek() == Some(b'.') {
+            self.at += 1;
+            self.digits().ok_or_else(|| wrong(self))?;
+        }
+        if matches!(self.peek(), Some(b'e' | b'E')) {
+            self.at += 1;
+            self.at += usize::from(matches!(self.peek(), Some(b'+' | b'-')));
+            self.digits().ok_or_else(|| wrong(self))?;
+        }
+        let text = std::str::from_utf8(&self.bytes[start..self.at]).map_err(|_| wrong(self))?;
+        match any_decimal(text) {
+            Ok(value) => Ok(value),
+            Err(NotANumber::Overflow) => Ok(f64::INFINITY),
+            Err(_) => Err(wrong(self)),
+        }
+    }
+
+    /// Skips at least one digit.
+    fn digits(&mut self) -> Option<()> {
+        let start = self.at;
+        while self.peek().is_some_and(|byte| byte.is_ascii_digit()) {
+            self.at += 1;
+        }
+        (self.at > start).then_some(())
+    }
+
+    fn text(&mut self) -> Parsed<String> {
+        let start = self.at;
+        self.at += 1;
+        let mut text = String::new();
+        loop {
+            let rest = &self.bytes[self.at..];
+            let plain = rest
+                .iter()
+                .position(|&byte| byte == b'"' || byte == b'\\' || byte < 0x20)
+                .ok_or_else(|| Wrong {
+                    at: start,
+                    found: "a text that never ends".to_owned(),
+                    expected: "a closing '\"'",
+                })?;
+            // The document is UTF-8, and both ends of the part are next to ASCII.
+            text.push_str(&String::from_utf8_lossy(&rest[..plain]));
+            self.at += plain;
+            match rest[plain] {
+                b'"' => {
+                    self.at += 1;
+                    return Ok(text);
+                }
+                b'\\' => text.push(self.escape()?),
+                _ => {
+                    return Err(Wrong {
+                        at: self.at,
+                        found: "a control character in a text".to_owned(),
+                        expected: "an escape such as \\n or a closing '\"'",
+                    });
+                }
+            }
+        }
+    }
+
+    fn escape(&mut self) -> Parsed<char> {
+        let at = self.at;
+        self.at += 2;
+        Ok(match self.bytes.get(at + 1) {
+            Some(b'"') => '"',
+            Some(b'\\') => '\\',
+            Some(b'/') => '/',
+            Some(b'b') => '\u{8}',
+            Some(b'f') => '\u{c}',
+            Some(b'n') => '\n',
+            Some(b'r') => '\r',
+            Some(b't') => '\t',
+            Some(b'u') => return self.unicode_escape(at),
+            _ => return Err(self.bad_escape(at)),
+        })
+    }
+
+    fn unicode_escape(&mut self, at: usize) -> Parsed<char> {
+        let first = self.four_hex(at)?;
+        let is_high = (0xd800..0xdc00).contains(&first);
+        if !is_high || !self.bytes[self.at..].starts_with(b"\\u") {
+            return char::from_u32(first).ok_or_else(|| self.bad_escape(at));
+        }
+        self.at += 2;
+        let second = self.four_hex(at)?;
+        if !(0xdc00..0xe000).contains(&second) {
+            return Err(self.bad_escape(at));
+        }
+        let code = 0x1_0000 + ((first - 0xd800) << 10) + (second - 0xdc00);
+        char::from_u32(code).ok_or_else(|| self.bad_escape(at))
+    }
+
+    fn four_hex(&mut self, at: usize) -> Parsed<u32> {
+        let mut code = 0;
+        for _ in 0..4 {
+            let digit = self.peek().and_then(|byte| char::from(byte).to_digit(16));
+            code = code * 16 + digit.ok_or_else(|| self.bad_escape(at))?;
+            self.at += 1;
+        }
+        Ok(code)
+    }
+
+    #[cold]
+    fn bad_escape(&self, at: usize) -> Wrong {
+        let end = (at + 6).min(self.bytes.len());
+        Wrong {
+            at,
+            found: quoted(&String::from_utf8_lossy(&self.bytes[at..end])),
+            expected: "an escape of JSON such as \\n or \\u00e9",
+        }
+    }
+}

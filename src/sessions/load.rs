@@ -1,0 +1,282 @@
+//! From a file, or from memory, to a session and what is worth knowing about it.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::kinematics::{JointKind, Robot};
+use crate::sessions::domain::{Samples, Session};
+use crate::sessions::format_v1::inline;
+use crate::sessions::format_v1::read::{self, SamplesAt};
+use crate::sessions::format_v1::robot;
+use crate::sessions::json::{self, Fields, Path as JsonPath, Source};
+use crate::sessions::{assemble, csv, files, validation};
+
+/// A session and the notes and warnings that came up on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// What the file says.
+    pub session: Session,
+    /// Notes and warnings, in the order of the input; no errors.
+    pub findings: Vec<Diagnostic>,
+}
+
+/// A robot and the notes and warnings that came up on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedRobot {
+    /// What the file says.
+    pub robot: Robot,
+    /// Notes and warnings, in the order of the input; no errors.
+    pub findings: Vec<Diagnostic>,
+}
+
+/// What lies beside a document.
+#[derive(Clone, Copy)]
+enum Beside<'a> {
+    Nothing,
+    Folder(&'a Path),
+    Csv(&'a [u8]),
+}
+
+impl<'a> Beside<'a> {
+    fn folder(self) -> Option<&'a Path> {
+        match self {
+            Self::Folder(folder) => Some(folder),
+            _ => None,
+        }
+    }
+}
+
+/// Reads the session at `path` and the samples beside it.
+///
+/// # Errors
+/// [`Rejected`] with every problem that was found, each with file, line, column and what was
+/// expected. Nothing is read but regular files: the document itself, and samples in its folder or
+/// below.
+pub fn load(path: impl AsRef<Path>) -> Result<Loaded, Rejected> {
+    let path = path.as_ref();
+    let bytes = files::read_document(path)?;
+    let mut loaded = read_session(Some(path), &bytes, Beside::Folder(files::folder_of(path)))?;
+    loaded.session.path = Some(path.to_path_buf());
+    Ok(loaded)
+}
+
+/// Reads a session that needs no other file: its samples are inline.
+///
+/// # Errors
+/// As [`load`].
+pub fn parse(document: &[u8]) -> Result<Loaded, Rejected> {
+    read_session(None, document, Beside::Nothing)
+}
+
+/// Reads a session whose samples, if they are in a file, are these.
+///
+/// # Errors
+/// As [`load`].
+pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejected> {
+    read_session(None, document, Beside::Csv(samples))
+}
+
+/// Reads a robot: the `robot` object of a session, in a file of its own.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
+    let path = path.as_ref();
+    let bytes = files::read_document(path)?;
+    read_robot(Some(path), &bytes, Some(files::folder_of(path)))
+}
+
+/// Reads a robot that needs no other file.
+///
+/// # Errors
+/// As [`load`].
+pub fn parse_robot(document: &[u8]) -> Result<LoadedRobot, Rejected> {
+    read_robot(None, document, None)
+}
+
+fn read_robot(
+    path: Option<&Path>,
+    bytes: &[u8],
+    folder: Option<&Path>,
+) -> Result<LoadedRobot, Rejected> {
+    let place = path.map(Place::file).unwrap_or_default();
+    let text = files::as_text(bytes, &place)?;
+    let source = Source {
+        file: place.file,
+        text,
+    };
+    let root = json::parse(&source)?;
+    let mut fields = Fields::new(source);
+    let robot = robot::read(&mut fields, &root, &JsonPath::Root, folder);
+    if let Some(robot) = &robot {
+        validation::robot(
+            robot,
+            &fields.place(root.at, &JsonPath::Root),
+            &mut fields.findings,
+        );
+    }
+    let findings = accept(fields.findings)?;
+    match robot {
+        Some(robot) => Ok(LoadedRobot { robot, findings }),
+        None => Err(Rejected {
+            diagnostics: findings,
+        }),
+    }
+}
+
+fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result<Loaded, Rejected> {
+    let place = path.map(Place::file).unwrap_or_default();
+    let text = files::as_text(bytes, &place)?;
+    let source = Source {
+        file: place.file,
+        text,
+    };
+    let root = json::parse(&source)?;
+    let mut fields = Fields::new(source);
+    let Some(head) = read::head(&mut fields, root, beside.folder()) else {
+        return Err(Rejected {
+            diagnostics: fields.findings,
+        });
+    };
+    let kinds: Option<Vec<JointKind>> = head
+        .robot
+        .as_ref()
+        .map(|robot| robot.joints.iter().map(|joint| joint.kind).collect());
+    let samples = match head.samples {
+        None => None,
+        Some(SamplesAt::Inline(node)) => {
+            inline::read(&mut fields, node, kinds.as_deref()).map(|inline| {
+                let whole = fields.source.place(0).in_field("samples.columns");
+                let source = fields.source.clone();
+                let locate = inline.locator(&source);
+                assemble::samples(
+                    inline.table,
+                    &head.targets,
+                    &locate,
+                    &whole,
+                    &mut fields.findings,
+                )
+            })
+        }
+        Some(SamplesAt::File(name, at)) => {
+            let place = fields.place(at, &JsonPath::Root.key("samples").key("file"));
+            let findings = &mut fields.findings;
+            samples_file(
+                &name,
+                &place,
+                beside,
+                kinds.as_deref(),
+                &head.targets,
+                findings,
+            )
+        }
+    };
+    let (Some(robot), Some(samples)) = (head.robot, samples) else {
+        return Err(Rejected {
+            diagnostics: fields.findings,
+        });
+    };
+    let session = Session {
+        name: head.name,
+        note: head.note,
+        robot,
+        targets: head.targets,
+        instrument: head.instrument,
+        tolerance_mm: head.tolerance_mm,
+        regions: head.regions,
+        compensated_by: head.compensated_by,
+        samples,
+        path: None,
+    };
+    if !fields.has_errors() {
+        let place = path.map(Place::file).unwrap_or_default();
+        fields
+            .findings
+            .extend(validation::findings(&session, &place));
+    }
+    let findings = accept(fields.findings)?;
+    Ok(Loaded { session, findings })
+}
+
+/// Reads the samples that the document at `place` calls `name`.
+fn samples_file(
+    name: &str,
+    place: &Place,
+    beside: Beside<'_>,
+    kinds: Option<&[JointKind]>,
+    targets: &[crate::sessions::Target],
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Samples> {
+    let opened = match beside {
+        Beside::Csv(bytes) => {
+            return samples_from(bytes, None, &Place::file(name), kinds, targets, findings);
+        }
+        Beside::Nothing => Err((
+            format!("samples in a file: {name}"),
+            "samples inside the document, as it was read without a folder".to_owned(),
+        )),
+        Beside::Folder(folder) => files::beside(folder, name).and_then(|path| {
+            let (file, length) = files::open_regular(&path)
+                .map_err(|(found, expected)| (format!("{found}: {name}"), expected))?;
+            Ok((path, file, length))
+        }),
+    };
+    let (path, file, length): (_, File, u64) = match opened {
+        Ok(opened) => opened,
+        Err((found, expected)) => {
+            findings.push(Diagnostic::error(place.clone(), found, expected));
+            return None;
+        }
+    };
+    samples_from(
+        file,
+        Some(length),
+        &Place::file(path),
+        kinds,
+        targets,
+        findings,
+    )
+}
+
+fn samples_from(
+    input: impl Read,
+    bytes: Option<u64>,
+    file: &Place,
+    kinds: Option<&[JointKind]>,
+    targets: &[crate::sessions::Target],
+    findings: &mut Vec<Diagnostic>,
+) -> Option<Samples> {
+    let mut table =
+        csv::read(input, bytes, file, kinds, findings).unwrap_or_else(|error: io::Error| {
+            let expected = "a file that can be read to its end";
+            findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
+            None
+        })?;
+    let names = table.names.clone();
+    let lines = std::mem::take(&mut table.line);
+    let locate = |column: usize, row: usize| {
+        let place = file
+            .clone()
+            .at_line(lines[row])
+            .at_column(column as u64 + 1);
+        place.in_field(names[column].as_str())
+    };
+    let mut samples = assemble::samples(table, targets, &locate, file, findings);
+    samples.line = lines;
+    Some(samples)
+}
+
+/// Lets notes and warnings pass; an error refuses everything.
+fn accept(findings: Vec<Diagnostic>) -> Result<Vec<Diagnostic>, Rejected> {
+    if findings
+        .iter()
+        .any(|finding| finding.severity == Severity::Error)
+    {
+        return Err(Rejected {
+            diagnostics: findings,
+        });
+    }
+    Ok(findings)
+}

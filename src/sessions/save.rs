@@ -1,0 +1,161 @@
+//! Saves a session: the document, and its samples as a CSV file beside it.
+//!
+//! Both files are on the disk under names of their own before either gets its real name; then the
+//! samples are renamed, then the document. What fails before leaves the old pair; a failure
+//! between the two puts the old samples back. Only a kill in that instant can leave the new samples
+//! beside the old document.
+//!
+//! Numbers are written with the fewest digits that read back as the same double, angles in degrees,
+//! so that a session that was read saves and loads to the last bit.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+
+use crate::atomic::{Prepared, WriteError, commit_both, refuse_to_replace_inputs};
+use crate::kinematics::{JointKind, Robot};
+use crate::sessions::domain::Session;
+use crate::sessions::format_v1::layout::write_document;
+use crate::sessions::format_v1::number;
+use crate::sessions::format_v1::write::{FileTwin, RobotTwin, SessionTwin};
+use crate::sessions::saved_columns::{Column, Values, columns};
+
+/// What an output may replace.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Replacing<'a> {
+    /// Whether existing files may be replaced.
+    pub force: bool,
+    /// Files that the output was made from: these are never replaced.
+    pub inputs: &'a [&'a Path],
+}
+
+/// The file that holds the samples of the session document at `path`.
+pub fn samples_path(path: &Path) -> PathBuf {
+    path.with_extension("csv")
+}
+
+/// Saves the session as `path` and its samples as a CSV file of the same name beside it. Returns
+/// the path of the CSV file.
+///
+/// # Errors
+/// [`WriteError`]; then the files that were there before are there still.
+pub fn save(
+    session: &Session,
+    path: &Path,
+    replacing: Replacing<'_>,
+) -> Result<PathBuf, WriteError> {
+    let csv = samples_path(path);
+    refuse_to_replace_inputs(&[path, &csv], replacing.inputs)?;
+    let Some(csv_name) = csv.file_name().and_then(|name| name.to_str()) else {
+        return Err(WriteError::Io {
+            path: path.to_path_buf(),
+            source: io::Error::new(
+                io::ErrorKind::InvalidFilename,
+                "a file name in UTF-8 is needed",
+            ),
+        });
+    };
+    let document = SessionTwin::of(session, FileTwin { file: csv_name });
+    let samples = Prepared::write(&csv, replacing.force, |output| write_csv(session, output))?;
+    let document = Prepared::write(path, replacing.force, |output| {
+        write_document(output, &document)
+    })?;
+    commit_both(samples, document)?;
+    Ok(csv)
+}
+
+/// Writes the session as a single document, samples inline: what goes to standard output.
+///
+/// # Errors
+/// What writing to `output` says.
+pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
+    let document = SessionTwin::of(
+        session,
+        InlineTwin {
+            columns: ColumnsTwin(columns(session)),
+        },
+    );
+    write_document(output, &document)
+}
+
+/// Writes a robot as a document of its own, `ROBOT.json`.
+///
+/// # Errors
+/// What writing to `output` says.
+pub fn write_robot(robot: &Robot, output: impl Write) -> io::Result<()> {
+    write_document(output, &RobotTwin::of(robot))
+}
+
+/// Writes the samples as CSV.
+///
+/// # Errors
+/// What writing to `output` says.
+pub fn write_csv(session: &Session, output: &mut dyn Write) -> io::Result<()> {
+    let columns = columns(session);
+    for (index, column) in columns.iter().enumerate() {
+        if index > 0 {
+            output.write_all(b",")?;
+        }
+        write_text(output, &column.name)?;
+    }
+    output.write_all(b"\n")?;
+    for row in 0..session.samples.len() {
+        for (index, column) in columns.iter().enumerate() {
+            if index > 0 {
+                output.write_all(b",")?;
+            }
+            match column.values {
+                Values::Numbers { values, outside } => {
+                    if !values[row].is_nan() {
+                        number::write(output, outside(values[row]))?;
+                    }
+                }
+                _ => write_text(output, column.values.text(row))?,
+            }
+        }
+        output.write_all(b"\n")?;
+    }
+    Ok(())
+}
+
+/// A cell, in quotes where it would not come back without.
+fn write_text(output: &mut dyn Write, text: &str) -> io::Result<()> {
+    let spaced = text.starts_with([' ', '\t']) || text.ends_with([' ', '\t']);
+    if !spaced && !text.contains([',', '"', '\n', '\r']) {
+        return output.write_all(text.as_bytes());
+    }
+    output.write_all(b"\"")?;
+    output.write_all(text.replace('"', "\"\"").as_bytes())?;
+    output.write_all(b"\"")
+}
+
+#[derive(Serialize)]
+struct InlineTwin<'a> {
+    columns: ColumnsTwin<'a>,
+}
+
+struct ColumnsTwin<'a>(Vec<Column<'a>>);
+
+impl Serialize for ColumnsTwin<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for column in &self.0 {
+            map.serialize_entry(&column.name, &column.values)?;
+        }
+        map.end()
+    }
+}
+
+/// The headings that a robot's poses are listed under: `q1_deg`, or `q1_mm` for a sliding joint.
+pub fn commanded_heading(robot: &Robot, joint: usize) -> String {
+    let unit = match robot.joints[joint].kind {
+        JointKind::Revolute => "deg",
+        JointKind::Prismatic => "mm",
+    };
+    format!("q{}_{unit}", joint + 1)
+}
+
+#[cfg(test)]
+mod tests;

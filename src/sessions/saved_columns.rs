@@ -1,0 +1,169 @@
+//! The columns of a session as they go into a file: headings, and values in outer units.
+
+use serde::Serialize;
+use serde::ser::{SerializeSeq, Serializer};
+
+use crate::kinematics::JointKind;
+use crate::sessions::domain::{Session, Setups, Target};
+use crate::sessions::format_v1::degrees::degrees;
+
+/// From an inner to an outer unit.
+type Conversion = fn(f64) -> f64;
+
+/// A heading and its cells.
+pub(crate) struct Column<'a> {
+    pub(crate) name: String,
+    pub(crate) values: Values<'a>,
+}
+
+/// The cells of a column.
+#[derive(Clone, Copy)]
+pub(crate) enum Values<'a> {
+    /// NaN is an empty cell; `outside` makes outer units of inner ones.
+    Numbers {
+        values: &'a [f64],
+        outside: Conversion,
+    },
+    Targets(&'a [u32], &'a [Target]),
+    Setups(&'a Setups),
+    HeldOut(&'a [bool]),
+    Text(&'a [String]),
+}
+
+impl<'a> Values<'a> {
+    /// Numbers whose outer unit is the inner one.
+    fn plain(values: &'a [f64]) -> Self {
+        Self::Numbers {
+            values,
+            outside: |value| value,
+        }
+    }
+
+    /// A cell that is not a number.
+    pub(crate) fn text(self, row: usize) -> &'a str {
+        match self {
+            Self::Numbers { .. } => "",
+            Self::Targets(index, targets) => targets
+                .get(index[row] as usize)
+                .map_or("", |target| &target.name),
+            Self::Setups(setups) => setups
+                .names
+                .get(setups.index[row] as usize)
+                .map_or("", String::as_str),
+            Self::HeldOut(held_out) if held_out[row] => "held-out",
+            Self::HeldOut(_) => "fit",
+            Self::Text(cells) => &cells[row],
+        }
+    }
+
+    fn len(self) -> usize {
+        match self {
+            Self::Numbers { values, .. } => values.len(),
+            Self::Targets(index, _) => index.len(),
+            Self::Setups(setups) => setups.index.len(),
+            Self::HeldOut(held_out) => held_out.len(),
+            Self::Text(cells) => cells.len(),
+        }
+    }
+}
+
+impl Serialize for Values<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(self.len()))?;
+        for row in 0..self.len() {
+            match self {
+                Self::Numbers { values, .. } if values[row].is_nan() => list.serialize_element(&()),
+                Self::Numbers { values, outside } => list.serialize_element(&outside(values[row])),
+                other => list.serialize_element(other.text(row)),
+            }?;
+        }
+        list.end()
+    }
+}
+
+/// Columns that are being collected.
+struct Columns<'a>(Vec<Column<'a>>);
+
+impl<'a> Columns<'a> {
+    fn add(&mut self, name: String, values: Values<'a>) {
+        self.0.push(Column { name, values });
+    }
+}
+
+/// Every column of the session, in the order of the contract.
+pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
+    let samples = &session.samples;
+    let mut columns = Columns(Vec::new());
+    let plain: Conversion = |value| value;
+    let joints: Vec<(&str, Conversion)> = session
+        .robot
+        .joints
+        .iter()
+        .map(|joint| match joint.kind {
+            JointKind::Revolute => ("deg", degrees as Conversion),
+            JointKind::Prismatic => ("mm", plain),
+        })
+        .collect();
+    for (i, (values, &(unit, outside))) in samples.q.iter().zip(&joints).enumerate() {
+        columns.add(
+            format!("q{}_{unit}", i + 1),
+            Values::Numbers { values, outside },
+        );
+    }
+    for (i, (values, &(unit, outside))) in samples.q_read.iter().zip(&joints).enumerate() {
+        if let Some(values) = values {
+            columns.add(
+                format!("q{}_read_{unit}", i + 1),
+                Values::Numbers { values, outside },
+            );
+        }
+    }
+    columns.add("x_mm".to_owned(), Values::plain(&samples.x_mm));
+    columns.add("y_mm".to_owned(), Values::plain(&samples.y_mm));
+    if let Some(z_mm) = &samples.z_mm {
+        columns.add("z_mm".to_owned(), Values::plain(z_mm));
+    }
+    if let Some(parts) = &samples.orientation_wxyz {
+        for (name, values) in ["qw", "qx", "qy", "qz"].into_iter().zip(parts) {
+            columns.add(name.to_owned(), Values::plain(values));
+        }
+    }
+    if let Some(target) = &samples.target {
+        columns.add(
+            "target".to_owned(),
+            Values::Targets(target, &session.targets),
+        );
+    }
+    for (i, values) in samples.dir.iter().enumerate() {
+        if let Some(values) = values {
+            columns.add(format!("dir{}", i + 1), Values::plain(values));
+        }
+    }
+    for (i, (values, &(unit, outside))) in samples.speed.iter().zip(&joints).enumerate() {
+        if let Some(values) = values {
+            columns.add(
+                format!("speed{}_{unit}_s", i + 1),
+                Values::Numbers { values, outside },
+            );
+        }
+    }
+    for (name, values) in [
+        ("load_kg", &samples.load_kg),
+        ("temperature_c", &samples.temperature_c),
+        ("time_s", &samples.time_s),
+    ] {
+        if let Some(values) = values {
+            columns.add(name.to_owned(), Values::plain(values));
+        }
+    }
+    if let Some(setups) = &samples.setups {
+        columns.add("setup".to_owned(), Values::Setups(setups));
+    }
+    if let Some(held_out) = &samples.held_out {
+        columns.add("use".to_owned(), Values::HeldOut(held_out));
+    }
+    for column in &samples.unknown {
+        columns.add(column.name.clone(), Values::Text(&column.cells));
+    }
+    columns.0
+}

@@ -1,0 +1,144 @@
+//! A table of samples as it was read, column by column, before anyone asks what it means.
+//!
+//! Both ways to give samples (a CSV file, arrays inside the JSON) end here; [`super::assemble`]
+//! makes [`Samples`](super::Samples) of it.
+
+use crate::sessions::columns::{CellKind, Layout};
+
+/// Few different names in many cells.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Names {
+    /// In the order in which they first occur.
+    pub(crate) list: Vec<String>,
+    /// Index into `list`, one per row.
+    pub(crate) index: Vec<u32>,
+    /// Indices into `list`, ordered by name; only kept when a linear search would be slow.
+    ordered: Vec<u32>,
+}
+
+impl Names {
+    /// Up to here looking through all names is quicker than anything else.
+    const FEW: usize = 16;
+
+    /// Appends a cell.
+    pub(crate) fn push(&mut self, name: &str) {
+        let last = self.index.last().copied();
+        let index = match last {
+            Some(last) if self.list[last as usize] == name => last,
+            _ => self.intern(name),
+        };
+        self.index.push(index);
+    }
+
+    fn intern(&mut self, name: &str) -> u32 {
+        let next = u32::try_from(self.list.len()).expect("a table has fewer than 2^32 rows");
+        if self.list.len() < Self::FEW {
+            let known = self.list.iter().zip(0..).find(|(other, _)| *other == name);
+            if let Some((_, index)) = known {
+                return index;
+            }
+        } else {
+            if self.ordered.len() < self.list.len() {
+                self.ordered = (0..next).collect();
+                self.ordered
+                    .sort_by(|&a, &b| self.list[a as usize].cmp(&self.list[b as usize]));
+            }
+            let at = self
+                .ordered
+                .binary_search_by(|&other| self.list[other as usize].as_str().cmp(name));
+            match at {
+                Ok(at) => return self.ordered[at],
+                Err(at) => self.ordered.insert(at, next),
+            }
+        }
+        self.list.push(name.to_owned());
+        next
+    }
+}
+
+/// The cells of one column.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Cells {
+    /// NaN where the cell is empty; in the unit of the heading.
+    Numbers(Vec<f64>),
+    /// An empty name where the cell is empty.
+    Names(Names),
+    /// As they stand.
+    Text(Vec<String>),
+}
+
+impl Cells {
+    pub(crate) fn of(kind: CellKind, capacity: usize) -> Self {
+        match kind {
+            CellKind::Number => Self::Numbers(Vec::with_capacity(capacity)),
+            CellKind::Name => Self::Names(Names::default()),
+            CellKind::Text => Self::Text(Vec::new()),
+        }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        match self {
+            Self::Numbers(values) => values.len(),
+            Self::Names(names) => names.index.len(),
+            Self::Text(cells) => cells.len(),
+        }
+    }
+
+    pub(crate) fn truncate(&mut self, rows: usize) {
+        match self {
+            Self::Numbers(values) => values.truncate(rows),
+            Self::Names(names) => names.index.truncate(rows),
+            Self::Text(cells) => cells.truncate(rows),
+        }
+    }
+
+    /// Appends an empty cell.
+    pub(crate) fn push_missing(&mut self) {
+        match self {
+            Self::Numbers(values) => values.push(f64::NAN),
+            Self::Names(names) => names.push(""),
+            Self::Text(cells) => cells.push(String::new()),
+        }
+    }
+}
+
+/// Samples before they are understood.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Table {
+    /// What the headings say.
+    pub(crate) layout: Layout,
+    /// The headings themselves.
+    pub(crate) names: Vec<String>,
+    /// One for each heading, all of the same length.
+    pub(crate) columns: Vec<Cells>,
+    /// Line of each row in its file; empty when the table was inside a JSON document.
+    pub(crate) line: Vec<u64>,
+}
+
+impl Table {
+    pub(crate) fn rows(&self) -> usize {
+        self.columns.first().map_or(0, Cells::len)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_keep_the_order_in_which_they_come() {
+        let mut names = Names::default();
+        let cells: Vec<String> = (0..100).map(|i| format!("T{}", (i * 7) % 40)).collect();
+        for cell in &cells {
+            names.push(cell);
+        }
+        assert_eq!(names.list.len(), 40);
+        assert_eq!(names.list[..3], ["T0", "T7", "T14"]);
+        let back: Vec<&String> = names
+            .index
+            .iter()
+            .map(|&i| &names.list[i as usize])
+            .collect();
+        assert!(back.iter().zip(&cells).all(|(back, cell)| *back == cell));
+    }
+}

@@ -1,0 +1,392 @@
+//! What only shows when the parts of a session are seen together.
+//!
+//! Every finding here is about a session that can be read; nearly all of them are notes and
+//! warnings, because a strange session is still a session. Blunders of setting up (a joint's sign,
+//! a wrong unit) need a fit and are not looked for here.
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::kinematics::{JointKind, Robot};
+use crate::sessions::domain::{Region, Samples, Session};
+use crate::sessions::number::quoted;
+use crate::units::deg_from_rad;
+
+/// How many samples are named before the rest is counted.
+const NAMED: usize = 8;
+
+/// Looks at a whole session that was read from `file`.
+pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
+    let mut findings = Vec::new();
+    robot(&session.robot, file, &mut findings);
+    regions(session, file, &mut findings);
+    instrument(session, file, &mut findings);
+    targets(session, file, &mut findings);
+    completeness(&session.samples, file, &mut findings);
+    limits(session, file, &mut findings);
+    conditions(&session.samples, file, &mut findings);
+    if let Some(model) = &session.compensated_by {
+        let found = format!(
+            "measured with the table of model {} active: it shows what is left, and nothing \
+             compensates it a second time",
+            quoted(model)
+        );
+        let place = file.clone().in_field("compensated_by");
+        findings.push(Diagnostic::note(place, found));
+    }
+    findings
+}
+
+/// Looks at a robot alone.
+pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>) {
+    for (index, joint) in robot.joints.iter().enumerate() {
+        let earlier = robot.joints[..index]
+            .iter()
+            .position(|other| other.name == joint.name);
+        if let Some(earlier) = earlier {
+            let place = file.clone().in_field(format!("robot.joints[{index}].name"));
+            let found = format!(
+                "joint {} is called {} like joint {}",
+                index + 1,
+                quoted(&joint.name),
+                earlier + 1
+            );
+            findings.push(Diagnostic::warning(
+                place,
+                found,
+                "a name of its own for each joint",
+            ));
+        }
+    }
+}
+
+fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    let place = || file.clone().in_field("regions");
+    let named = |region: &Region| {
+        format!(
+            "{} ({}° to {}°)",
+            quoted(&region.name),
+            deg_from_rad(region.from_rad),
+            deg_from_rad(region.to_rad)
+        )
+    };
+    for (index, region) in session.regions.iter().enumerate() {
+        for other in &session.regions[..index] {
+            if region.from_rad < other.to_rad && other.from_rad < region.to_rad {
+                findings.push(Diagnostic::warning(
+                    place(),
+                    format!("regions {} and {} overlap", named(other), named(region)),
+                    "regions that touch at most; the one listed first owns what both claim",
+                ));
+            }
+            if region.name == other.name {
+                let found = format!("two regions are called {}", quoted(&region.name));
+                findings.push(Diagnostic::warning(
+                    place(),
+                    found,
+                    "a name of its own for each region",
+                ));
+            }
+        }
+    }
+    let joints = &session.robot.joints;
+    let one_revolute = joints.len() == 1 && joints[0].kind == JointKind::Revolute;
+    if !session.regions.is_empty() && !one_revolute {
+        let found = "regions are for a robot with a single revolute joint: they will not be used";
+        findings.push(Diagnostic::note(place(), found));
+    }
+}
+
+fn instrument(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    if session.instrument.sigma_mm.is_none() {
+        let place = file.clone().in_field("instrument.sigma_mm");
+        let found = "the noise of the instrument is not given: it is estimated from the samples";
+        findings.push(Diagnostic::note(place, found));
+    }
+}
+
+fn targets(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    let Some(used) = &session.samples.target else {
+        if session.targets.len() > 1 {
+            let place = file.clone().in_field("targets");
+            let found = format!(
+                "{} targets but no column target: every sample is taken to show {}",
+                session.targets.len(),
+                quoted(&session.targets[0].name)
+            );
+            findings.push(Diagnostic::warning(place, found, "a column target"));
+        }
+        return;
+    };
+    let mut seen = vec![false; session.targets.len()];
+    for &target in used {
+        if let Some(seen) = seen.get_mut(target as usize) {
+            *seen = true;
+        }
+    }
+    for (target, _) in session
+        .targets
+        .iter()
+        .zip(&seen)
+        .filter(|(_, seen)| !**seen)
+    {
+        let place = file.clone().in_field(format!("targets.{}", target.name));
+        findings.push(Diagnostic::note(place, "no sample shows this target"));
+    }
+}
+
+fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
+    let count = samples.len();
+    let incomplete = samples.incomplete();
+    if incomplete.len() == count {
+        let found = "no sample has a commanded value, x and y";
+        findings.push(Diagnostic::error(
+            file.clone(),
+            found,
+            "at least one complete sample",
+        ));
+    } else if !incomplete.is_empty() {
+        let found = format!(
+            "{} of {count} samples lack a commanded value, x or y and cannot be used: {}",
+            incomplete.len(),
+            which(samples, &incomplete)
+        );
+        findings.push(Diagnostic::warning(file.clone(), found, ""));
+    }
+    match &samples.z_mm {
+        None => {
+            let found = "no column for the measured z: the session is planar";
+            findings.push(Diagnostic::note(file.clone(), found));
+        }
+        Some(z) => {
+            let lacking: Vec<usize> = (0..count).filter(|&i| z[i].is_nan()).collect();
+            if !lacking.is_empty() {
+                let found = format!(
+                    "{} of {count} samples lack z: {}",
+                    lacking.len(),
+                    which(samples, &lacking)
+                );
+                findings.push(Diagnostic::note(file.clone(), found));
+            }
+        }
+    }
+    if let Some(held_out) = &samples.held_out
+        && held_out.iter().all(|held_out| *held_out)
+    {
+        let found = "every sample is held out: nothing is left to fit";
+        findings.push(Diagnostic::warning(
+            file.clone().in_field("use"),
+            found,
+            "some samples marked fit",
+        ));
+    }
+    if let Some([w, x, y, z]) = &samples.orientation_wxyz {
+        let norm = |i: usize| (w[i] * w[i] + x[i] * x[i] + y[i] * y[i] + z[i] * z[i]).sqrt();
+        // NaN, a missing orientation, is not off.
+        let off: Vec<usize> = (0..count)
+            .filter(|&i| (norm(i) - 1.0).abs() > 0.01)
+            .collect();
+        if !off.is_empty() {
+            let found = format!(
+                "{} measured orientations are not of unit length: {}",
+                off.len(),
+                which(samples, &off)
+            );
+            let place = file.clone().in_field("qw, qx, qy, qz");
+            findings.push(Diagnostic::warning(place, found, "unit quaternions"));
+        }
+    }
+}
+
+fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    for (index, (joint, q)) in session
+        .robot
+        .joints
+        .iter()
+        .zip(&session.samples.q)
+        .enumerate()
+    {
+        let Some(limits) = joint.limits else { continue };
+        // A limit of 90° and a command of 90.0° may differ in the last bit.
+        let slack = 1e-9 * (limits.to - limits.from);
+        let beyond: Vec<usize> = (0..q.len())
+            .filter(|&i| q[i] < limits.from - slack || q[i] > limits.to + slack)
+            .collect();
+        if !beyond.is_empty() {
+            let found = format!(
+                "{} samples are beyond the limits of joint {}: {}",
+                beyond.len(),
+                index + 1,
+                which(&session.samples, &beyond)
+            );
+            findings.push(Diagnostic::warning(
+                file.clone(),
+                found,
+                "commands within the limits",
+            ));
+        }
+    }
+}
+
+fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
+    let mut warn = |field: &str, wrong: Vec<usize>, what: &str, expected: &str| {
+        if !wrong.is_empty() {
+            let found = format!("{what}: {}", which(samples, &wrong));
+            findings.push(Diagnostic::warning(
+                file.clone().in_field(field),
+                found,
+                expected,
+            ));
+        }
+    };
+    let rows_where = |column: &Option<Vec<f64>>, is_wrong: fn(f64) -> bool| match column {
+        None => Vec::new(),
+        Some(column) => (0..column.len()).filter(|&i| is_wrong(column[i])).collect(),
+    };
+    let negative_load = rows_where(&samples.load_kg, |kg| kg < 0.0);
+    warn("load_kg", negative_load, "negative loads", "0 kg or more");
+    let too_cold = rows_where(&samples.temperature_c, |celsius| celsius < -273.15);
+    warn(
+        "temperature_c",
+        too_cold,
+        "temperatures below absolute zero",
+        "°C",
+    );
+    if let Some(time_s) = &samples.time_s {
+        let back = backwards(time_s);
+        if !back.is_empty() {
+            let found = format!(
+                "the time does not increase at {}; file order is taken as measuring order",
+                which(samples, &back)
+            );
+            findings.push(Diagnostic::note(file.clone().in_field("time_s"), found));
+        }
+    }
+    if let Some(setups) = &samples.setups
+        && setups.names.len() > 1
+    {
+        let found = format!(
+            "{} setups: each has a measuring frame of its own",
+            setups.names.len()
+        );
+        findings.push(Diagnostic::note(file.clone().in_field("setup"), found));
+    }
+    let lost = samples.lost_reflector();
+    if !lost.is_empty() {
+        let found = format!(
+            "the instrument lost the reflector (0, 0, 0) in {} samples: {}",
+            lost.len(),
+            which(samples, &lost)
+        );
+        findings.push(Diagnostic::warning(
+            file.clone(),
+            found,
+            "they are left out",
+        ));
+    }
+}
+
+/// Samples whose time is before that of an earlier one.
+fn backwards(time_s: &[f64]) -> Vec<usize> {
+    let mut latest = f64::NEG_INFINITY;
+    let mut back = Vec::new();
+    for (index, &time) in time_s.iter().enumerate() {
+        if time < latest {
+            back.push(index);
+        } else if !time.is_nan() {
+            latest = time;
+        }
+    }
+    back
+}
+
+/// Names samples by their lines, or by their numbers where they have none.
+fn which(samples: &Samples, rows: &[usize]) -> String {
+    let (one, many) = if samples.line.is_empty() {
+        ("sample", "samples")
+    } else {
+        ("line", "lines")
+    };
+    let number = |&row: &usize| {
+        samples
+            .line
+            .get(row)
+            .map_or(row as u64 + 1, |line| *line)
+            .to_string()
+    };
+    let named: Vec<String> = rows.iter().take(NAMED).map(number).collect();
+    let more = match rows.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!(
+        "{} {}{more}",
+        if rows.len() == 1 { one } else { many },
+        named.join(", ")
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::sessions::parse_with_csv;
+
+    fn says(extra: &str, csv: &str) -> Vec<String> {
+        let document = format!(
+            r#"{{"format":"truepose-session/1","name":"s","robot":{{"name":"r","joints":[{{"name":"pan",
+            "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-90,90]}}],
+            "tool":{{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}}}},
+            "instrument":{{"name":"tracker","sigma_mm":0.03}},{extra}"samples":{{"file":"s.csv"}}}}"#
+        );
+        let loaded = parse_with_csv(document.as_bytes(), csv.as_bytes()).unwrap();
+        loaded.findings.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn a_sound_session_has_nothing_to_say() {
+        assert_eq!(
+            says("", "q1_deg,x_mm,y_mm,z_mm\n-90,0,-250,300\n90,0,250,300\n"),
+            [""; 0]
+        );
+    }
+
+    #[test]
+    fn regions_that_overlap_are_named() {
+        let regions = r#""regions":[{"name":"a","from_deg":0,"to_deg":30},{"name":"b","from_deg":20,"to_deg":50},
+            {"name":"c","from_deg":50,"to_deg":60}],"#;
+        let findings = says(regions, "q1_deg,x_mm,y_mm,z_mm\n1,2,3,4\n");
+        assert_eq!(findings.len(), 1, "{findings:?}");
+        assert!(
+            findings[0].contains("regions 'a'") && findings[0].contains("'b'"),
+            "{findings:?}"
+        );
+    }
+
+    #[test]
+    fn samples_that_cannot_be_used_are_reported_once_with_their_lines() {
+        let findings = says(
+            "",
+            "q1_deg,x_mm,y_mm,z_mm\n1,,3,4\n2,2,3,4\n3,2,,4\n,2,3,4\n",
+        );
+        assert_eq!(findings.len(), 1, "{findings:?}");
+        assert!(
+            findings[0].contains("3 of 4 samples") && findings[0].contains("lines 2, 4, 5"),
+            "{findings:?}"
+        );
+    }
+
+    #[test]
+    fn strange_conditions_are_said() {
+        let csv = "q1_deg,x_mm,y_mm,z_mm,time_s,load_kg,temperature_c,use,setup\n\
+                   100,0,0,0,5,-1,-300,held-out,a\n2,2,3,4,3,0,20,held-out,b\n";
+        let findings = says("", csv).join("\n");
+        for part in [
+            "beyond the limits of joint 1: line 2",
+            "negative loads: line 2",
+            "below absolute zero: line 2",
+            "does not increase at line 3",
+            "every sample is held out",
+            "2 setups",
+            "lost the reflector (0, 0, 0) in 1 samples: line 2",
+        ] {
+            assert!(findings.contains(part), "{part}: {findings}");
+        }
+    }
+}
