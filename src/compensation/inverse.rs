@@ -11,8 +11,8 @@
 //! all: near a singular pose a tiny gain would cost a large move.
 //!
 //! Derivatives by the command are central differences of the model itself over [`STEP`] rad or
-//! mm: they hold for every effect, however it depends on the command, and are exact to 10⁻⁹. The
-//! answer does not inherit that: it is where the derivative vanishes.
+//! mm: they hold for every effect, however it depends on the command. What they miss shows only
+//! where a remainder stays, and then by some 10⁻¹² rad.
 //!
 //! Several poses go through at once, because the model takes them in blocks.
 
@@ -26,7 +26,7 @@ use crate::lanes::{add_scaled, dot, minus};
 use crate::model::{Model, Positions};
 
 /// Half the width of a difference quotient, rad (mm: a thousand times as much).
-const STEP: f64 = 1e-5;
+const STEP: f64 = 1e-4;
 /// A step below this (rad; mm: a thousand times as much) changes nothing any more.
 const SETTLED: f64 = 1e-14;
 /// The longest single step, rad; a model is not trusted further away.
@@ -250,7 +250,7 @@ mod tests {
         let commands = closest_commands(&model, &inputs, &wanted, &[0]);
         for (command, q) in commands[0].iter().zip(&q) {
             let correction = command - q - 30.0_f64.to_radians();
-            assert!(correction.abs() < 2e-15, "{correction:e}");
+            assert!(correction.abs() < 1e-12, "{correction:e}");
         }
     }
 
