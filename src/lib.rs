@@ -3,6 +3,7 @@
 pub mod atomic;
 pub mod diagnostic;
 pub mod lanes;
+pub mod sincos;
 pub mod units;
 
 pub mod kinematics;

@@ -82,7 +82,11 @@ impl Identify {
         let answer = match self.method {
             Method::Exact => {
                 let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
-                let effects = if self.effects.is_empty() { defaults() } else { self.effects };
+                let effects = if self.effects.is_empty() {
+                    defaults()
+                } else {
+                    self.effects
+                };
                 identify_exact(&session, &effects, values)?
             }
             Method::Regional => {
@@ -119,7 +123,11 @@ fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
     }
     let boundary = |part: &str| {
         let degrees: f64 = part.trim().parse().map_err(|_| wrong())?;
-        if degrees.is_finite() { Ok(rad_from_deg(degrees)) } else { Err(wrong()) }
+        if degrees.is_finite() {
+            Ok(rad_from_deg(degrees))
+        } else {
+            Err(wrong())
+        }
     };
     let boundaries: Result<Vec<f64>, Failure> = text.split(',').map(boundary).collect();
     Ok(RegionChoice::Boundaries(boundaries?))
@@ -323,12 +331,20 @@ fn in_words(answer: &Identification) -> String {
         );
     }
     if !answer.parameters.is_empty() {
-        text += &format!("\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n", "effect", "joint", "parameter", "value");
+        text += &format!(
+            "\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n",
+            "effect", "joint", "parameter", "value"
+        );
     }
     for p in &answer.parameters {
         let joint = p.joint.map_or("-".to_owned(), |j| j.to_string());
-        let interval = p.ci95.map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));
-        text += &format!("{:<24} {joint:>5}  {:<22} {:>14.6}   {interval}\n", p.effect, p.name, p.value);
+        let interval = p
+            .ci95
+            .map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));
+        text += &format!(
+            "{:<24} {joint:>5}  {:<22} {:>14.6}   {interval}\n",
+            p.effect, p.name, p.value
+        );
     }
     if !answer.regions.is_empty() {
         text += &format!(
@@ -354,7 +370,11 @@ fn in_words(answer: &Identification) -> String {
         text += &format!("\nnot identifiable: {}: {}", n.combination, n.because);
     }
     for o in &answer.outliers {
-        text += &format!("\nsuspected outlier: sample {}, {:.4} mm from the model", o.sample + 1, o.deviation_mm);
+        text += &format!(
+            "\nsuspected outlier: sample {}, {:.4} mm from the model",
+            o.sample + 1,
+            o.deviation_mm
+        );
     }
     for l in &answer.left_out {
         text += &format!("\nleft out: sample {}: {}", l.sample + 1, l.because.says());

@@ -5,13 +5,9 @@
 //! messages always go to standard error.
 
 mod effects;
-mod export;
 mod failure;
 mod identify;
 mod output;
-mod simulate;
-mod verify;
-mod window;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -28,19 +24,14 @@ struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
     /// Session or model to open in the window
+    #[allow(dead_code, reason = "the window comes next")]
     file: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Make a session by simulation from a scenario
-    Simulate(simulate::Simulate),
     /// Identify a session's robot: the exact fit, or the paper's method by regions
     Identify(identify::Identify),
-    /// Check a model on another session
-    Verify(verify::Verify),
-    /// Write the table that a controller reads
-    Export(export::Export),
     /// List the effects that the program knows
     Effects(effects::Effects),
 }
@@ -52,11 +43,8 @@ pub(crate) fn run() -> ExitCode {
         Err(error) => return complain_about_arguments(&error),
     };
     let done = match arguments.command {
-        None => window::open(arguments.file),
-        Some(Command::Simulate(command)) => command.run(),
+        None => Ok(()),
         Some(Command::Identify(command)) => command.run(),
-        Some(Command::Verify(command)) => command.run(),
-        Some(Command::Export(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
     };
     match done {

@@ -20,7 +20,9 @@ pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
 /// Prints text. A reader that has had enough (`| head`) is no failure.
 pub(crate) fn text(text: &str) -> Result<(), Failure> {
     let mut stdout = std::io::stdout().lock();
-    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    let written = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other.context("cannot write to standard output")?),
@@ -58,6 +60,8 @@ pub(crate) fn document(
         let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
         return Ok(written.context("cannot write to standard output")?);
     }
-    truepose::atomic::refuse_to_replace_inputs(out, inputs)?;
-    Ok(truepose::atomic::write_atomically(out, force, |file| file.write_all(bytes))?)
+    truepose::atomic::refuse_to_replace_inputs(&[out], inputs)?;
+    Ok(truepose::atomic::write_atomically(out, force, |file| {
+        file.write_all(bytes)
+    })?)
 }

@@ -9,7 +9,8 @@
 //! All points are in the base frame, at home behind the joints that have not acted yet, mm.
 
 use crate::kinematics::{JointKind, Robot};
-use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, sin_cos, times, turned};
+use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, times, turned};
+use crate::sincos::sin_cos_small as sin_cos;
 
 use super::inputs::Inputs;
 use super::term::Placed;

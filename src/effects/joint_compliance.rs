@@ -13,7 +13,8 @@ use super::about::{About, Form, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 use crate::kinematics::{Joint, JointKind};
-use crate::lanes::{LANES, add_scaled, cross, dot, minus, sin_cos, turned};
+use crate::lanes::{LANES, add_scaled, cross, dot, minus, turned};
+use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
 pub(super) struct JointCompliance;

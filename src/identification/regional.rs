@@ -16,9 +16,10 @@ use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
 use crate::kinematics::JointKind;
-use crate::lanes::{LANES, add_scaled, dot, minus, sin_cos};
+use crate::lanes::{LANES, add_scaled, dot, minus};
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
+use crate::sincos::sin_cos_small as sin_cos;
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};

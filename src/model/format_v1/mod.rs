@@ -13,6 +13,7 @@
 mod read;
 mod write;
 
+pub(crate) use read::term;
 pub use read::{load_model, read_model};
 pub use write::{model_hash, write_model};
 
