@@ -5,6 +5,7 @@ pub mod diagnostic;
 pub mod lanes;
 pub mod sincos;
 pub mod units;
+pub mod wide;
 
 pub mod kinematics;
 pub mod sessions;

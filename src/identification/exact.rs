@@ -139,12 +139,12 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
             .map(|(f, s)| *f && !*s)
             .collect();
         let weights = balanced_weights(problem, &after, solution.spectrum.rank());
-        let settled = used == problem.used && (weights == problem.axis_weights || round >= 2);
-        if settled {
+        let reweigh = round < 2 && differ(weights, problem.axis_weights);
+        if used == problem.used && !reweigh {
             break;
         }
         problem.used = used;
-        if round < 2 {
+        if reweigh {
             problem.axis_weights = weights;
         }
         solution = solve(problem, &solution.model);
@@ -218,6 +218,16 @@ fn balanced_weights(problem: &Problem, after: &Deviations, rank: usize) -> [f64;
         let relative = (noise[axis] / largest).max(1.0 / MOST_UNEQUAL);
         1.0 / (relative * relative)
     })
+}
+
+/// Whether weights differ by more than their own uncertainty could matter for: a twentieth.
+fn differ(a: [f64; 3], b: [f64; 3]) -> bool {
+    let relative = |w: [f64; 3]| {
+        let sum: f64 = w.iter().sum();
+        w.map(|w| w / sum)
+    };
+    let (a, b) = (relative(a), relative(b));
+    (0..3).any(|k| (a[k] - b[k]).abs() > 0.05 * b[k])
 }
 
 const MOST_UNEQUAL: f64 = 10.0;

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::block::Block;
 use crate::lanes::{LANES, Lanes};
+use crate::wide::wide;
 
 use super::problem::Problem;
 
@@ -46,6 +47,11 @@ impl Normal {
 
     /// Adds one block of samples.
     pub fn add(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
+        wide(|| self.add_block(problem, start, block, sums));
+    }
+
+    #[inline]
+    fn add_block(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
         let p = self.gradient.len();
         let mask = problem.mask(start, block.len);
         for axis in 0..3 {

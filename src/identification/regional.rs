@@ -16,10 +16,11 @@ use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
 use crate::kinematics::JointKind;
-use crate::lanes::{LANES, add_scaled, dot, minus};
+use crate::lanes::{LANES, Lanes, add_scaled, dot, minus};
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
-use crate::sincos::sin_cos_small as sin_cos;
+use crate::sincos::sin_cos_lanes;
+use crate::wide::wide;
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
@@ -46,6 +47,16 @@ pub struct RegionSums {
 }
 
 impl RegionSums {
+    fn total(parts: &[Self]) -> Self {
+        parts.iter().fold(Self::default(), |sum, part| Self {
+            samples: sum.samples + part.samples,
+            dx: sum.dx + part.dx,
+            l1_dy: sum.l1_dy + part.l1_dy,
+            l1_l1: sum.l1_l1 + part.l1_l1,
+            square: sum.square + part.square,
+        })
+    }
+
     /// Δθ in rad and Δl1 in mm, by (7).
     pub fn correction(&self) -> (f64, f64) {
         let theta = if self.l1_l1 > 0.0 {
@@ -61,26 +72,33 @@ impl RegionSums {
 pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>, usize) {
     let plane = Plane::new(problem.session);
     let assignment = Assignment::new(regions);
-    let mut sums = vec![RegionSums::default(); regions.len()];
-    let mut outside = 0;
-    plane.each_sample(problem, |i, dx, dy, l1| {
-        if !problem.used[i] {
-            return;
-        }
-        match assignment.region_of(problem.inputs.q[0][i]) {
-            None => outside += 1,
-            Some(region) => {
-                let sums = &mut sums[region];
+    // The last is for samples in no region. Neighbouring lanes add to different copies, so that
+    // one addition need not wait for the one before it.
+    let mut copies = vec![[RegionSums::default(); COPIES]; regions.len() + 1];
+    let mut places = [0; LANES];
+    wide(|| {
+        plane.each_block(problem, |start, len, block| {
+            assignment.regions_of(&block.q, &mut places);
+            for lane in 0..len {
+                if !problem.used[start + lane] {
+                    continue;
+                }
+                let (dx, dy, l1) = (block.dx[lane], block.dy[lane], block.l1[lane]);
+                let sums = &mut copies[places[lane]][lane % COPIES];
                 sums.samples += 1;
                 sums.dx += dx;
                 sums.l1_dy += l1 * dy;
                 sums.l1_l1 += l1 * l1;
                 sums.square += dx * dx + dy * dy;
             }
-        }
+        })
     });
+    let mut sums: Vec<RegionSums> = copies.iter().map(|c| RegionSums::total(c)).collect();
+    let outside = sums.pop().map_or(0, |outside| outside.samples);
     (sums, outside)
 }
+
+const COPIES: usize = 4;
 
 /// The plane in which a single axis moves a reflector.
 struct Plane {
@@ -89,6 +107,26 @@ struct Plane {
     y: [f64; 3],
     /// In-plane coordinates of every reflector at home, and its distance from the axis.
     homes: Vec<(f64, f64, f64)>,
+}
+
+/// A block of samples in the plane: the angle, ΔP = nominal − measured, and l1.
+struct PlaneBlock {
+    q: Lanes,
+    dx: Lanes,
+    dy: Lanes,
+    l1: Lanes,
+}
+
+impl Default for PlaneBlock {
+    fn default() -> Self {
+        let zero = [0.0; LANES];
+        Self {
+            q: zero,
+            dx: zero,
+            dy: zero,
+            l1: zero,
+        }
+    }
 }
 
 impl Plane {
@@ -113,38 +151,60 @@ impl Plane {
         }
     }
 
-    /// Calls `see` with (sample, ΔPx, ΔPy, l1) for every usable sample.
-    fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
+    /// Calls `see` with (first sample, number of samples, ΔP) for every block. Samples that cannot
+    /// be used are among them.
+    #[inline]
+    fn each_block(&self, problem: &Problem, mut see: impl FnMut(usize, usize, &PlaneBlock)) {
         let samples = &problem.session.samples;
         let q = &problem.inputs.q[0];
         let target = problem.inputs.target.as_deref();
         let flat = self.x == [1.0, 0.0, 0.0] && self.y == [0.0, 1.0, 0.0];
-        let n = q.len();
-        let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
-        for start in (0..n).step_by(LANES) {
-            let len = (n - start).min(LANES);
-            for i in 0..len {
-                (sin[i], cos[i]) = sin_cos(q[start + i]);
-            }
-            for lane in 0..len {
-                let i = start + lane;
-                if !problem.usable[i] {
-                    continue;
+        let mut block = PlaneBlock::default();
+        let (a0, b0, l0) = self.homes[0];
+        let (mut a, mut b) = ([a0; LANES], [b0; LANES]);
+        block.l1 = [l0; LANES];
+        for start in (0..q.len()).step_by(LANES) {
+            let len = (q.len() - start).min(LANES);
+            block.q[..len].copy_from_slice(&q[start..start + len]);
+            let (sin, cos) = sin_cos_lanes(&block.q);
+            if let Some(target) = target {
+                for lane in 0..len {
+                    (a[lane], b[lane], block.l1[lane]) = self.homes[target[start + lane] as usize];
                 }
-                let (a, b, l1) = self.homes[target.map_or(0, |t| t[i] as usize)];
-                let nominal_x = a * cos[lane] - b * sin[lane];
-                let nominal_y = a * sin[lane] + b * cos[lane];
-                let (x, y) = (samples.x_mm[i], samples.y_mm[i]);
-                let (measured_x, measured_y) = if flat {
-                    (x - self.origin[0], y - self.origin[1])
-                } else {
-                    let z = samples.z_mm.as_ref().map_or(self.origin[2], |z| z[i]);
-                    let arm = minus([x, y, z], self.origin);
-                    (dot(arm, self.x), dot(arm, self.y))
-                };
-                see(i, nominal_x - measured_x, nominal_y - measured_y, l1);
             }
+            let (mut x, mut y) = ([0.0; LANES], [0.0; LANES]);
+            x[..len].copy_from_slice(&samples.x_mm[start..start + len]);
+            y[..len].copy_from_slice(&samples.y_mm[start..start + len]);
+            if flat {
+                for lane in 0..LANES {
+                    x[lane] -= self.origin[0];
+                    y[lane] -= self.origin[1];
+                }
+            } else {
+                for lane in 0..len {
+                    let z = samples
+                        .z_mm
+                        .as_ref()
+                        .map_or(self.origin[2], |z| z[start + lane]);
+                    let arm = minus([x[lane], y[lane], z], self.origin);
+                    (x[lane], y[lane]) = (dot(arm, self.x), dot(arm, self.y));
+                }
+            }
+            for lane in 0..LANES {
+                block.dx[lane] = a[lane] * cos[lane] - b[lane] * sin[lane] - x[lane];
+                block.dy[lane] = a[lane] * sin[lane] + b[lane] * cos[lane] - y[lane];
+            }
+            see(start, len, &block);
         }
+    }
+
+    /// Calls `see` with (sample, ΔPx, ΔPy, l1) for every usable sample.
+    fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
+        self.each_block(problem, |start, len, block| {
+            for lane in (0..len).filter(|lane| problem.usable[start + lane]) {
+                see(start + lane, block.dx[lane], block.dy[lane], block.l1[lane]);
+            }
+        });
     }
 
     /// A deviation in the plane as a vector in the measuring frame: −ΔP.
