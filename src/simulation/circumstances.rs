@@ -21,15 +21,24 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
     let n = stops.len() * targets;
     let hands = deal(c, stops.len(), random);
     let column = || Vec::with_capacity(n);
-    let (mut q, mut dir, mut speed) = (vec![column(); joints], vec![column(); joints], vec![column(); joints]);
-    let (mut target, mut load, mut temperature, mut time) = (Vec::with_capacity(n), column(), column(), column());
+    let (mut q, mut dir, mut speed) = (
+        vec![column(); joints],
+        vec![column(); joints],
+        vec![column(); joints],
+    );
+    let (mut target, mut load, mut temperature, mut time) =
+        (Vec::with_capacity(n), column(), column(), column());
     let mut before: Vec<f64> = vec![0.0; joints];
     for (k, (stop, hand)) in stops.iter().zip(&hands).enumerate() {
         for t in 0..targets {
             let now = (k as f64 + t as f64 / targets as f64) * c.seconds_per_pose.unwrap_or(0.0);
             for joint in 0..joints {
                 let from = stop.dir.as_ref().map_or(0.0, |dir| dir[joint]);
-                let moving = if from == 0.0 { side(before[joint], stop.q[joint]) } else { from };
+                let moving = if from == 0.0 {
+                    side(before[joint], stop.q[joint])
+                } else {
+                    from
+                };
                 q[joint].push(stop.q[joint]);
                 dir[joint].push(from);
                 // Adding zero makes a speed of −0 a plain 0.
@@ -44,7 +53,10 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
     }
     let from_a_side = stops.iter().any(|stop| stop.dir.is_some());
     let given = |column: Vec<Vec<f64>>, is: bool| -> Vec<Option<Vec<f64>>> {
-        column.into_iter().map(|values| is.then_some(values)).collect()
+        column
+            .into_iter()
+            .map(|values| is.then_some(values))
+            .collect()
     };
     Samples {
         q,
@@ -76,7 +88,13 @@ struct Hand {
 }
 
 fn deal(c: &Circumstances, stops: usize, random: &mut ChaCha8Rng) -> Vec<Hand> {
-    let or_zero = |values: &[f64]| if values.is_empty() { vec![0.0] } else { values.to_vec() };
+    let or_zero = |values: &[f64]| {
+        if values.is_empty() {
+            vec![0.0]
+        } else {
+            values.to_vec()
+        }
+    };
     let temperatures: Vec<Option<f64>> = match &c.temperature {
         Some(Temperature::Values(values)) if !values.is_empty() => {
             values.iter().copied().map(Some).collect()
@@ -109,7 +127,11 @@ fn warmed_up(c: &Circumstances, time_s: f64) -> f64 {
             from_c,
             to_c,
             time_constant_s,
-        }) => to_c + (from_c - to_c) * (-time_s / time_constant_s).exp(),
+        }) => {
+            let exact = to_c + (from_c - to_c) * (-time_s / time_constant_s).exp();
+            // What the thermometer shows is what the machine has: hundredths of a degree.
+            (exact * 100.0).round() / 100.0
+        }
         _ => crate::effects::inputs::REFERENCE_TEMPERATURE_C,
     }
 }

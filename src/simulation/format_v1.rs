@@ -139,7 +139,13 @@ fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> 
             Some(robot)
         })?;
     let poses = fields
-        .required(members, root.at, path, "poses", "an object with sweep, list or random")
+        .required(
+            members,
+            root.at,
+            path,
+            "poses",
+            "an object with sweep, list or random",
+        )
         .and_then(|node| poses(fields, node, &path.key("poses"), &robot));
     let mut scenario = Scenario::new("simulated session", robot, Poses::List(Vec::new()));
     if let Some(node) = optional(members, "name") {
@@ -266,10 +272,22 @@ fn poses(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
 
 fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Sweep> {
     const KNOWN: [&str; 10] = [
-        "joint", "from_deg", "to_deg", "step_deg", "from_mm", "to_mm", "step_mm", "both_ways",
-        "repeats", "order",
+        "joint",
+        "from_deg",
+        "to_deg",
+        "step_deg",
+        "from_mm",
+        "to_mm",
+        "step_mm",
+        "both_ways",
+        "repeats",
+        "order",
     ];
-    let members = fields.object(node, path, "an object with joint, from_deg, to_deg and step_deg")?;
+    let members = fields.object(
+        node,
+        path,
+        "an object with joint, from_deg, to_deg and step_deg",
+    )?;
     fields.unknown_keys(members, path, &KNOWN);
     let joint = match optional(members, "joint") {
         None => 1,
@@ -288,7 +306,9 @@ fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -
             JointKind::Prismatic if optional(members, &plain).is_some() => plain,
             _ => format!("{stem}_deg"),
         };
-        fields.required_number(members, node.at, path, &key).map(|v| inner(kind, v))
+        fields
+            .required_number(members, node.at, path, &key)
+            .map(|v| inner(kind, v))
     };
     let (from, to, step) = (value("from"), value("to"), value("step"));
     let repeats = match optional(members, "repeats") {
@@ -329,12 +349,18 @@ fn list(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
 }
 
 fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Stop> {
-    let members = fields.object(node, path, "an object with q_deg, and dir where it is known")?;
+    let members = fields.object(
+        node,
+        path,
+        "an object with q_deg, and dir where it is known",
+    )?;
     fields.unknown_keys(members, path, &["q_deg", "dir"]);
     let joints = robot.joints.len();
     let expected = format!("an array of {joints} numbers, one for each joint");
     let mut each = |node: &Node, key: &str| match &node.value {
-        Value::Numbers(values) if values.len() == joints && values.iter().all(|v| v.is_finite()) => {
+        Value::Numbers(values)
+            if values.len() == joints && values.iter().all(|v| v.is_finite()) =>
+        {
             Some(values.clone())
         }
         _ => {
@@ -355,7 +381,11 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     if let Some((node, dir)) = &dir
         && dir.iter().any(|d| ![-1.0, 0.0, 1.0].contains(d))
     {
-        fields.mismatch(node, &path.key("dir"), "1, -1 or 0 (unknown) for each joint");
+        fields.mismatch(
+            node,
+            &path.key("dir"),
+            "1, -1 or 0 (unknown) for each joint",
+        );
         return None;
     }
     let kinds = robot.joints.iter().map(|j| j.kind);
@@ -383,13 +413,22 @@ fn conditions(
     path: &Path<'_>,
     robot: &Robot,
 ) -> Option<Circumstances> {
-    const KNOWN: [&str; 5] =
-        ["speed_deg_s", "speed_mm_s", "load_kg", "temperature_c", "seconds_per_pose"];
+    const KNOWN: [&str; 5] = [
+        "speed_deg_s",
+        "speed_mm_s",
+        "load_kg",
+        "temperature_c",
+        "seconds_per_pose",
+    ];
     let members = fields.object(node, path, "an object with the conditions")?;
     fields.unknown_keys(members, path, &KNOWN);
     let mut circumstances = Circumstances::default();
     let slides = robot.joints.iter().all(|j| j.kind == JointKind::Prismatic);
-    let kind = if slides { JointKind::Prismatic } else { JointKind::Revolute };
+    let kind = if slides {
+        JointKind::Prismatic
+    } else {
+        JointKind::Revolute
+    };
     for key in ["speed_deg_s", "speed_mm_s"] {
         if let Some(node) = optional(members, key) {
             let speeds = values(fields, node, &path.key(key))?;
@@ -453,9 +492,9 @@ fn noise(
     let kind = match optional(members, "kind") {
         None => NoiseKind::Gauss,
         Some(node) => {
-            let named = kinds.into_iter().find(
-                |kind| matches!(&node.value, Value::Text(name) if name == kind.name()),
-            );
+            let named = kinds
+                .into_iter()
+                .find(|kind| matches!(&node.value, Value::Text(name) if name == kind.name()));
             if named.is_none() {
                 fields.mismatch(node, &path.key("kind"), "\"gauss\", \"t4\" or \"ar1\"");
             }

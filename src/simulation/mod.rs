@@ -87,11 +87,8 @@ pub fn simulate(
         .into());
     }
     let stops = motion::stops(scenario, &mut random(seed, Stream::Order));
-    let mut samples = circumstances::samples(
-        scenario,
-        &stops,
-        &mut random(seed, Stream::Circumstances),
-    );
+    let mut samples =
+        circumstances::samples(scenario, &stops, &mut random(seed, Stream::Circumstances));
     let mut session = session_of(scenario, std::mem::take(&mut samples));
     let model = Model::new(scenario.robot.clone(), scenario.effects.clone());
     let exact = predict(&model, &session, &mut watch)?;

@@ -58,7 +58,11 @@ pub fn stops(scenario: &Scenario, random: &mut ChaCha8Rng) -> Vec<Stop> {
 
 /// The side from which a joint reaches `to`; 0 where it does not move.
 pub fn side(from: f64, to: f64) -> f64 {
-    if from == to { 0.0 } else { (to - from).signum() }
+    if from == to {
+        0.0
+    } else {
+        (to - from).signum()
+    }
 }
 
 /// The places of one way, worked out in the user's unit: whole degrees stay whole.
@@ -93,7 +97,12 @@ fn in_order(sweep: &Sweep, places: &[f64]) -> Vec<(f64, f64)> {
 
 fn shuffled(sweep: &Sweep, places: &[f64], random: &mut ChaCha8Rng) -> Vec<(f64, f64)> {
     let times = sweep.repeats * if sweep.both_ways { 2 } else { 1 };
-    let mut order: Vec<f64> = places.iter().copied().cycle().take(places.len() * times).collect();
+    let mut order: Vec<f64> = places
+        .iter()
+        .copied()
+        .cycle()
+        .take(places.len() * times)
+        .collect();
     order.shuffle(random);
     for i in 1..order.len() {
         if order[i] == order[i - 1] {

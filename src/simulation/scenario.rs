@@ -219,7 +219,11 @@ impl Scenario {
                 let usable = sweep.from.is_finite() && sweep.to.is_finite();
                 if !usable || !sweep.step.is_finite() || sweep.step == 0.0 || sweep.repeats == 0 {
                     let found = "a sweep without a step, a range or repeats".to_owned();
-                    wrong("poses.sweep", found, "finite ends, a step that is not 0, repeats from 1 on");
+                    wrong(
+                        "poses.sweep",
+                        found,
+                        "finite ends, a step that is not 0, repeats from 1 on",
+                    );
                     return;
                 }
                 for (key, q) in [("from_deg", sweep.from), ("to_deg", sweep.to)] {
@@ -239,7 +243,9 @@ impl Scenario {
                     if !fits(&stop.q) || !stop.dir.as_ref().is_none_or(fits) {
                         let found = "another number of values".to_owned();
                         wrong(&at, found, "one value for each joint");
-                    } else if (0..joints).any(|j| !stop.q[j].is_finite() || outside(j, stop.q[j]).is_some()) {
+                    } else if (0..joints)
+                        .any(|j| !stop.q[j].is_finite() || outside(j, stop.q[j]).is_some())
+                    {
                         let found = "a stop beyond a joint's limits".to_owned();
                         wrong(&at, found, inside);
                     }
@@ -271,14 +277,34 @@ impl Scenario {
         let positive = |v: f64| v.is_finite() && v > 0.0;
         let not_negative = |v: &f64| v.is_finite() && *v >= 0.0;
         let c = &self.circumstances;
-        wrong("conditions.speed_deg_s", c.speeds.iter().all(not_negative), "speeds from 0 on");
-        wrong("conditions.load_kg", c.loads_kg.iter().all(not_negative), "loads from 0 kg on");
+        wrong(
+            "conditions.speed_deg_s",
+            c.speeds.iter().all(not_negative),
+            "speeds from 0 on",
+        );
+        wrong(
+            "conditions.load_kg",
+            c.loads_kg.iter().all(not_negative),
+            "loads from 0 kg on",
+        );
         let time = c.seconds_per_pose;
-        wrong("conditions.seconds_per_pose", time.is_none_or(positive), "a time above 0 s");
+        wrong(
+            "conditions.seconds_per_pose",
+            time.is_none_or(positive),
+            "a time above 0 s",
+        );
         let warm_up = match &c.temperature {
-            Some(Temperature::WarmUp { from_c, to_c, time_constant_s }) => {
+            Some(Temperature::WarmUp {
+                from_c,
+                to_c,
+                time_constant_s,
+            }) => {
                 let finite = from_c.is_finite() && to_c.is_finite();
-                wrong("conditions.temperature_c", finite && positive(*time_constant_s), "finite temperatures and a time constant above 0 s");
+                wrong(
+                    "conditions.temperature_c",
+                    finite && positive(*time_constant_s),
+                    "finite temperatures and a time constant above 0 s",
+                );
                 true
             }
             Some(Temperature::Values(values)) => {
@@ -288,12 +314,26 @@ impl Scenario {
             }
             None => false,
         };
-        wrong("conditions.seconds_per_pose", !warm_up || time.is_some(), "a time from pose to pose, as the machine warms up");
+        wrong(
+            "conditions.seconds_per_pose",
+            !warm_up || time.is_some(),
+            "a time from pose to pose, as the machine warms up",
+        );
         let noise = self.noise.is_none_or(|n| not_negative(&n.sigma_mm));
         wrong("noise.sigma_mm", noise, "a length from 0 mm on");
-        let outliers = self.outliers.is_none_or(|o| (0.0..=1.0).contains(&o.share) && not_negative(&o.mm));
-        wrong("outliers", outliers, "a share from 0 to 1 and a length from 0 mm on");
-        wrong("noise.resolution_mm", self.resolution_mm.is_none_or(positive), "a length above 0 mm");
+        let outliers = self
+            .outliers
+            .is_none_or(|o| (0.0..=1.0).contains(&o.share) && not_negative(&o.mm));
+        wrong(
+            "outliers",
+            outliers,
+            "a share from 0 to 1 and a length from 0 mm on",
+        );
+        wrong(
+            "noise.resolution_mm",
+            self.resolution_mm.is_none_or(positive),
+            "a length above 0 mm",
+        );
         wrong("targets", !self.targets.is_empty(), "at least one target");
     }
 
@@ -311,7 +351,9 @@ impl Scenario {
             Some("the scenario has no seconds_per_pose")
         } else if of_warmth && c.temperature.is_none() {
             Some("the scenario has no temperature")
-        } else if about.id == "link-droop" && (c.loads_kg.is_empty() || self.robot.gravity_m_s2.is_none()) {
+        } else if about.id == "link-droop"
+            && (c.loads_kg.is_empty() || self.robot.gravity_m_s2.is_none())
+        {
             Some("the scenario has no load, or the robot no gravity")
         } else if about.id == "tracking-lag" && c.speeds.iter().all(|v| *v == 0.0) {
             Some("every pose is measured at standstill")
