@@ -13,3 +13,7 @@ pub mod sessions;
 pub mod effects;
 pub mod identification;
 pub mod model;
+
+pub mod compensation;
+pub mod export;
+pub mod simulation;

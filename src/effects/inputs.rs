@@ -83,6 +83,25 @@ impl<'a> Inputs<'a> {
         }
     }
 
+    /// Poses that nobody has measured: at standstill, at 20 °C, without load, approached from
+    /// neither side. The columns are public: set what differs.
+    pub fn at_poses(q: Vec<Vec<f64>>, reflectors_at_home: Vec<[f64; 3]>) -> Self {
+        let joints = q.len();
+        Self {
+            len: q.first().map_or(0, Vec::len),
+            q: q.into_iter().map(Cow::Owned).collect(),
+            dir: vec![None; joints],
+            speed: vec![None; joints],
+            travel: vec![None; joints],
+            load_kg: None,
+            warmth_c: None,
+            time_s: None,
+            setup: None,
+            target: None,
+            reflectors_at_home,
+        }
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.len
