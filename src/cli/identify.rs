@@ -61,7 +61,8 @@ enum Values {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        output::one_use_of_standard_output(self.json, self.out.as_deref())?;
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
         let values = match self.joint_values {
             Values::Commanded => JointValues::Commanded,
             Values::Read => JointValues::Read,
@@ -104,7 +105,7 @@ impl Identify {
         }
         if self.json {
             output::json(&Answer::new(&answer))
-        } else if self.out.as_ref().is_some_and(|out| out.as_os_str() == "-") {
+        } else if to_stdout {
             Ok(())
         } else {
             output::text(&in_words(&answer))
