@@ -79,7 +79,7 @@ impl Identify {
         }
         let loaded = truepose::sessions::load(&self.session)?;
         output::findings(&loaded.findings);
-        let session = loaded.session;
+        let session = &loaded.session;
         let answer = match self.method {
             Method::Exact => {
                 let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
@@ -88,20 +88,20 @@ impl Identify {
                 } else {
                     self.effects
                 };
-                identify_exact(&session, &effects, values)?
+                identify_exact(session, &effects, values)?
             }
             Method::Regional => {
                 let choice = match &self.regions {
                     None => RegionChoice::FromSession,
                     Some(text) => parse_regions(text)?,
                 };
-                identify_regional(&session, &choice, values)?
+                identify_regional(session, &choice, values)?
             }
         };
         if let Some(out) = &self.out {
-            let calibration = answer.calibration(&session, &Inputs::new(&session, values));
+            let calibration = answer.calibration(session, &Inputs::new(session, values));
             let text = truepose::model::format_v1::write_model(&calibration);
-            output::document(out, text.as_bytes(), self.force, &[&self.session])?;
+            output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
             output::json(&Answer::new(&answer))

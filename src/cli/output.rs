@@ -1,7 +1,7 @@
 //! Standard output: one JSON document, or text.
 
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use serde::Serialize;
@@ -72,15 +72,20 @@ pub(crate) fn document(
     out: &Path,
     bytes: &[u8],
     force: bool,
-    inputs: &[&Path],
+    inputs: &[PathBuf],
 ) -> Result<(), Failure> {
     if out.as_os_str() == "-" {
         let mut stdout = std::io::stdout().lock();
         let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
         return Ok(written.context("cannot write to standard output")?);
     }
-    truepose::atomic::refuse_to_replace_inputs(out, inputs)?;
+    truepose::atomic::refuse_to_replace_inputs(out, &paths(inputs))?;
     Ok(truepose::atomic::write_atomically(out, force, |file| {
         file.write_all(bytes)
     })?)
+}
+
+/// Paths by reference.
+pub(crate) fn paths(owned: &[PathBuf]) -> Vec<&Path> {
+    owned.iter().map(PathBuf::as_path).collect()
 }

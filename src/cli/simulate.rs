@@ -1,6 +1,6 @@
 //! `truepose simulate`: from a scenario to a session.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::Context;
 use clap::Args;
@@ -44,7 +44,7 @@ impl Simulate {
             Err(SimulateError::Rejected(rejected)) => return Err(rejected.into()),
             Err(error @ SimulateError::Stopped) => return Err(Failure::Failed(error.into())),
         };
-        let inputs: [&Path; 1] = [&self.scenario];
+        let inputs = output::paths(&loaded.files);
         if let Some(path) = &self.truth {
             // Nothing may be written when something cannot be.
             if !to_stdout {
@@ -68,7 +68,7 @@ impl Simulate {
             save(&session, &self.out, replacing)?;
         }
         if let Some(path) = &self.truth {
-            output::document(path, truth.to_json().as_bytes(), self.force, &inputs)?;
+            output::document(path, truth.to_json().as_bytes(), self.force, &loaded.files)?;
         }
         Ok(())
     }
