@@ -60,7 +60,7 @@ pub(crate) fn document(
         let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
         return Ok(written.context("cannot write to standard output")?);
     }
-    truepose::atomic::refuse_to_replace_inputs(&[out], inputs)?;
+    truepose::atomic::refuse_to_replace_inputs(out, inputs)?;
     Ok(truepose::atomic::write_atomically(out, force, |file| {
         file.write_all(bytes)
     })?)

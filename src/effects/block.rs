@@ -11,7 +11,7 @@
 use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, times, turned};
 use crate::sincos::sin_cos_small as sin_cos;
-use crate::wide::wide;
+use crate::wide::{Loop, wide};
 
 use super::inputs::Inputs;
 use super::term::Placed;
@@ -204,7 +204,7 @@ impl<'a> Block<'a> {
     #[inline]
     pub fn turn<const N: usize>(&mut self, me: &Placed, f: impl Fn(f64, Lane) -> Turned<N>) {
         let joint = me.joint;
-        let turned = wide(|| TurnedLanes::of(|i| f(self.theta[joint][i], self.lane(joint, i))));
+        let turned = TurnedLanes::of(|i| f(self.theta[joint][i], self.lane(joint, i)));
         self.take_turn(me, &turned);
     }
 
@@ -305,10 +305,11 @@ impl<'a> Block<'a> {
     /// Lets a joint move everything behind it, and turns its tangents into columns:
     /// ∂x/∂θ = ω × (x − c) for a revolute joint, ω for a prismatic one.
     pub fn move_joint(&mut self, index: usize) {
-        wide(|| self.move_behind(index));
+        wide(Moving { block: self, index });
     }
 
-    #[inline]
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
     fn move_behind(&mut self, index: usize) {
         let joint = &self.robot.joints[index];
         let axis: [f64; 3] = joint.axis.direction.into_inner().into();
@@ -353,7 +354,8 @@ impl<'a> Block<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
     fn rotate(&mut self, index: usize, axis: [f64; 3], origin: [f64; 3]) {
         let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
@@ -377,5 +379,21 @@ impl<'a> Block<'a> {
         for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {
             *column = [[0.0; LANES]; 3];
         }
+    }
+}
+
+/// The loop of [`Block::move_joint`].
+struct Moving<'b, 'a> {
+    block: &'b mut Block<'a>,
+    index: usize,
+}
+
+impl Loop for Moving<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        self.block.move_behind(self.index);
     }
 }

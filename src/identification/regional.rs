@@ -20,7 +20,7 @@ use crate::lanes::{LANES, Lanes, add_scaled, dot, minus};
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
 use crate::sincos::sin_cos_lanes;
-use crate::wide::wide;
+use crate::wide::{Loop, wide};
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
@@ -42,19 +42,24 @@ pub struct RegionSums {
     pub l1_dy: f64,
     /// Σ l1², mm².
     pub l1_l1: f64,
-    /// Σ ΔPx² + ΔPy², mm².
+    /// Σ |ΔP|², mm².
     pub square: f64,
 }
 
 impl RegionSums {
-    fn total(parts: &[Self]) -> Self {
-        parts.iter().fold(Self::default(), |sum, part| Self {
-            samples: sum.samples + part.samples,
-            dx: sum.dx + part.dx,
-            l1_dy: sum.l1_dy + part.l1_dy,
-            l1_l1: sum.l1_l1 + part.l1_l1,
-            square: sum.square + part.square,
-        })
+    /// Adds sums of 1, ΔPx, ΔPy and |ΔP|² over samples with the same l1.
+    fn add(&mut self, [samples, dx, dy, square]: [f64; 4], l1: f64) {
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a sum of ones: a whole number from 0 to the number of samples"
+        )]
+        let counted = samples as usize;
+        self.samples += counted;
+        self.dx += dx;
+        self.l1_dy += l1 * dy;
+        self.l1_l1 += l1 * l1 * samples;
+        self.square += square;
     }
 
     /// Δθ in rad and Δl1 in mm, by (7).
@@ -72,33 +77,66 @@ impl RegionSums {
 pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>, usize) {
     let plane = Plane::new(problem.session);
     let assignment = Assignment::new(regions);
-    // The last is for samples in no region. Neighbouring lanes add to different copies, so that
-    // one addition need not wait for the one before it.
-    let mut copies = vec![[RegionSums::default(); COPIES]; regions.len() + 1];
-    let mut places = [0; LANES];
-    wide(|| {
-        plane.each_block(problem, |start, len, block| {
-            assignment.regions_of(&block.q, &mut places);
-            for lane in 0..len {
-                if !problem.used[start + lane] {
-                    continue;
-                }
-                let (dx, dy, l1) = (block.dx[lane], block.dy[lane], block.l1[lane]);
-                let sums = &mut copies[places[lane]][lane % COPIES];
-                sums.samples += 1;
-                sums.dx += dx;
-                sums.l1_dy += l1 * dy;
-                sums.l1_l1 += l1 * l1;
-                sums.square += dx * dx + dy * dy;
-            }
-        })
+    // A slot for each region and target, so that l1 is the same throughout a slot; after the
+    // regions one for samples in none, and one for samples that do not count.
+    let slots = regions.len() + 2;
+    let mut copies = vec![[[0.0; 4]; COPIES]; slots * plane.homes.len()];
+    wide(Summing {
+        plane: &plane,
+        problem,
+        assignment: &assignment,
+        slots,
+        copies: &mut copies,
     });
-    let mut sums: Vec<RegionSums> = copies.iter().map(|c| RegionSums::total(c)).collect();
-    let outside = sums.pop().map_or(0, |outside| outside.samples);
+    let mut sums = vec![RegionSums::default(); slots];
+    for (slot, copies) in copies.iter().enumerate() {
+        let l1 = plane.homes[slot / slots].2;
+        for copy in copies {
+            sums[slot % slots].add(*copy, l1);
+        }
+    }
+    let outside = sums[regions.len()].samples;
+    sums.truncate(regions.len());
     (sums, outside)
 }
 
+/// Neighbouring lanes add to different copies of a sum, so that one addition need not wait for
+/// the one before it.
 const COPIES: usize = 4;
+
+/// The loop of [`sum_by_region`].
+struct Summing<'a> {
+    plane: &'a Plane,
+    problem: &'a Problem<'a>,
+    assignment: &'a Assignment<'a>,
+    slots: usize,
+    copies: &'a mut [[[f64; 4]; COPIES]],
+}
+
+impl Loop for Summing<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let mut places = [0; LANES];
+        let uncounted = self.slots - 1;
+        self.plane.each_block(self.problem, |start, len, block| {
+            self.assignment.regions_of(&block.q, &mut places);
+            let used = &self.problem.used[start..start + len];
+            for (lane, used) in used.iter().enumerate() {
+                let place = if *used { places[lane] } else { uncounted };
+                let (dx, dy) = (block.dx[lane], block.dy[lane]);
+                let slot = place + self.slots * block.target[lane];
+                let sums = &mut self.copies[slot][lane % COPIES];
+                let add = [1.0, dx, dy, dx * dx + dy * dy];
+                for (sum, value) in sums.iter_mut().zip(add) {
+                    *sum += value;
+                }
+            }
+        });
+    }
+}
 
 /// The plane in which a single axis moves a reflector.
 struct Plane {
@@ -114,7 +152,7 @@ struct PlaneBlock {
     q: Lanes,
     dx: Lanes,
     dy: Lanes,
-    l1: Lanes,
+    target: [usize; LANES],
 }
 
 impl Default for PlaneBlock {
@@ -124,7 +162,7 @@ impl Default for PlaneBlock {
             q: zero,
             dx: zero,
             dy: zero,
-            l1: zero,
+            target: [0; LANES],
         }
     }
 }
@@ -153,23 +191,24 @@ impl Plane {
 
     /// Calls `see` with (first sample, number of samples, ΔP) for every block. Samples that cannot
     /// be used are among them.
-    #[inline]
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
     fn each_block(&self, problem: &Problem, mut see: impl FnMut(usize, usize, &PlaneBlock)) {
         let samples = &problem.session.samples;
         let q = &problem.inputs.q[0];
         let target = problem.inputs.target.as_deref();
         let flat = self.x == [1.0, 0.0, 0.0] && self.y == [0.0, 1.0, 0.0];
         let mut block = PlaneBlock::default();
-        let (a0, b0, l0) = self.homes[0];
+        let (a0, b0, _) = self.homes[0];
         let (mut a, mut b) = ([a0; LANES], [b0; LANES]);
-        block.l1 = [l0; LANES];
         for start in (0..q.len()).step_by(LANES) {
             let len = (q.len() - start).min(LANES);
             block.q[..len].copy_from_slice(&q[start..start + len]);
             let (sin, cos) = sin_cos_lanes(&block.q);
             if let Some(target) = target {
                 for lane in 0..len {
-                    (a[lane], b[lane], block.l1[lane]) = self.homes[target[start + lane] as usize];
+                    block.target[lane] = target[start + lane] as usize;
+                    (a[lane], b[lane], _) = self.homes[block.target[lane]];
                 }
             }
             let (mut x, mut y) = ([0.0; LANES], [0.0; LANES]);
@@ -202,7 +241,8 @@ impl Plane {
     fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
         self.each_block(problem, |start, len, block| {
             for lane in (0..len).filter(|lane| problem.usable[start + lane]) {
-                see(start + lane, block.dx[lane], block.dy[lane], block.l1[lane]);
+                let l1 = self.homes[block.target[lane]].2;
+                see(start + lane, block.dx[lane], block.dy[lane], l1);
             }
         });
     }
@@ -214,6 +254,9 @@ impl Plane {
 }
 
 /// The paper's identification of a session with a single revolute joint.
+///
+/// # Errors
+/// Another robot, regions that make no sense, or no sample to fit.
 pub fn identify_regional(
     session: &Session,
     choice: &RegionChoice,
