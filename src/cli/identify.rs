@@ -78,7 +78,7 @@ impl Identify {
             ));
         }
         let loaded = truepose::sessions::load(&self.session)?;
-        output::findings(&loaded.findings);
+        output::messages(&loaded.findings);
         let session = &loaded.session;
         let answer = match self.method {
             Method::Exact => {
