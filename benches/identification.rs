@@ -100,7 +100,9 @@ fn regional(c: &mut Criterion) {
     let mut group = c.benchmark_group("regional identification");
     for n in [1_000, 100_000, 1_000_000] {
         let session = session(n);
-        let regions = RegionChoice::Uniform(6).resolve(&session).unwrap();
+        let regions = RegionChoice::Uniform(6)
+            .resolve(&session)
+            .expect("six regions over known limits");
         let problem = Problem::new(&session, JointValues::Commanded);
         group.bench_function(n.to_string(), |b| {
             b.iter(|| sum_by_region(black_box(&problem), &regions));
@@ -114,11 +116,16 @@ fn exact(c: &mut Criterion) {
     for n in [1_000, 100_000, 1_000_000] {
         let session = session(n);
         let problem = Problem::new(&session, JointValues::Commanded);
-        let start = NINE_PARAMETERS
-            .iter()
-            .fold(Model::nominal(session.robot.clone()), |model, id| {
-                model.with_term(Term::absent(find(id).unwrap(), 0, 0.0))
-            });
+        let start =
+            NINE_PARAMETERS
+                .iter()
+                .fold(Model::nominal(session.robot.clone()), |model, id| {
+                    model.with_term(Term::absent(
+                        find(id).expect("a name from the catalogue"),
+                        0,
+                        0.0,
+                    ))
+                });
         group.bench_function(format!("{n}, least squares"), |b| {
             b.iter(|| solve(black_box(&problem), &start));
         });

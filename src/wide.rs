@@ -41,25 +41,26 @@ pub fn wide<L: Loop>(work: L) -> L::Output {
 mod tests {
     use super::*;
 
+    struct Sum<'a>(&'a [f64]);
+    impl Loop for Sum<'_> {
+        type Output = [f64; 4];
+        #[inline(always)]
+        #[allow(clippy::inline_always, reason = "see Loop")]
+        fn run(self) -> [f64; 4] {
+            self.0.iter().fold([0.0; 4], |mut sums, angle| {
+                let (s, c) = crate::sincos::sin_cos_small(*angle);
+                sums[0] += s * c;
+                sums[1] += s / (2.0 + c);
+                sums[2] += (s + 1.5).sqrt();
+                sums[3] += c;
+                sums
+            })
+        }
+    }
+
     #[test]
     fn both_ways_give_the_same_bits() {
         let angles: Vec<f64> = (0..4096).map(|k| f64::from(k) * 0.37 - 700.0).collect();
-        struct Sum<'a>(&'a [f64]);
-        impl Loop for Sum<'_> {
-            type Output = [f64; 4];
-            #[inline(always)]
-            #[allow(clippy::inline_always, reason = "see Loop")]
-            fn run(self) -> [f64; 4] {
-                self.0.iter().fold([0.0; 4], |mut sums, angle| {
-                    let (s, c) = crate::sincos::sin_cos_small(*angle);
-                    sums[0] += s * c;
-                    sums[1] += s / (2.0 + c);
-                    sums[2] += (s + 1.5).sqrt();
-                    sums[3] += c;
-                    sums
-                })
-            }
-        }
         assert_eq!(wide(Sum(&angles)), Sum(&angles).run());
     }
 }

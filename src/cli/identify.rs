@@ -5,11 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use truepose::effects::{Inputs, JointValues};
+use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
-use truepose::identification::{
-    DEFAULT_EFFECTS, Gap, Identification, identify_exact, identify_regional,
-};
+use truepose::identification::{Gap, Identification};
+use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
@@ -61,7 +60,8 @@ enum Values {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        output::one_use_of_standard_output(self.json, self.out.as_deref())?;
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
         let values = match self.joint_values {
             Values::Commanded => JointValues::Commanded,
             Values::Read => JointValues::Read,
@@ -77,34 +77,24 @@ impl Identify {
             ));
         }
         let loaded = truepose::sessions::load(&self.session)?;
-        output::findings(&loaded.findings);
-        let session = loaded.session;
-        let answer = match self.method {
-            Method::Exact => {
-                let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
-                let effects = if self.effects.is_empty() {
-                    defaults()
-                } else {
-                    self.effects
-                };
-                identify_exact(&session, &effects, values)?
-            }
-            Method::Regional => {
-                let choice = match &self.regions {
-                    None => RegionChoice::FromSession,
-                    Some(text) => parse_regions(text)?,
-                };
-                identify_regional(&session, &choice, values)?
-            }
+        output::messages(&loaded.findings);
+        let session = &loaded.session;
+        let method = match (self.method, &self.regions) {
+            (Method::Exact, _) if self.effects.is_empty() => pipeline::Method::default(),
+            (Method::Exact, _) => pipeline::Method::Exact {
+                effects: self.effects,
+            },
+            (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
+            (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
         };
+        let (answer, calibration) = pipeline::identify(session, &method, values)?;
         if let Some(out) = &self.out {
-            let calibration = answer.calibration(&session, &Inputs::new(&session, values));
             let text = truepose::model::format_v1::write_model(&calibration);
-            output::document(out, text.as_bytes(), self.force, &[&self.session])?;
+            output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
             output::json(&Answer::new(&answer))
-        } else if self.out.as_ref().is_some_and(|out| out.as_os_str() == "-") {
+        } else if to_stdout {
             Ok(())
         } else {
             output::text(&in_words(&answer))

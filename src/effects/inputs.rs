@@ -54,13 +54,21 @@ impl<'a> Inputs<'a> {
         let samples = &session.samples;
         let q = (0..samples.q.len()).map(|joint| joint_values(samples, joint, values));
         let q: Vec<_> = q.collect();
-        let dir: Vec<_> = samples.dir.iter().map(|c| or_fill(c, 0.0)).collect();
+        let dir: Vec<_> = samples
+            .dir
+            .iter()
+            .map(|c| or_fill(c.as_ref(), 0.0))
+            .collect();
         let travel = q.iter().zip(&dir);
         let travel = travel.map(|(q, dir)| dir.as_ref().map(|dir| travel_since_reversal(q, dir)));
         Self {
             travel: travel.collect(),
-            speed: samples.speed.iter().map(|c| or_fill(c, 0.0)).collect(),
-            load_kg: or_fill(&samples.load_kg, 0.0),
+            speed: samples
+                .speed
+                .iter()
+                .map(|c| or_fill(c.as_ref(), 0.0))
+                .collect(),
+            load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
             warmth_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
             time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
             setup: samples
@@ -72,6 +80,25 @@ impl<'a> Inputs<'a> {
             len: samples.len(),
             q,
             dir,
+        }
+    }
+
+    /// Poses that nobody has measured: at standstill, at 20 °C, without load, approached from
+    /// neither side. The columns are public: set what differs.
+    pub fn at_poses(q: Vec<Vec<f64>>, reflectors_at_home: Vec<[f64; 3]>) -> Self {
+        let joints = q.len();
+        Self {
+            len: q.first().map_or(0, Vec::len),
+            q: q.into_iter().map(Cow::Owned).collect(),
+            dir: vec![None; joints],
+            speed: vec![None; joints],
+            travel: vec![None; joints],
+            load_kg: None,
+            warmth_c: None,
+            time_s: None,
+            setup: None,
+            target: None,
+            reflectors_at_home,
         }
     }
 
@@ -113,8 +140,8 @@ fn filled(column: &[f64], with: f64) -> Cow<'_, [f64]> {
     }
 }
 
-fn or_fill(column: &Option<Vec<f64>>, with: f64) -> Option<Cow<'_, [f64]>> {
-    column.as_ref().map(|column| filled(column, with))
+fn or_fill(column: Option<&Vec<f64>>, with: f64) -> Option<Cow<'_, [f64]>> {
+    column.map(|column| filled(column, with))
 }
 
 fn warmth(temperature_c: &[f64]) -> Vec<f64> {

@@ -88,6 +88,10 @@ impl Term {
 
     /// From an effect's name, a joint counted from 1 and parameters in the user's units. A
     /// parameter that is left out is zero, a setting has to be there.
+    ///
+    /// # Errors
+    /// An unknown effect or parameter, a joint that is not there, a setting that is missing or
+    /// out of range.
     pub fn from_parameters(
         id: &str,
         joint: usize,

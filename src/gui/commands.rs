@@ -10,9 +10,10 @@ use super::document::Document;
 use super::edit::Edit;
 use super::files;
 use super::outcome::{Answer, Outcome};
+use super::preview::{Made, Preview, Wanted};
 use super::simulate::Form;
 use super::subject::{Component, Subject};
-use super::tasks::{Report, Tasks};
+use super::tasks::{Report, Tasks, What};
 use super::undo::History;
 use super::units::Units;
 use super::view::{
@@ -45,6 +46,17 @@ pub(crate) enum Command {
         /// The file.
         path: PathBuf,
         /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// Ask for a file to export to.
+    ChooseWhereToExport(What),
+    /// Write the table, or the model, to this file.
+    ExportTo {
+        /// What.
+        what: What,
+        /// The file.
+        path: PathBuf,
+        /// Whether files that are there may be replaced.
         replace: bool,
     },
     /// Make a session by simulation.
@@ -90,6 +102,8 @@ pub(crate) struct Workbench {
     saved: Arc<Document>,
     view: ViewState,
     outcome: Option<Arc<Outcome>>,
+    preview: Option<Preview>,
+    exported: Option<PathBuf>,
     tasks: Tasks,
 }
 
@@ -102,6 +116,8 @@ impl Workbench {
             history,
             view: ViewState::default(),
             outcome: None,
+            preview: None,
+            exported: None,
             tasks,
         };
         workbench.look_along_the_axis();
@@ -173,6 +189,20 @@ impl Workbench {
         self.outcome().and_then(|o| o.answer.as_ref().ok())
     }
 
+    /// The export as it would be written, or why there is none. While a newer one is being made it
+    /// is the one before.
+    pub(crate) fn export(&self) -> Option<Result<&Made, &String>> {
+        self.answer()?;
+        let preview = self.preview.as_ref()?;
+        let same = Arc::ptr_eq(&preview.wanted.outcome.question.subject, self.subject());
+        same.then(|| preview.made.as_ref())
+    }
+
+    /// The file that was exported last, of this session.
+    pub(crate) fn exported(&self) -> Option<&PathBuf> {
+        self.exported.as_ref()
+    }
+
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(test)]
     pub(crate) fn settled(&self) -> bool {
@@ -199,27 +229,41 @@ impl Workbench {
             }
             Command::ChooseFile => {
                 self.tasks
-                    .start("waiting for a file to be chosen", files::choose_to_open);
+                    .start("waiting for a file to be chosen", |_| files::choose_to_open());
             }
             Command::OpenFile(path) => {
                 self.view.sheet = None;
                 let what = format!("reading {}", path.display());
-                self.tasks.start(what, move || files::open(&path));
+                self.tasks.start(what, move |_| files::open(&path));
             }
             Command::OpenExample(index) => {
                 self.tasks
-                    .start("reading an example", move || files::open_example(index));
+                    .start("reading an example", move |_| files::open_example(index));
             }
             Command::ChooseWhereToSave => {
                 let name = files::file_name_for(&self.document().subject.session);
                 self.tasks
-                    .start("waiting for a file name", move || files::choose_to_save(&name));
+                    .start("waiting for a file name", move |_| files::choose_to_save(&name));
             }
             Command::SaveAs { path, replace } => {
                 self.view.sheet = None;
                 let session = self.document().session_to_save();
                 let what = format!("saving {}", path.display());
-                self.tasks.start(what, move || files::save(&session, &path, replace));
+                self.tasks.start(what, move |_| files::save(&session, &path, replace));
+            }
+            Command::ChooseWhereToExport(what) => {
+                let name = self.name_of(what);
+                self.tasks.start("waiting for a file name", move |_| {
+                    files::choose_to_export(what, &name)
+                });
+            }
+            Command::ExportTo {
+                what,
+                path,
+                replace,
+            } => {
+                self.view.sheet = None;
+                self.export_to(what, path, replace);
             }
             Command::Simulate(form) => match form.problem() {
                 Some(problem) => {
@@ -227,13 +271,14 @@ impl Workbench {
                 }
                 None => {
                     self.view.sheet = None;
-                    self.tasks.start("simulating", move || files::simulate(&form));
+                    self.tasks.start("simulating", move |watch| files::simulate(&form, watch));
                 }
             },
             Command::Cancel => self.tasks.cancel_newest(),
             other => self.look(other),
         }
         self.keep_asking();
+        self.keep_preparing();
     }
 
     fn look(&mut self, command: Command) {
@@ -269,6 +314,7 @@ impl Workbench {
         }
         if matches!(edit, Edit::Open(_)) {
             self.saved = Arc::clone(self.history.present());
+            self.exported = None;
             self.after_travel();
             self.look_along_the_axis();
             self.view.step = Step::Session;
@@ -307,6 +353,48 @@ impl Workbench {
         });
     }
 
+    /// What an export's file is called unless the user says otherwise.
+    pub(crate) fn name_of(&self, what: What) -> String {
+        let document = self.document();
+        let session = &document.subject.session.name;
+        match what {
+            What::Table => document.export.file_name(session),
+            What::Model => format!("{}.model.json", super::document::plain(session)),
+        }
+    }
+
+    fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        // From what is shown, but under the name that was chosen.
+        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+            return self.complain(
+                "There is nothing to export yet",
+                vec!["Identify the robot first, in step 3".to_owned()],
+            );
+        };
+        let choice = self.document().export;
+        let says = format!("writing {}", path.display());
+        self.tasks.start(says, move |_| {
+            let wanted = Wanted { outcome, choice };
+            files::export(wanted, what, &path, replace)
+        });
+    }
+
+    /// Asks for the preview that the export step shows.
+    fn keep_preparing(&mut self) {
+        if self.view.step != Step::Export || self.answer().is_none() {
+            return;
+        }
+        let Some(outcome) = self.outcome.clone() else {
+            return;
+        };
+        let choice = self.document().export;
+        let wanted = Wanted { outcome, choice };
+        let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
+        if !made && !self.tasks.is_wanted(&wanted) {
+            self.tasks.prepare(wanted);
+        }
+    }
+
     /// Asks for the answer that the document wants, if it is not there and not on its way.
     fn keep_asking(&mut self) {
         let Some(question) = self.document().question() else {
@@ -336,7 +424,9 @@ impl Workbench {
     fn take(&mut self, report: Report) {
         match report {
             Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
-            Report::Opened(Err(message)) | Report::Saved(Err(message)) => {
+            Report::Opened(Err(message))
+            | Report::Saved(Err(message))
+            | Report::Exported(Err(message)) => {
                 self.view.message = Some(message);
             }
             Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
@@ -372,7 +462,33 @@ impl Workbench {
                     details: Vec::new(),
                 });
             }
-            Report::Answered(outcome) => self.outcome = Some(Arc::new(*outcome)),
+            Report::Answered(outcome) => {
+                self.outcome = Some(Arc::new(*outcome));
+                self.keep_preparing();
+            }
+            Report::Prepared(preview) => self.preview = Some(*preview),
+            Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
+                what,
+                path,
+                // The dialog has asked.
+                replace: true,
+            }),
+            Report::ChosenToExport(what, None) => {
+                let path = self.name_of(what);
+                self.view.sheet = Some(Sheet::ExportPath {
+                    what,
+                    path,
+                    replace: false,
+                });
+            }
+            Report::Exported(Ok(path)) => {
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: format!("Written: {}", path.display()),
+                    details: Vec::new(),
+                });
+                self.exported = Some(path);
+            }
             Report::Broken => self.complain(
                 "Something went wrong inside the program",
                 vec![

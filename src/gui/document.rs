@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::export::{DEFAULT_STEP, EXPORTERS, find};
 use crate::identification::DEFAULT_EFFECTS;
 use crate::identification::regions::RegionChoice;
 use crate::sessions::{Region, Session};
@@ -18,6 +19,53 @@ pub(crate) enum Method {
     Regional,
 }
 
+/// Which table is exported, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExportChoice {
+    /// Name of the format.
+    pub(crate) format: &'static str,
+    /// Joint, counted from 0.
+    pub(crate) joint: usize,
+    /// Step of the table, degrees or mm.
+    pub(crate) step: f64,
+}
+
+impl Default for ExportChoice {
+    fn default() -> Self {
+        Self {
+            format: EXPORTERS[0].id,
+            joint: 0,
+            step: DEFAULT_STEP,
+        }
+    }
+}
+
+impl ExportChoice {
+    /// What the file is called unless the user says otherwise.
+    pub(crate) fn file_name(&self, session: &str) -> String {
+        let extension = find(self.format).map_or("txt", |format| format.extension);
+        format!("{}-joint-{}.{extension}", plain(session), self.joint + 1)
+    }
+}
+
+/// A name that every file system takes.
+pub(crate) fn plain(name: &str) -> String {
+    let kept = |c: char| {
+        if c.is_alphanumeric() || c == '-' || c == '_' {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = name.chars().map(kept).collect();
+    let name = name.trim_matches('-');
+    if name.is_empty() {
+        "session".to_owned()
+    } else {
+        name.to_owned()
+    }
+}
+
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone)]
 pub(crate) struct Document {
@@ -31,6 +79,8 @@ pub(crate) struct Document {
     pub(crate) effects: Vec<&'static str>,
     /// How far a measured position may be off, mm.
     pub(crate) tolerance_mm: Option<f64>,
+    /// How the table is exported.
+    pub(crate) export: ExportChoice,
     /// Whether the robot is to be identified; from then on the answer follows every change.
     pub(crate) identified: bool,
 }
@@ -42,6 +92,7 @@ impl PartialEq for Document {
             && self.method == other.method
             && self.effects == other.effects
             && self.tolerance_mm == other.tolerance_mm
+            && self.export == other.export
             && self.identified == other.identified
     }
 }
@@ -62,6 +113,7 @@ impl Document {
             method: Method::default(),
             effects: DEFAULT_EFFECTS.to_vec(),
             tolerance_mm: subject.session.tolerance_mm,
+            export: ExportChoice::default(),
             identified: false,
             subject,
         }

@@ -6,7 +6,7 @@ use crate::effects::CATALOGUE;
 use crate::identification::regions::RegionChoice;
 
 use super::boundaries;
-use super::document::{Document, Method};
+use super::document::{Document, ExportChoice, Method};
 use super::subject::Subject;
 
 /// One change.
@@ -32,6 +32,8 @@ pub(crate) enum Edit {
     Effect(&'static str, bool),
     /// How far a position may be off, mm.
     Tolerance(Option<f64>),
+    /// Another table.
+    Export(ExportChoice),
     /// Identify from now on, as it is chosen.
     Identify,
     /// Identify from now on, by this method.
@@ -52,6 +54,7 @@ impl Edit {
             Self::Method(_) => "choose method",
             Self::Effect(..) => "choose effects",
             Self::Tolerance(_) => "set tolerance",
+            Self::Export(_) => "choose table",
             Self::Identify | Self::IdentifyBy(_) => "identify",
         }
     }
@@ -114,6 +117,13 @@ impl Edit {
                     return Err("a tolerance is a number above 0".to_owned());
                 }
                 next.tolerance_mm = *tolerance_mm;
+            }
+            Self::Export(choice) => {
+                let joints = document.subject.session.robot.joints.len();
+                if !(choice.step.is_finite() && choice.step > 0.0) || choice.joint >= joints {
+                    return Err("a table needs a joint of the robot and a step above 0".to_owned());
+                }
+                next.export = *choice;
             }
             Self::Identify => next.identified = true,
             Self::IdentifyBy(method) => {

@@ -8,6 +8,7 @@
 //!   [`view`]: how it is looked at.
 //! - [`subject`]: a session with what follows from it alone; [`outcome`]: an identification made
 //!   ready for drawing.
+//! - [`preview`]: an export as it would be written.
 //! - [`tasks`]: work in the background; [`files`]: what it reads and writes.
 //! - [`tokens`]: colour, spacing and type; [`widgets`]: the few controls that egui does not have.
 //! - [`panels`]: what stands around the plots; [`plots`]: each in model, layout and paint.
@@ -21,6 +22,7 @@ mod files;
 mod outcome;
 mod panels;
 mod plots;
+mod preview;
 mod simulate;
 mod subject;
 mod tasks;

@@ -1,15 +1,16 @@
 //! New by simulation: a small form, and the session that comes out of it.
 
+use std::ops::ControlFlow;
+
 use nalgebra::{Point3, Vector3};
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, Normal};
 
 use crate::effects::term::parameter_names;
-use crate::effects::{CATALOGUE, Inputs, JointValues, Setting, Term};
+use crate::effects::{CATALOGUE, Setting, Term};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
-use crate::model::Model;
-use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
+use crate::sessions::{Instrument, Session, Sigma};
+use crate::simulation::{
+    Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature, simulate,
+};
 use crate::units::rad_from_deg;
 
 /// More samples than this are for the terminal.
@@ -151,49 +152,73 @@ impl Form {
         .collect()
     }
 
-    /// The poses: angle in deg, and the side that the joint comes from.
-    fn poses(&self) -> Vec<(f64, f64)> {
-        let steps = ((self.to_deg - self.from_deg) / self.step_deg + 1e-9).floor() as usize;
-        let angle = |k: usize| self.from_deg + self.step_deg * k as f64;
-        let there = (0..=steps).map(|k| (angle(k), 1.0));
-        let back = (0..=steps).rev().map(|k| (angle(k), -1.0));
-        if self.both_ways {
-            there.chain(back).collect()
-        } else {
-            there.collect()
-        }
-    }
-
-    /// The session.
+    /// The session; `watch` hears which part is done, and may break it off.
     ///
     /// # Errors
-    /// What [`Form::problem`] says.
-    pub(crate) fn session(&self) -> Result<Session, String> {
+    /// What is wrong with the numbers.
+    pub(crate) fn session(
+        &self,
+        watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Session, Vec<String>> {
         if let Some(problem) = self.problem() {
-            return Err(problem);
+            return Err(vec![problem]);
         }
-        let mut session = self.unmeasured()?;
-        let model = Model::new(session.robot.clone(), self.terms()?);
-        let positions = model.predict(&Inputs::new(&session, JointValues::Commanded));
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        // `sigma_mm` is the root mean square over the axes: the same on each.
-        let noise = Normal::new(0.0, self.noise_mm).map_err(|e| e.to_string())?;
-        let mut noisy = |column: Vec<f64>| -> Vec<f64> {
-            column
-                .into_iter()
-                .map(|v| v + noise.sample(&mut random))
-                .collect()
-        };
-        session.samples.x_mm = noisy(positions.x_mm);
-        session.samples.y_mm = noisy(positions.y_mm);
-        session.samples.z_mm = Some(noisy(positions.z_mm));
-        Ok(session)
+        let scenario = self.scenario().map_err(|problem| vec![problem])?;
+        match simulate(&scenario, self.seed, watch) {
+            Ok((session, _)) => Ok(session),
+            Err(SimulateError::Rejected(rejected)) => {
+                let problems = rejected.diagnostics.iter();
+                Err(problems.map(|d| d.found.clone()).collect())
+            }
+            Err(stopped @ SimulateError::Stopped) => Err(vec![stopped.to_string()]),
+        }
     }
 
-    fn unmeasured(&self) -> Result<Session, String> {
-        let poses = self.poses();
-        let axis =
-            Axis::through(Vector3::z(), Point3::origin()).map_err(|e| e.to_string())?;
+    fn scenario(&self) -> Result<Scenario, String> {
+        let poses = Poses::Sweep(Sweep {
+            joint: 0,
+            from: rad_from_deg(self.from_deg),
+            to: rad_from_deg(self.to_deg),
+            step: rad_from_deg(self.step_deg),
+            both_ways: self.both_ways,
+            repeats: 1,
+            order: Order::Sweep,
+        });
+        let name = format!("simulated-{}", self.seed);
+        let mut scenario = Scenario::new(name, self.robot()?, poses);
+        scenario.instrument = Instrument {
+            name: "simulated tracker".to_owned(),
+            sigma_mm: (self.noise_mm > 0.0).then_some(Sigma::Overall(self.noise_mm)),
+        };
+        scenario.tolerance_mm = (self.tolerance_mm > 0.0).then_some(self.tolerance_mm);
+        scenario.effects = self.terms()?;
+        scenario.noise = (self.noise_mm > 0.0).then_some(Noise {
+            sigma_mm: self.noise_mm,
+            kind: NoiseKind::Gauss,
+        });
+        scenario.seed = self.seed;
+        // What the chosen effects depend on has to vary, or they would not show.
+        let has = |id: &str| self.effects.iter().any(|chosen| chosen.id == id);
+        let conditions = &mut scenario.circumstances;
+        conditions.seconds_per_pose = Some(SECONDS_PER_POSE);
+        if has("tracking-lag") {
+            conditions.speeds = [0.0, 5.0, 20.0].map(rad_from_deg).to_vec();
+        }
+        if has("link-droop") || has("joint-compliance") {
+            conditions.loads_kg = vec![0.0, 3.0, 6.0];
+        }
+        if has("thermal-growth") || has("thermal-zero-drift") {
+            conditions.temperature = Some(Temperature::WarmUp {
+                from_c: 20.0,
+                to_c: 26.0,
+                time_constant_s: 600.0,
+            });
+        }
+        Ok(scenario)
+    }
+
+    fn robot(&self) -> Result<Robot, String> {
+        let axis = Axis::through(Vector3::z(), Point3::origin()).map_err(|e| e.to_string())?;
         let mut joint = Joint::new("pan", JointKind::Revolute, axis);
         joint.limits = Some(Range {
             from: rad_from_deg(self.from_deg),
@@ -203,39 +228,11 @@ impl Form {
             mass_kg: 4.0,
             centre_mm: Point3::new(0.5 * self.radius_mm, 0.0, 0.0),
         });
-        let n = poses.len();
-        Ok(Session {
-            name: format!("simulated-{}", self.seed),
-            note: String::new(),
-            robot: Robot {
-                name: "simulated lamp".to_owned(),
-                joints: vec![joint],
-                base_from_tool: Pose::translation(self.radius_mm, 0.0, 300.0),
-                gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
-            },
-            targets: vec![Target {
-                name: "tool".to_owned(),
-                position_mm: Point3::origin(),
-            }],
-            instrument: Instrument {
-                name: "simulated tracker".to_owned(),
-                sigma_mm: (self.noise_mm > 0.0).then_some(Sigma::Overall(self.noise_mm)),
-            },
-            tolerance_mm: (self.tolerance_mm > 0.0).then_some(self.tolerance_mm),
-            regions: Vec::new(),
-            compensated_by: None,
-            samples: Samples {
-                q: vec![poses.iter().map(|p| rad_from_deg(p.0)).collect()],
-                q_read: vec![None],
-                x_mm: vec![0.0; n],
-                y_mm: vec![0.0; n],
-                z_mm: Some(vec![0.0; n]),
-                dir: vec![Some(poses.iter().map(|p| p.1).collect())],
-                speed: vec![None],
-                time_s: Some((0..n).map(|k| k as f64 * SECONDS_PER_POSE).collect()),
-                ..Samples::default()
-            },
-            path: None,
+        Ok(Robot {
+            name: "simulated lamp".to_owned(),
+            joints: vec![joint],
+            base_from_tool: Pose::translation(self.radius_mm, 0.0, 300.0),
+            gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
         })
     }
 }
@@ -243,10 +240,11 @@ impl Form {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulation::unwatched;
 
     #[test]
     fn the_form_as_it_opens_can_be_simulated() {
-        let session = Form::default().session().expect("the default is valid");
+        let session = Form::default().session(unwatched).expect("the default is valid");
         assert_eq!(session.samples.len(), 122);
         let x = session.samples.x_mm[30];
         assert!((x - 245.0 * (-3.0_f64).to_radians().cos()).abs() < 0.2, "{x}");

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::diagnostic::Diagnostic;
+use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
 use crate::effects::{CATALOGUE, Inputs, JointValues, Survey};
 use crate::identification::gap::{Deviations, Spread, deviations};
@@ -129,6 +130,22 @@ impl Subject {
             findings,
             origin,
         }
+    }
+
+    /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
+    pub(crate) fn reach_mm(&self) -> f64 {
+        let JointFrame {
+            origin_mm: o,
+            across_1: x,
+            across_2: y,
+            ..
+        } = self.joint;
+        let homes = reflectors_at_home(&self.session).into_iter();
+        let distances = homes.map(|home| {
+            let along = |d: [f64; 3]| (0..3).map(|k| (home[k] - o[k]) * d[k]).sum::<f64>();
+            along(x).hypot(along(y))
+        });
+        distances.fold(0.0, f64::max)
     }
 
     /// Number of samples.

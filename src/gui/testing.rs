@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::simulation::unwatched;
+
 use super::commands::Workbench;
 use super::simulate::{Chosen, Form};
 use super::subject::{Origin, Subject};
@@ -13,7 +15,7 @@ pub(crate) fn workbench() -> Workbench {
         effects: Chosen::new("backlash").into_iter().collect(),
         ..Form::default()
     };
-    let session = form.session().expect("the form is valid");
+    let session = form.session(unwatched).expect("the form is valid");
     let subject = Subject::new(session, Vec::new(), Origin::Simulated);
     let tasks = Tasks::new(Runner::AtOnce, Arc::new(|| {}));
     Workbench::new(Arc::new(subject), tasks)

@@ -5,6 +5,7 @@ use egui::ThemePreference;
 
 use super::simulate::Form;
 use super::subject::Component;
+use super::tasks::What;
 
 /// The steps of the work, in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -16,11 +17,14 @@ pub(crate) enum Step {
     Regions,
     /// What the robot really is.
     Identify,
+    /// What the controller needs.
+    Export,
 }
 
 impl Step {
     /// All steps that exist.
-    pub(crate) const ALL: [Self; 3] = [Self::Session, Self::Regions, Self::Identify];
+    pub(crate) const ALL: [Self; 4] =
+        [Self::Session, Self::Regions, Self::Identify, Self::Export];
 
     /// Its name.
     pub(crate) fn name(self) -> &'static str {
@@ -28,6 +32,7 @@ impl Step {
             Self::Session => "Session",
             Self::Regions => "Regions",
             Self::Identify => "Identify",
+            Self::Export => "Export",
         }
     }
 
@@ -119,6 +124,15 @@ pub(crate) enum Side {
 pub(crate) enum Sheet {
     /// A path to save to, as it is typed.
     SavePath {
+        /// The path.
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A path to export to, as it is typed.
+    ExportPath {
+        /// What is exported.
+        what: What,
         /// The path.
         path: String,
         /// Whether a file that is there may be replaced.

@@ -28,6 +28,9 @@ pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
 const MOST_ROUNDS: usize = 10;
 
 /// Fits the named effects, each on every joint where it can be tested.
+///
+/// # Errors
+/// An unknown effect, or no sample to fit.
 pub fn identify_exact(
     session: &Session,
     effects: &[String],
@@ -284,7 +287,12 @@ fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
         let place = match about.setting {
             Setting::Setup => {
                 let setups = session.samples.setups.as_ref();
-                let name = setups.and_then(|s| s.names.get(term.setting as usize));
+                let name = setups.and_then(|s| {
+                    let mut numbered = s.names.iter().zip(0_u32..);
+                    numbered
+                        .find(|(_, k)| f64::from(*k) == term.setting)
+                        .map(|(name, _)| name)
+                });
                 format!("{} of setup {}", about.id, name.map_or("?", String::as_str))
             }
             _ => name_on_joint(term.effect, term.joint, session),

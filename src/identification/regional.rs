@@ -42,14 +42,20 @@ pub struct RegionSums {
     pub l1_dy: f64,
     /// Σ l1², mm².
     pub l1_l1: f64,
-    /// Σ ΔPx² + ΔPy², mm².
+    /// Σ |ΔP|², mm².
     pub square: f64,
 }
 
 impl RegionSums {
-    /// Adds sums of 1, ΔPx, ΔPy and ΔPx² + ΔPy² over samples with the same l1.
+    /// Adds sums of 1, ΔPx, ΔPy and |ΔP|² over samples with the same l1.
     fn add(&mut self, [samples, dx, dy, square]: [f64; 4], l1: f64) {
-        self.samples += samples as usize;
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a sum of ones: a whole number from 0 to the number of samples"
+        )]
+        let counted = samples as usize;
+        self.samples += counted;
         self.dx += dx;
         self.l1_dy += l1 * dy;
         self.l1_l1 += l1 * l1 * samples;
@@ -248,6 +254,9 @@ impl Plane {
 }
 
 /// The paper's identification of a session with a single revolute joint.
+///
+/// # Errors
+/// Another robot, regions that make no sense, or no sample to fit.
 pub fn identify_regional(
     session: &Session,
     choice: &RegionChoice,

@@ -50,6 +50,9 @@ const ON_BOUNDARY: f64 = 1e-9;
 
 impl RegionChoice {
     /// The regions for a session with one joint.
+    ///
+    /// # Errors
+    /// [`RegionError`] where the choice makes no sense for the session.
     pub fn resolve(&self, session: &Session) -> Result<Vec<Region>, RegionError> {
         match self {
             Self::FromSession if session.regions.is_empty() => uniform(session, DEFAULT_REGIONS),
@@ -160,14 +163,14 @@ impl<'a> Assignment<'a> {
     pub fn regions_of(&self, q: &Lanes, to: &mut [usize; LANES]) {
         match &self.slots {
             Some(slots) if slots.thresholds.len() <= FEW_THRESHOLDS => {
-                let mut above = [0_u64; LANES];
+                let mut above = [0_usize; LANES];
                 for threshold in &slots.thresholds {
                     for (count, q) in above.iter_mut().zip(q) {
-                        *count += u64::from(*q > *threshold);
+                        *count += usize::from(*q > *threshold);
                     }
                 }
                 for (to, count) in to.iter_mut().zip(above) {
-                    *to = slots.owners[count as usize].min(self.regions.len());
+                    *to = slots.owners[count].min(self.regions.len());
                 }
             }
             _ => {

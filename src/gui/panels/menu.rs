@@ -89,8 +89,9 @@ fn file(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_min_width(240.0);
     item(ui, "Open…", Action::Open, true, commands);
     ui.menu_button("Examples", |ui| {
-        for (index, (name, what)) in EXAMPLES.iter().enumerate() {
-            if ui.button(*name).on_hover_text(*what).clicked() {
+        for (index, example) in EXAMPLES.iter().enumerate() {
+            let button = ui.button(example.name);
+            if button.on_hover_text(example.what).clicked() {
                 commands.push(Command::OpenExample(index));
                 ui.close();
             }

@@ -1,6 +1,7 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
 pub(super) mod dropped;
+mod export;
 mod identify;
 pub(super) mod menu;
 mod regions;

@@ -7,7 +7,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::outcome::Answer;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{significant, trimmed, with_interval};
-use crate::gui::view::Side;
+use crate::gui::view::{Side, Step};
 use crate::gui::widgets;
 use crate::identification::{Estimate, Gap, RegionResult};
 use crate::units::deg_from_rad;
@@ -17,6 +17,15 @@ use super::samples;
 /// Shows the right-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let side = workbench.view().side;
+    if workbench.view().step == Step::Export {
+        widgets::heading(ui, "Export");
+        ui.add_space(space::TIGHT);
+        ScrollArea::vertical()
+            .id_salt("export")
+            .auto_shrink([false, false])
+            .show(ui, |ui| super::export::preview(ui, workbench));
+        return;
+    }
     ui.horizontal(|ui| {
         widgets::heading(ui, "Results");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {

@@ -1,8 +1,11 @@
 //! Sheets over the window.
 
+use std::path::PathBuf;
+
 use egui::{Grid, Id, Key, Modal, RichText, TextEdit, Ui};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
@@ -17,7 +20,23 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
     let shown = Modal::new(Id::unique("sheet")).show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
         match sheet {
-            Sheet::SavePath { path, replace } => save(ui, path, *replace, commands),
+            Sheet::SavePath { path, replace } => {
+                let says = "The samples are written beside it, as a CSV file of the same name";
+                match path_form(ui, "Save session", says, path, *replace, commands) {
+                    Typed::Done { path, replace } => {
+                        commands.push(Command::SaveAs { path, replace });
+                    }
+                    Typed::Changed { path, replace } => {
+                        commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
+                    }
+                    Typed::Same => {}
+                }
+            }
+            Sheet::ExportPath {
+                what,
+                path,
+                replace,
+            } => export(ui, *what, path, *replace, commands),
             Sheet::Simulate(form) => simulation::show(ui, form, commands),
             Sheet::Shortcuts => keys(ui),
             Sheet::About => about(ui),
@@ -40,28 +59,72 @@ pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec
     })
 }
 
-fn save(ui: &mut Ui, path: &str, replace: bool, commands: &mut Vec<Command>) {
+/// What was done with a path that is being typed.
+enum Typed {
+    /// It is complete.
+    Done { path: PathBuf, replace: bool },
+    /// It is another now.
+    Changed { path: String, replace: bool },
+    /// Nothing.
+    Same,
+}
+
+fn path_form(
+    ui: &mut Ui,
+    title: &str,
+    says: &str,
+    path: &str,
+    replace: bool,
+    commands: &mut Vec<Command>,
+) -> Typed {
     ui.set_width(420.0);
-    widgets::heading(ui, "Save session");
+    widgets::heading(ui, title);
     let (mut typed, mut allowed) = (path.to_owned(), replace);
     let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
     ui.ctx()
         .accesskit_node_builder(field.id, |node| node.set_label("Path to save to"));
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     ui.checkbox(&mut allowed, "replace the file if it exists");
-    widgets::hint(ui, "The samples are written beside it, as a CSV file of the same name");
+    widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
     let pressed = buttons(ui, "Save", named, commands);
     if named && (pressed || entered) {
-        commands.push(Command::SaveAs {
+        Typed::Done {
             path: typed.trim().into(),
             replace: allowed,
-        });
+        }
     } else if typed != path || allowed != replace {
-        commands.push(Command::Sheet(Some(Sheet::SavePath {
+        Typed::Changed {
             path: typed,
             replace: allowed,
-        })));
+        }
+    } else {
+        Typed::Same
+    }
+}
+
+fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec<Command>) {
+    let (title, says) = match what {
+        What::Table => (
+            "Save table",
+            "A file that says what the table means is written beside it",
+        ),
+        What::Model => ("Save model", "The model can be exported and verified later"),
+    };
+    match path_form(ui, title, says, path, replace, commands) {
+        Typed::Done { path, replace } => commands.push(Command::ExportTo {
+            what,
+            path,
+            replace,
+        }),
+        Typed::Changed { path, replace } => {
+            commands.push(Command::Sheet(Some(Sheet::ExportPath {
+                what,
+                path,
+                replace,
+            })));
+        }
+        Typed::Same => {}
     }
 }
 

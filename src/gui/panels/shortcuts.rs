@@ -32,7 +32,7 @@ const fn with(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 9] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 10] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(Modifiers::COMMAND, Key::Z), "undo"),
     (Action::Open, with(Modifiers::COMMAND, Key::O), "open a session"),
@@ -53,6 +53,11 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 9] = [
         Action::Step(Step::Identify),
         with(Modifiers::COMMAND, Key::Num3),
         "step 3, identify",
+    ),
+    (
+        Action::Step(Step::Export),
+        with(Modifiers::COMMAND, Key::Num4),
+        "step 4, export",
     ),
 ];
 

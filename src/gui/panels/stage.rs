@@ -3,11 +3,11 @@
 use egui::{Align, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{deviation, workspace};
+use crate::gui::plots::{correction, deviation, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::significant;
-use crate::gui::view::Plane;
+use crate::gui::view::{Plane, Step};
 use crate::gui::widgets;
 
 /// Shows the middle.
@@ -15,6 +15,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     message(ui, workbench, commands);
     let palette = Palette::of(ui);
     let height = ui.available_height();
+    let view = workbench.view();
     let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
     Panel::bottom("deviation")
         .resizable(true)
@@ -22,8 +23,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .size_range(140.0..=(0.7 * height).max(150.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
-            chart_bar(ui, workbench, commands);
-            deviation::show(ui, workbench, commands);
+            if let (Step::Export, Some(Ok(made))) = (view.step, workbench.export()) {
+                ui.horizontal(|ui| title(ui, "Correction table"));
+                correction::show(ui, workbench, made);
+            } else {
+                chart_bar(ui, workbench, commands);
+                deviation::show(ui, workbench, commands);
+            }
         });
     part(Margin::same(12)).show(ui, |ui| {
         workspace_bar(ui, workbench, commands);
@@ -89,6 +95,12 @@ fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     ui.horizontal(|ui| magnification(ui, workbench, commands));
 }
 
+/// The sliders of the bars are finer than those of forms.
+fn fine(ui: &mut Ui, width: f32) {
+    ui.spacing_mut().slider_width = width;
+    ui.spacing_mut().interact_size.y = 18.0;
+}
+
 fn caption(ui: &mut Ui, text: &str) -> egui::Response {
     let muted = Palette::of(ui).muted;
     ui.label(RichText::new(text).size(size::SMALL).color(muted))
@@ -98,7 +110,7 @@ fn caption(ui: &mut Ui, text: &str) -> egui::Response {
 fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut blend = workbench.view().blend;
     caption(ui, "after");
-    ui.spacing_mut().slider_width = 72.0;
+    fine(ui, 72.0);
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx()
         .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
@@ -111,12 +123,12 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
-    let reach = subject.joint.radius_mm.max(1.0);
+    let reach = workspace::reach(subject);
     let before = workspace::readable(reach, &subject.before.length_mm);
     let now = workbench.view().magnification.unwrap_or(before);
     caption(ui, "vectors");
     let mut factor = now;
-    ui.spacing_mut().slider_width = 110.0;
+    fine(ui, 110.0);
     let slider = Slider::new(&mut factor, 1.0..=100_000.0)
         .logarithmic(true)
         .show_value(false);

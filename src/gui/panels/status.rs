@@ -40,7 +40,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
             let what = RichText::new(&task.what);
             ui.label(what.size(size::SMALL + 0.5).color(palette.muted));
-            ui.add(Spinner::new().size(14.0).color(palette.accent));
+            match task.progress() {
+                Some(part) => {
+                    let bar = egui::ProgressBar::new(part).desired_width(120.0);
+                    ui.add(bar.desired_height(8.0).fill(palette.accent));
+                }
+                None => {
+                    ui.add(Spinner::new().size(14.0).color(palette.accent));
+                }
+            }
         });
     });
 }

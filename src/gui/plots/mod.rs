@@ -2,12 +2,13 @@
 //! tested without pixels) and paint (egui).
 
 mod axes;
+pub(crate) mod correction;
 pub(crate) mod deviation;
 mod drawing;
 mod marks;
 pub(crate) mod workspace;
 
-pub(crate) use axes::axis;
+pub(crate) use axes::{axis, steps};
 pub(crate) use drawing::Drawing;
 
 /// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.

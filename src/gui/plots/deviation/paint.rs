@@ -4,7 +4,8 @@ use egui::{Align2, Color32, FontId, Role, Shape, Stroke, Ui, WidgetInfo, pos2};
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, axis, marks, thinned, workspace};
+use crate::gui::plots::{Drawing, axis, marks, steps, thinned, workspace};
+use crate::gui::view::AngleUnit;
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::Units;
@@ -59,6 +60,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         [axes.along(extent.q[0]), units.length_value(extent.mm[0])],
         [axes.along(extent.q[1]), units.length_value(extent.mm[1])],
     ];
+    let degrees = series.turns && view.angle == AngleUnit::Degree;
     let across = format!("{joint}, {unit}");
     let upwards = format!("{}, {}", view.component.name(), units.length_name());
     let plot = Plot::new(("deviation", view.component.name(), only_after, view.fitted))
@@ -68,6 +70,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
+        .x_grid_spacer(move |input| steps(input, degrees))
+        .y_grid_spacer(|input| steps(input, false))
         .custom_x_axes(axis(Axis::X, across, &palette, |q| q))
         .custom_y_axes(axis(Axis::Y, upwards, &palette, |mm| mm));
     let emphasised = view.hovered.or(view.selected);

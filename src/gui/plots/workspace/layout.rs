@@ -12,6 +12,8 @@ use super::model::{Dial, Scene};
 pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
 /// Boundaries' handles and region names stand outside it.
 pub(crate) const HANDLE: f64 = 1.17;
+/// Room for the handles.
+const ROOM: f64 = 1.22;
 /// Chords of a sector are no longer than this, rad.
 const CHORD_RAD: f64 = 0.05;
 
@@ -30,14 +32,15 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
     for point in &scene.points {
         take(point.at_mm);
     }
-    for p in &scene.path_mm {
+    for p in scene.paths_mm.iter().flatten() {
         take(*p);
     }
     if let Some(dial) = &scene.dial {
         take(dial.centre_mm);
-        for p in &scene.path_mm {
-            let out = |k: usize| dial.centre_mm[k] + (p[k] - dial.centre_mm[k]) * 1.22;
-            take([out(0), out(1)]);
+        for p in scene.paths_mm.iter().flatten() {
+            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+            let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
+            take([dial.centre_mm[0] + out * arm[0], dial.centre_mm[1] + out * arm[1]]);
         }
     }
     if !low[0].is_finite() || !low[1].is_finite() {

@@ -6,5 +6,5 @@ mod model;
 mod paint;
 
 pub(crate) use layout::nearest;
-pub(crate) use model::readable;
+pub(crate) use model::{reach, readable};
 pub(crate) use paint::{hover, show};

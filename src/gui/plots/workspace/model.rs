@@ -40,7 +40,7 @@ pub(crate) struct Dial {
     pub(crate) radial: [f64; 2],
     /// A quarter turn further.
     pub(crate) tangential: [f64; 2],
-    /// The tool's distance from the axis, mm.
+    /// The distance of the farthest reflector from the axis, mm.
     pub(crate) radius_mm: f64,
 }
 
@@ -74,8 +74,8 @@ pub(crate) struct Scene {
     pub(crate) points: Vec<Point>,
     /// One point for so many samples.
     pub(crate) point_stride: usize,
-    /// The way of the nominal robot, mm.
-    pub(crate) path_mm: Vec<[f64; 2]>,
+    /// The way of the nominal robot, mm; for a single joint that turns one of each reflector.
+    pub(crate) paths_mm: Vec<Vec<[f64; 2]>>,
     /// Where joint 1 turns in this plane.
     pub(crate) dial: Option<Dial>,
     /// How much longer than real the vectors are drawn.
@@ -131,7 +131,7 @@ impl Scene {
             arrow_stride,
             points: points.collect(),
             point_stride,
-            path_mm: path(subject, view.plane),
+            paths_mm: paths(subject, view.plane),
             dial: dial(subject, view.plane),
             magnification: view
                 .magnification
@@ -162,8 +162,9 @@ pub(crate) fn readable(reach_mm: f64, lengths_mm: &[f64]) -> f64 {
     round_down(0.15 * reach_mm / *long)
 }
 
-fn reach(subject: &Subject) -> f64 {
-    let radius_mm = subject.joint.radius_mm;
+/// Size of the workspace, mm.
+pub(crate) fn reach(subject: &Subject) -> f64 {
+    let radius_mm = subject.reach_mm();
     if subject.single_revolute() && radius_mm > 0.0 {
         return radius_mm;
     }
@@ -193,35 +194,35 @@ fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
             centre_mm: flat(joint.foot_mm),
             radial: flat(joint.radial),
             tangential: flat(joint.tangential),
-            radius_mm: joint.radius_mm,
+            radius_mm: subject.reach_mm(),
         }
     })
 }
 
-/// Points on the way of the nominal robot: an arc for a single joint that turns, else from sample
-/// to sample.
-fn path(subject: &Subject, plane: Plane) -> Vec<[f64; 2]> {
+/// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns,
+/// else from sample to sample.
+fn paths(subject: &Subject, plane: Plane) -> Vec<Vec<[f64; 2]>> {
     const POINTS: usize = 181;
     let [right, up] = plane.axes();
     if subject.single_revolute() {
         let (from, to) = subject.travel();
-        let joint = &subject.joint;
-        let at = |k: usize| {
-            let q = from + (to - from) * k as f64 / (POINTS - 1) as f64;
-            let (sin, cos) = q.sin_cos();
-            let p: [f64; 3] = std::array::from_fn(|k| {
-                joint.foot_mm[k]
-                    + joint.radius_mm * (cos * joint.radial[k] + sin * joint.tangential[k])
+        let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
+        let robot = &subject.session.robot;
+        let arcs = subject.session.targets.iter().map(|target| {
+            let points = (0..POINTS).map(|k| {
+                let p = robot.point_in_base(&[at(k)], &target.position_mm);
+                [p[right], p[up]]
             });
-            [p[right], p[up]]
-        };
-        return (0..POINTS).map(at).collect();
+            points.collect()
+        });
+        return arcs.collect();
     }
     let step = stride(subject.len(), MOST_ARROWS);
     let all = (0..subject.len()).step_by(step);
-    all.map(|i| subject.nominal.get(i))
-        .map(|p| [p[right], p[up]])
-        .collect()
+    let way = all
+        .map(|i| subject.nominal.get(i))
+        .map(|p| [p[right], p[up]]);
+    vec![way.collect()]
 }
 
 #[cfg(test)]

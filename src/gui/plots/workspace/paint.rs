@@ -5,7 +5,7 @@ use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Role, Sense, Shape, 
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, axis, marks, thinned};
+use crate::gui::plots::{Drawing, axis, marks, steps, thinned};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::significant;
 use crate::gui::view::Step;
@@ -44,6 +44,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
+        .x_grid_spacer(|input| steps(input, false))
+        .y_grid_spacer(|input| steps(input, false))
         .custom_x_axes(hints(Axis::X, right))
         .custom_y_axes(hints(Axis::Y, up));
     let emphasised = view.hovered.or(view.selected);
@@ -146,8 +148,10 @@ fn sectors(
 }
 
 fn path(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
-    let points: Vec<Pos2> = scene.path_mm.iter().map(|p| screen(transform, *p)).collect();
-    shapes.push(Shape::line(points, Stroke::new(1.25, palette.nominal)));
+    for path in &scene.paths_mm {
+        let points: Vec<Pos2> = path.iter().map(|p| screen(transform, *p)).collect();
+        shapes.push(Shape::line(points, Stroke::new(1.25, palette.nominal)));
+    }
     if let Some(dial) = &scene.dial {
         let centre = screen(transform, dial.centre_mm);
         let stroke = Stroke::new(1.5, palette.nominal);
