@@ -1,13 +1,14 @@
 //! The shell: takes what the tasks have brought, lays out the panels, executes their commands.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui};
 
 use super::commands::{Command, Workbench};
-use super::tasks::{Runner, Tasks};
+use super::tasks::{Runner, Tasks, What};
 use super::tokens::{self, Palette, space};
+use super::view::Sheet;
 use super::{files, panels};
 
 /// The window's contents.
@@ -47,6 +48,17 @@ impl App {
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
+    }
+
+    /// Opens the sheet in which the path of an export is typed, with this path in it: what the
+    /// window does by itself where the system has no dialog.
+    pub fn type_export_path(&mut self, path: &Path) {
+        let sheet = Sheet::ExportPath {
+            what: What::Table,
+            path: path.display().to_string(),
+            replace: false,
+        };
+        self.workbench.execute(Command::Sheet(Some(sheet)));
     }
 
     fn lay_out(&self, ui: &mut Ui, commands: &mut Vec<Command>) {

@@ -142,11 +142,17 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     });
     widgets::card(ui, |ui| {
         title(ui, "What the numbers mean");
-        for line in [&made.sign, &made.example].into_iter().flatten() {
-            widgets::hint(ui, line);
+        let said = [&made.sign, &made.example].into_iter().flatten();
+        let mut lines: Vec<&String> = said.collect();
+        let notes = made.export.notes.iter().chain(&made.table.notes);
+        let above = made.remainder.says();
+        for note in notes {
+            if !lines.contains(&note) && !above.contains(note) {
+                lines.push(note);
+            }
         }
-        for note in made.export.notes.iter().chain(&made.table.notes) {
-            widgets::hint(ui, note);
+        for line in lines {
+            widgets::hint(ui, line);
         }
     });
     widgets::card(ui, |ui| {

@@ -54,6 +54,9 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         subject.len().to_string()
     };
     widgets::fact(ui, "samples", samples);
+    if session.targets.len() > 1 {
+        widgets::fact(ui, "reflectors", session.targets.len().to_string());
+    }
     if !session.instrument.name.is_empty() {
         widgets::fact(ui, "instrument", &session.instrument.name);
     }

@@ -33,7 +33,7 @@ pub(crate) fn axis<'a>(
 /// Grid lines at round numbers, so few that each gets its label: in degrees at parts of a turn.
 pub(crate) fn steps(input: GridInput, degrees: bool) -> Vec<GridMark> {
     /// Lines on a plot of the usual size.
-    const LINES: f64 = 7.0;
+    const LINES: f64 = 9.0;
     const PARTS_OF_A_TURN: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
     let (low, high) = input.bounds;
     let wanted = (high - low) / LINES;
@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn lengths_are_divided_decimally() {
-        assert_eq!(values((-0.9, 14.0), false), [0.0, 5.0, 10.0]);
+        assert_eq!(values((-0.9, 14.0), false), [0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0]);
         assert!(values((f64::NAN, 1.0), false).is_empty());
     }
 }

@@ -31,6 +31,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         .show_background(false)
         .show_crosshair(false)
         .grid_color(palette.line)
+        // A constant correction is a straight line, not the noise of its last digit.
+        .include_y(0.0)
         .set_margin_fraction(egui::vec2(0.03, 0.2))
         .x_grid_spacer(move |input| steps(input, degrees))
         .y_grid_spacer(|input| steps(input, false))

@@ -159,7 +159,7 @@ pub(crate) fn readable(reach_mm: f64, lengths_mm: &[f64]) -> f64 {
     if *long < 1e-9 {
         return 1.0;
     }
-    round_down(0.15 * reach_mm / *long)
+    round_down(0.2 * reach_mm / *long)
 }
 
 /// Size of the workspace, mm.
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn vectors_are_magnified_by_a_round_number_that_shows_the_longer_ones() {
         assert_eq!(readable(250.0, &[13.8; 30]), 2.0);
-        assert_eq!(readable(250.0, &[0.05; 30]), 500.0);
+        assert_eq!(readable(250.0, &[0.05; 30]), 1000.0);
         assert_eq!(readable(250.0, &[f64::NAN, 0.0]), 1.0);
     }
 }
