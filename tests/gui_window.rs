@@ -58,7 +58,11 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
     window.get_by_label("Path of a session").type_text(session);
     window.run_steps(2);
     press(&mut window, "Open");
-    assert!(status(&window).starts_with("30 samples"), "{}", status(&window));
+    assert!(
+        status(&window).starts_with("30 samples"),
+        "{}",
+        status(&window)
+    );
     let (nominal, none) = gaps(&window);
     assert!((nominal - 13.8).abs() < 0.5 && none.is_none());
 
@@ -95,7 +99,7 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
     press_if_there(&mut window, "Identify");
     let (_, left) = gaps(&window);
     assert!(left.expect("identified") < 1e-9);
-    window.get_by_label("Joint zero offset");
+    window.get_by_label("What the robot really is");
 
     // Export: seen first, then written, with what it means beside it.
     press(&mut window, "4 Export");
@@ -171,7 +175,11 @@ fn a_wrong_file_is_explained_and_nothing_is_lost() {
     window.get_by_label_contains("line 2");
     assert_eq!(status(&window), before);
     press(&mut window, "Dismiss");
-    assert!(window.query_by_label_contains("could not be opened").is_none());
+    assert!(
+        window
+            .query_by_label_contains("could not be opened")
+            .is_none()
+    );
 }
 
 #[test]
@@ -179,7 +187,11 @@ fn a_session_made_by_simulation_gives_back_what_went_in() {
     let mut window = window();
     press(&mut window, "New by simulation…");
     press(&mut window, "Simulate");
-    assert!(status(&window).starts_with("122 samples"), "{}", status(&window));
+    assert!(
+        status(&window).starts_with("122 samples"),
+        "{}",
+        status(&window)
+    );
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     let (before, after) = gaps(&window);

@@ -64,8 +64,16 @@ impl App {
     fn lay_out(&self, ui: &mut Ui, commands: &mut Vec<Command>) {
         let workbench = &self.workbench;
         let palette = Palette::of(ui);
-        let bar = |fill| Frame::NONE.fill(fill).inner_margin(Margin::symmetric(12, 4));
-        let side = |fill| Frame::NONE.fill(fill).inner_margin(Margin::same(space::PANEL));
+        let bar = |fill| {
+            Frame::NONE
+                .fill(fill)
+                .inner_margin(Margin::symmetric(12, 4))
+        };
+        let side = |fill| {
+            Frame::NONE
+                .fill(fill)
+                .inner_margin(Margin::same(space::PANEL))
+        };
         Panel::top("menu")
             .exact_size(42.0)
             .resizable(false)

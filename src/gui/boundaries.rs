@@ -123,8 +123,12 @@ pub(crate) fn merged(regions: &[Region], region: usize) -> Option<Vec<Region>> {
         return None;
     }
     let touching = |at: f64, other: f64| (at - other).abs() < SAME_RAD;
-    let above = regions.iter().position(|r| touching(r.from_rad, gone.to_rad));
-    let below = regions.iter().position(|r| touching(r.to_rad, gone.from_rad));
+    let above = regions
+        .iter()
+        .position(|r| touching(r.from_rad, gone.to_rad));
+    let below = regions
+        .iter()
+        .position(|r| touching(r.to_rad, gone.from_rad));
     let mut rest = regions.to_vec();
     if let Some(k) = above {
         rest[k].from_rad = gone.from_rad;
@@ -137,8 +141,9 @@ pub(crate) fn merged(regions: &[Region], region: usize) -> Option<Vec<Region>> {
 
 /// The smallest whole number that no region is called.
 fn free_name(regions: &[Region]) -> String {
-    (1..)
-        .map(|k: usize| k.to_string())
+    // One of the first n + 1 numbers is free.
+    (1..=regions.len() + 1)
+        .map(|k| k.to_string())
         .find(|name| regions.iter().all(|r| r.name != *name))
         .unwrap_or_default()
 }

@@ -97,7 +97,8 @@ impl Edit {
                 if name.is_empty() {
                     return Err("a region needs a name".to_owned());
                 }
-                let taken = |(k, r): (usize, &crate::sessions::Region)| k != *region && r.name == name;
+                let taken =
+                    |(k, r): (usize, &crate::sessions::Region)| k != *region && r.name == name;
                 if document.regions.iter().enumerate().any(taken) {
                     return Err(format!("another region is called {name}"));
                 }
@@ -107,7 +108,8 @@ impl Edit {
                 next.regions = regions.into();
             }
             Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
-                if !document.subject.single_revolute() => {
+                if !document.subject.single_revolute() =>
+            {
                 return Err("regions are for a single joint that turns".to_owned());
             }
             Self::Method(method) => next.method = *method,
@@ -136,7 +138,10 @@ impl Edit {
 }
 
 /// Regions that are worked on are regions that are wanted: the answer follows them at once.
-fn by_regions(document: &mut Document, regions: Vec<crate::sessions::Region>) -> Result<(), String> {
+fn by_regions(
+    document: &mut Document,
+    regions: Vec<crate::sessions::Region>,
+) -> Result<(), String> {
     if !document.subject.single_revolute() {
         return Err("regions are for a single joint that turns".to_owned());
     }

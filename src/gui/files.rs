@@ -94,7 +94,11 @@ pub(crate) fn open(path: &Path) -> Report {
 /// Findings as lines, no more than can be read.
 fn listed(findings: &[Diagnostic]) -> Vec<String> {
     const MOST: usize = 8;
-    let mut lines: Vec<String> = findings.iter().take(MOST).map(ToString::to_string).collect();
+    let mut lines: Vec<String> = findings
+        .iter()
+        .take(MOST)
+        .map(ToString::to_string)
+        .collect();
     if findings.len() > MOST {
         lines.push(format!("and {} more", findings.len() - MOST));
     }
@@ -181,8 +185,8 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
 
 /// Writes a table with what stands beside it, or a model: all of it, or nothing.
 pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> Report {
-    let written = documents(wanted, what, path)
-        .and_then(|documents| write_all(&documents, path, replace));
+    let written =
+        documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
     Report::Exported(match written {
         Ok(()) => Ok(path.to_path_buf()),
         Err(problem) => Err(Message {

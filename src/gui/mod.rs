@@ -16,8 +16,6 @@
 mod app;
 mod boundaries;
 mod commands;
-#[cfg(test)]
-mod commands_tests;
 mod document;
 mod edit;
 mod files;

@@ -244,10 +244,15 @@ mod tests {
 
     #[test]
     fn the_form_as_it_opens_can_be_simulated() {
-        let session = Form::default().session(unwatched).expect("the default is valid");
+        let session = Form::default()
+            .session(unwatched)
+            .expect("the default is valid");
         assert_eq!(session.samples.len(), 122);
         let x = session.samples.x_mm[30];
-        assert!((x - 245.0 * (-3.0_f64).to_radians().cos()).abs() < 0.2, "{x}");
+        assert!(
+            (x - 245.0 * (-3.0_f64).to_radians().cos()).abs() < 0.2,
+            "{x}"
+        );
     }
 
     #[test]

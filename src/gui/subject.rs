@@ -238,11 +238,8 @@ impl Subject {
 
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
     pub(crate) fn travel(&self) -> (f64, f64) {
-        let range = crate::effects::term::travel_of(
-            &self.session.robot,
-            0,
-            &self.session.samples.q[0],
-        );
+        let range =
+            crate::effects::term::travel_of(&self.session.robot, 0, &self.session.samples.q[0]);
         if range.from <= range.to {
             (range.from, range.to)
         } else {

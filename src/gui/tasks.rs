@@ -229,9 +229,11 @@ impl Tasks {
     }
 
     fn preview(&mut self, wanted: Wanted) {
-        self.spawn("preparing the table".to_owned(), Kind::Prepares, move |_| {
-            Report::Prepared(Box::new(Preview::of(wanted)))
-        });
+        self.spawn(
+            "preparing the table".to_owned(),
+            Kind::Prepares,
+            move |_| Report::Prepared(Box::new(Preview::of(wanted))),
+        );
     }
 
     fn spawn(

@@ -289,7 +289,13 @@ mod tests {
                 ("outside", p.outside),
                 ("warning", p.warning),
             ];
-            let grounds = [p.background, p.surface, p.inset, p.accent_soft, p.sectors[1]];
+            let grounds = [
+                p.background,
+                p.surface,
+                p.inset,
+                p.accent_soft,
+                p.sectors[1],
+            ];
             for (name, text) in texts {
                 for ground in grounds {
                     let found = contrast(text, ground);

@@ -14,6 +14,8 @@ pub(crate) struct Units {
     pub(crate) angle: AngleUnit,
 }
 
+/// What is left of rounding.
+const NOTHING: f64 = 1e-9;
 const MM_PER_INCH: f64 = 25.4;
 
 impl Units {
@@ -70,19 +72,20 @@ impl Units {
 }
 
 /// So many significant digits, in plain notation where that is short; a real minus sign.
-pub(crate) fn significant(value: f64, digits: i32) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "–".to_owned();
     }
-    if value == 0.0 {
+    if value.abs() < NOTHING {
         return "0".to_owned();
     }
-    let magnitude = value.abs().log10().floor() as i32;
-    if !(-5..9).contains(&magnitude) {
-        let text = format!("{value:.*e}", (digits - 1).max(0) as usize);
-        return with_minus(&text.replace('e', "·10^"));
+    let magnitude = value.abs().log10().floor();
+    if !(-5.0..9.0).contains(&magnitude) {
+        let text = format!("{value:.*e}", digits.saturating_sub(1));
+        let (lead, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}·10{}", with_minus(lead), raised(exponent));
     }
-    let decimals = (digits - 1 - magnitude).max(0) as usize;
+    let decimals = whole(digits as f64 - 1.0 - magnitude);
     with_minus(&format!("{value:.decimals$}"))
 }
 
@@ -102,7 +105,7 @@ pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, 
     let half = interval.map(|[from, to]| 0.5 * (to - from));
     match half {
         Some(half) if half.is_finite() && half > 1e-12 * value.abs().max(1e-9) => {
-            let decimals = (1.0 - half.log10().floor()).clamp(0.0, 12.0) as usize;
+            let decimals = whole((1.0 - half.log10().floor()).min(12.0));
             (
                 with_minus(&format!("{value:.decimals$}")),
                 format!("± {half:.decimals$}"),
@@ -111,6 +114,26 @@ pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, 
         Some(_) => (significant(value, 6), "± 0".to_owned()),
         None => (significant(value, 6), "open".to_owned()),
     }
+}
+
+/// A small number that is whole already, or zero where it is below.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "clamped to what a count of digits or of pieces can be"
+)]
+pub(crate) fn whole(value: f64) -> usize {
+    value.clamp(0.0, 1e6) as usize
+}
+
+/// Digits and sign as an exponent.
+fn raised(exponent: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raise = |c: char| match c.to_digit(10) {
+        Some(digit) => DIGITS[digit as usize],
+        None => '⁻',
+    };
+    exponent.chars().map(raise).collect()
 }
 
 fn with_minus(text: &str) -> String {
@@ -127,7 +150,8 @@ mod tests {
         assert_eq!(significant(-0.05234, 3), "−0.0523");
         assert_eq!(significant(0.0, 3), "0");
         assert_eq!(significant(f64::NAN, 3), "–");
-        assert_eq!(significant(2.5e-13, 3), "2.50·10^−13");
+        assert_eq!(significant(2.5e-7, 3), "2.50·10⁻⁷");
+        assert_eq!(significant(2.5e-13, 3), "0");
         assert_eq!(trimmed(-0.0001, 2), "0");
         assert_eq!(trimmed(36.50, 2), "36.5");
     }

@@ -23,8 +23,7 @@ pub(crate) enum Step {
 
 impl Step {
     /// All steps that exist.
-    pub(crate) const ALL: [Self; 4] =
-        [Self::Session, Self::Regions, Self::Identify, Self::Export];
+    pub(crate) const ALL: [Self; 4] = [Self::Session, Self::Regions, Self::Identify, Self::Export];
 
     /// Its name.
     pub(crate) fn name(self) -> &'static str {

@@ -31,8 +31,7 @@ pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
     let label = RichText::new(text)
         .font(strong(size::BODY))
         .color(palette.on_accent);
-    let button = Button::new(label)
-        .fill(palette.accent);
+    let button = Button::new(label).fill(palette.accent);
     ui.add_sized(vec2(ui.available_width(), 36.0), button)
 }
 
@@ -126,8 +125,7 @@ pub(crate) fn step_row(
     selected: bool,
 ) -> Response {
     let palette = Palette::of(ui);
-    let (rect, response) =
-        ui.allocate_exact_size(vec2(ui.available_width(), 44.0), Sense::click());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 44.0), Sense::click());
     let enabled = ui.is_enabled();
     response.widget_info(|| {
         WidgetInfo::selected(Role::Tab, enabled, selected, format!("{number} {name}"))
@@ -165,7 +163,11 @@ pub(crate) fn step_row(
         );
     }
     let left = rect.left() + 44.0;
-    let name_color = if selected { palette.accent } else { palette.text };
+    let name_color = if selected {
+        palette.accent
+    } else {
+        palette.text
+    };
     painter.text(
         pos2(left, rect.center().y - 8.0),
         egui::Align2::LEFT_CENTER,

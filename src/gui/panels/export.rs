@@ -126,8 +126,14 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     };
     widgets::card(ui, |ui| {
         ui.label(RichText::new("Gap that the table leaves").color(palette.muted));
-        let left = made.gap.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
-        ui.label(RichText::new(left).font(strong(size::DISPLAY)).color(palette.after));
+        let left = made
+            .gap
+            .map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
+        ui.label(
+            RichText::new(left)
+                .font(strong(size::DISPLAY))
+                .color(palette.after),
+        );
         if let Some(before) = workbench.subject().gap_before {
             widgets::fact(ui, "without it", units.length(before.rms_mm));
         }
@@ -135,7 +141,11 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             let after = answer.identification.gap.after.rms_mm;
             widgets::fact(ui, "model and measurement", units.length(after));
         }
-        widgets::fact(ui, "no joint can remove", units.length(made.remainder.rms_mm));
+        widgets::fact(
+            ui,
+            "no joint can remove",
+            units.length(made.remainder.rms_mm),
+        );
         for line in made.remainder.says() {
             widgets::hint(ui, line);
         }
@@ -156,7 +166,11 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         }
     });
     widgets::card(ui, |ui| {
-        let name = made.export.documents.first().map_or("", |d| d.name.as_str());
+        let name = made
+            .export
+            .documents
+            .first()
+            .map_or("", |d| d.name.as_str());
         title(ui, name);
         text(ui, &text_of(made));
     });

@@ -72,16 +72,21 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if subject.not_testable.is_empty() {
         return;
     }
-    let title = format!("{} that this session cannot show", subject.not_testable.len());
+    let title = format!(
+        "{} that this session cannot show",
+        subject.not_testable.len()
+    );
     let palette = Palette::of(ui);
     let title = RichText::new(title).size(size::SMALL).color(palette.muted);
-    CollapsingHeader::new(title).id_salt("not testable").show(ui, |ui| {
-        for one in &subject.not_testable {
-            let title = find(one.effect).map_or(one.effect, |e| e.about().title);
-            ui.label(title);
-            widgets::hint(ui, &one.because);
-        }
-    });
+    CollapsingHeader::new(title)
+        .id_salt("not testable")
+        .show(ui, |ui| {
+            for one in &subject.not_testable {
+                let title = find(one.effect).map_or(one.effect, |e| e.about().title);
+                ui.label(title);
+                widgets::hint(ui, &one.because);
+            }
+        });
 }
 
 /// What to do next.

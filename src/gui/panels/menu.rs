@@ -122,8 +122,20 @@ fn edit(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let named = |verb: &str, what: Option<&str>| {
         what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"))
     };
-    item(ui, &named("Undo", undo), Action::Undo, undo.is_some(), commands);
-    item(ui, &named("Redo", redo), Action::Redo, redo.is_some(), commands);
+    item(
+        ui,
+        &named("Undo", undo),
+        Action::Undo,
+        undo.is_some(),
+        commands,
+    );
+    item(
+        ui,
+        &named("Redo", redo),
+        Action::Redo,
+        redo.is_some(),
+        commands,
+    );
     ui.separator();
     item(ui, "Identify", Action::Identify, true, commands);
 }
@@ -160,7 +172,13 @@ fn view(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         choice(ui, view.angle == unit, name, Command::Angle(unit));
     }
     ui.separator();
-    item(ui, "Show everything in the plots", Action::Fit, true, commands);
+    item(
+        ui,
+        "Show everything in the plots",
+        Action::Fit,
+        true,
+        commands,
+    );
     egui::gui_zoom::zoom_menu_buttons(ui);
 }
 

@@ -41,7 +41,9 @@ fn divide(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let present = workbench.document().regions.len().max(1);
     let mut number = ui.data_mut(|data| data.get_temp(id)).unwrap_or(present);
     ui.horizontal(|ui| {
-        let field = DragValue::new(&mut number).range(1..=360).suffix(" regions");
+        let field = DragValue::new(&mut number)
+            .range(1..=360)
+            .suffix(" regions");
         widgets::cell_number(ui, "Number of regions", 110.0, field);
         if ui.button("Divide").clicked() {
             commands.push(Command::Edit(Edit::Divide(number)));
@@ -49,7 +51,10 @@ fn divide(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let own = &workbench.subject().session.regions;
         if !own.is_empty() && own[..] != workbench.document().regions[..] {
             let button = ui.button("From session");
-            if button.on_hover_text("take the regions that the session brings along").clicked() {
+            if button
+                .on_hover_text("take the regions that the session brings along")
+                .clicked()
+            {
                 commands.push(Command::Edit(Edit::RegionsOfSession));
             }
         }
@@ -74,8 +79,16 @@ fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
                 name_field(ui, k, &region.name, commands);
                 let ends = [
-                    ("From", region.from_rad, all.iter().position(|b| b.above == Some(k))),
-                    ("To", region.to_rad, all.iter().position(|b| b.below == Some(k))),
+                    (
+                        "From",
+                        region.from_rad,
+                        all.iter().position(|b| b.above == Some(k)),
+                    ),
+                    (
+                        "To",
+                        region.to_rad,
+                        all.iter().position(|b| b.below == Some(k)),
+                    ),
                 ];
                 for (end, at_rad, boundary) in ends {
                     let name = format!("{end}, region {}", region.name);
@@ -84,7 +97,11 @@ fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                     }
                 }
                 let count = counts[k];
-                let color = if count == 0 { palette.warning } else { palette.text };
+                let color = if count == 0 {
+                    palette.warning
+                } else {
+                    palette.text
+                };
                 ui.label(RichText::new(count.to_string()).color(color));
                 more(ui, k, &region.name, regions.len(), commands);
                 ui.end_row();
@@ -95,8 +112,15 @@ fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let outside = workbench.subject().len() - counts.iter().sum::<usize>();
     if outside > 0 {
-        let samples = if outside == 1 { "sample is" } else { "samples are" };
-        widgets::hint(ui, format!("{outside} {samples} in no region and get no correction"));
+        let samples = if outside == 1 {
+            "sample is"
+        } else {
+            "samples are"
+        };
+        widgets::hint(
+            ui,
+            format!("{outside} {samples} in no region and get no correction"),
+        );
     }
 }
 
@@ -118,8 +142,9 @@ fn name_field(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command
     let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
     let mut text = typed.unwrap_or_else(|| name.to_owned());
     let field = ui.add_sized([40.0, 24.0], TextEdit::singleline(&mut text));
-    ui.ctx()
-        .accesskit_node_builder(field.id, |node| node.set_label(format!("Name of region {name}")));
+    ui.ctx().accesskit_node_builder(field.id, |node| {
+        node.set_label(format!("Name of region {name}"));
+    });
     if field.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text));
     } else {

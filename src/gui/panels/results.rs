@@ -68,7 +68,11 @@ fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
         ui.label(RichText::new("Gap of the nominal robot").color(palette.muted));
         let gap = workbench.subject().gap_before;
         let rms = gap.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
-        ui.label(RichText::new(rms).font(strong(size::DISPLAY)).color(palette.before));
+        ui.label(
+            RichText::new(rms)
+                .font(strong(size::DISPLAY))
+                .color(palette.before),
+        );
         if let Some(gap) = gap {
             widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
         }
@@ -143,7 +147,12 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         });
         let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
             let [before, after] = pick(gap);
-            format!("{} → {} {}", number(before), number(after), units.length_name())
+            format!(
+                "{} → {} {}",
+                number(before),
+                number(after),
+                units.length_name()
+            )
         };
         let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
         widgets::fact(ui, "largest", from_to(&found.gap, largest));
@@ -154,7 +163,11 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         if let (Some((before, _)), Some((after, all))) =
             (within(workbench, None), within(workbench, Some(answer)))
         {
-            widgets::fact(ui, "within tolerance", format!("{before} → {after} of {all}"));
+            widgets::fact(
+                ui,
+                "within tolerance",
+                format!("{before} → {after} of {all}"),
+            );
             let share = after as f32 / all.max(1) as f32;
             widgets::share_bar(ui, share, palette.within);
         }
@@ -291,7 +304,8 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             left_out.because.says()
         ));
     }
-    let more = found.outliers.len().saturating_sub(MOST) + found.left_out.len().saturating_sub(MOST);
+    let more =
+        found.outliers.len().saturating_sub(MOST) + found.left_out.len().saturating_sub(MOST);
     if more > 0 {
         lines.push(format!("and {more} more"));
     }
@@ -317,7 +331,10 @@ mod tests {
         for effect in CATALOGUE {
             for parameter in parameter_names(*effect) {
                 let (name, unit) = named(parameter);
-                assert!(!name.is_empty() && !name.contains('_'), "{parameter}: {name}");
+                assert!(
+                    !name.is_empty() && !name.contains('_'),
+                    "{parameter}: {name}"
+                );
                 let pure = ["order", "ratio"].contains(&parameter);
                 assert_eq!(unit.is_empty(), pure, "{parameter}: {unit}");
             }

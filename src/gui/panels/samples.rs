@@ -20,7 +20,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let view = workbench.view();
     // A sample that was chosen elsewhere is brought into sight once.
     let id = ui.scope_id().with("shown sample");
-    let last = ui.data_mut(|data| data.get_temp::<Option<usize>>(id)).flatten();
+    let last = ui
+        .data_mut(|data| data.get_temp::<Option<usize>>(id))
+        .flatten();
     let scroll = last != view.selected;
     ui.data_mut(|data| data.insert_temp(id, view.selected));
     let mut table = TableBuilder::new(ui)
@@ -116,7 +118,11 @@ fn mark(ui: &mut Ui, within: bool) {
         let at = |x: f32, y: f32| rect.center() + vec2(x, y) * 4.6;
         let corners = vec![at(0.0, -1.0), at(1.0, 0.0), at(0.0, 1.0), at(-1.0, 0.0)];
         let stroke = Stroke::new(1.5, palette.outside);
-        painter.add(egui::Shape::convex_polygon(corners, palette.surface, stroke));
+        painter.add(egui::Shape::convex_polygon(
+            corners,
+            palette.surface,
+            stroke,
+        ));
     }
     let says = if within {
         "within the tolerance"

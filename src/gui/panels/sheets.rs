@@ -132,21 +132,24 @@ fn keys(ui: &mut Ui) {
     ui.set_width(360.0);
     widgets::heading(ui, "Keyboard shortcuts");
     let muted = Palette::of(ui).muted;
-    Grid::new("shortcuts").num_columns(2).spacing([32.0, 6.0]).show(ui, |ui| {
-        let all = shortcuts::ALL.iter();
-        let all = all.map(|(_, keys, what)| (ui.ctx().format_shortcut(keys), *what));
-        let others = [
-            ("← →".to_owned(), "move the boundary that has the focus"),
-            ("Shift+← →".to_owned(), "move it further"),
-            ("Ctrl++ Ctrl+−".to_owned(), "larger and smaller text"),
-            ("Esc".to_owned(), "close a sheet"),
-        ];
-        for (keys, what) in all.chain(others).collect::<Vec<_>>() {
-            ui.label(RichText::new(keys).color(muted));
-            ui.label(what);
-            ui.end_row();
-        }
-    });
+    Grid::new("shortcuts")
+        .num_columns(2)
+        .spacing([32.0, 6.0])
+        .show(ui, |ui| {
+            let all = shortcuts::ALL.iter();
+            let all = all.map(|(_, keys, what)| (ui.ctx().format_shortcut(keys), *what));
+            let others = [
+                ("← →".to_owned(), "move the boundary that has the focus"),
+                ("Shift+← →".to_owned(), "move it further"),
+                ("Ctrl++ Ctrl+−".to_owned(), "larger and smaller text"),
+                ("Esc".to_owned(), "close a sheet"),
+            ];
+            for (keys, what) in all.chain(others).collect::<Vec<_>>() {
+                ui.label(RichText::new(keys).color(muted));
+                ui.label(what);
+                ui.end_row();
+            }
+        });
 }
 
 fn about(ui: &mut Ui) {
@@ -161,5 +164,8 @@ fn about(ui: &mut Ui) {
         ui,
         "Everything in this window can be done in the terminal too: truepose --help",
     );
-    widgets::hint(ui, "Type: Inter, by the Inter project authors, SIL Open Font License 1.1");
+    widgets::hint(
+        ui,
+        "Type: Inter, by the Inter project authors, SIL Open Font License 1.1",
+    );
 }

@@ -35,10 +35,26 @@ const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 10] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(Modifiers::COMMAND, Key::Z), "undo"),
-    (Action::Open, with(Modifiers::COMMAND, Key::O), "open a session"),
-    (Action::Save, with(Modifiers::COMMAND, Key::S), "save the session"),
-    (Action::Identify, with(Modifiers::COMMAND, Key::I), "identify"),
-    (Action::Fit, with(Modifiers::COMMAND, Key::F), "show everything in the plots"),
+    (
+        Action::Open,
+        with(Modifiers::COMMAND, Key::O),
+        "open a session",
+    ),
+    (
+        Action::Save,
+        with(Modifiers::COMMAND, Key::S),
+        "save the session",
+    ),
+    (
+        Action::Identify,
+        with(Modifiers::COMMAND, Key::I),
+        "identify",
+    ),
+    (
+        Action::Fit,
+        with(Modifiers::COMMAND, Key::F),
+        "show everything in the plots",
+    ),
     (
         Action::Step(Step::Session),
         with(Modifiers::COMMAND, Key::Num1),

@@ -37,8 +37,18 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
 
 fn robot(ui: &mut Ui, form: &mut Form) {
     widgets::section(ui, "Robot");
-    let mm = |value| DragValue::new(value).speed(0.1).max_decimals(4).suffix(" mm");
-    let deg = |value| DragValue::new(value).speed(0.05).max_decimals(4).suffix("°");
+    let mm = |value| {
+        DragValue::new(value)
+            .speed(0.1)
+            .max_decimals(4)
+            .suffix(" mm")
+    };
+    let deg = |value| {
+        DragValue::new(value)
+            .speed(0.05)
+            .max_decimals(4)
+            .suffix("°")
+    };
     widgets::number(ui, "nominal radius", mm(&mut form.radius_mm));
     widgets::number(ui, "zero offset", deg(&mut form.offset_deg));
     widgets::number(ui, "length error", mm(&mut form.length_error_mm));
@@ -54,7 +64,9 @@ fn measurement(ui: &mut Ui, form: &mut Form) {
     widgets::number(ui, "step", deg(&mut form.step_deg));
     ui.add(Checkbox::new(&mut form.both_ways, "there and back"));
     widgets::section(ui, "Instrument");
-    let noise = DragValue::new(&mut form.noise_mm).speed(0.002).max_decimals(4);
+    let noise = DragValue::new(&mut form.noise_mm)
+        .speed(0.002)
+        .max_decimals(4);
     widgets::number(ui, "noise", noise.suffix(" mm"));
     widgets::number(ui, "seed", DragValue::new(&mut form.seed));
 }

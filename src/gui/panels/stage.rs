@@ -158,7 +158,9 @@ fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let planar = workbench.subject().session.samples.z_mm.is_none();
     ui.horizontal(|ui| {
         title(ui, "Deviation");
-        let offered = Component::ALL.iter().filter(|c| !(planar && c.out_of_plane()));
+        let offered = Component::ALL
+            .iter()
+            .filter(|c| !(planar && c.out_of_plane()));
         let offered: Vec<_> = offered.map(|c| (*c, c.name())).collect();
         if let Some(component) = widgets::segmented(ui, &offered, view.component) {
             commands.push(Command::Component(component));

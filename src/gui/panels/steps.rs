@@ -16,8 +16,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     for (index, step) in Step::ALL.into_iter().enumerate() {
         let (caption, progress) = state(workbench, step);
         let selected = workbench.view().step == step;
-        let row =
-            widgets::step_row(ui, index + 1, step.name(), &caption, progress, selected);
+        let row = widgets::step_row(ui, index + 1, step.name(), &caption, progress, selected);
         if row.clicked() {
             commands.push(Command::GoTo(step));
         }
@@ -54,11 +53,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
     let document = workbench.document();
     let done = |done: bool| {
-        if done {
-            Progress::Done
-        } else {
-            Progress::Open
-        }
+        if done { Progress::Done } else { Progress::Open }
     };
     match step {
         Step::Session => {

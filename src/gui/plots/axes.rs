@@ -1,7 +1,7 @@
 //! Axes in the window's type, with a label wherever one fits.
 
 use egui::{FontId, Rangef, RichText};
-use egui_plot::{Axis, AxisHints, GridInput, GridMark};
+use egui_plot::{Axis, AxisHints, GridMark};
 
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
@@ -31,11 +31,11 @@ pub(crate) fn axis<'a>(
 }
 
 /// Grid lines at round numbers, so few that each gets its label: in degrees at parts of a turn.
-pub(crate) fn steps(input: GridInput, degrees: bool) -> Vec<GridMark> {
+pub(crate) fn steps(bounds: (f64, f64), degrees: bool) -> Vec<GridMark> {
     /// Lines on a plot of the usual size.
     const LINES: f64 = 9.0;
     const PARTS_OF_A_TURN: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
-    let (low, high) = input.bounds;
+    let (low, high) = bounds;
     let wanted = (high - low) / LINES;
     if !(wanted.is_finite() && wanted > 0.0) {
         return Vec::new();
@@ -57,10 +57,11 @@ pub(crate) fn steps(input: GridInput, degrees: bool) -> Vec<GridMark> {
     };
     let first = (low / step).ceil();
     let last = (high / step).floor();
-    let lines = (last - first).clamp(0.0, 50.0);
-    (0..=lines as usize)
-        .map(|k| GridMark {
-            value: (first + k as f64) * step,
+    (0..50_u8)
+        .map(|k| first + f64::from(k))
+        .take_while(|line| *line <= last)
+        .map(|line| GridMark {
+            value: line * step,
             step_size: step,
         })
         .collect()
@@ -71,11 +72,10 @@ mod tests {
     use super::*;
 
     fn values(bounds: (f64, f64), degrees: bool) -> Vec<f64> {
-        let input = GridInput {
-            bounds,
-            base_step_size: 1.0,
-        };
-        steps(input, degrees).iter().map(|mark| mark.value).collect()
+        steps(bounds, degrees)
+            .iter()
+            .map(|mark| mark.value)
+            .collect()
     }
 
     #[test]
@@ -86,7 +86,10 @@ mod tests {
 
     #[test]
     fn lengths_are_divided_decimally() {
-        assert_eq!(values((-0.9, 14.0), false), [0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0]);
+        assert_eq!(
+            values((-0.9, 14.0), false),
+            [0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0]
+        );
         assert!(values((f64::NAN, 1.0), false).is_empty());
     }
 }

@@ -34,8 +34,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         // A constant correction is a straight line, not the noise of its last digit.
         .include_y(0.0)
         .set_margin_fraction(egui::vec2(0.03, 0.2))
-        .x_grid_spacer(move |input| steps(input, degrees))
-        .y_grid_spacer(|input| steps(input, false))
+        .x_grid_spacer(move |input| steps(input.bounds, degrees))
+        .y_grid_spacer(|input| steps(input.bounds, false))
         .custom_x_axes(axis(
             Axis::X,
             format!("{}, {unit}", table.name),
@@ -57,14 +57,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let shown = plot.show(ui, |plot| {
         plot.line(line("forward", forward, palette.after));
         if let Some(reverse) = reverse {
-            plot.line(line("reverse", reverse, palette.before).style(
-                egui_plot::LineStyle::Dashed { length: 8.0 },
-            ));
+            plot.line(
+                line("reverse", reverse, palette.before)
+                    .style(egui_plot::LineStyle::Dashed { length: 8.0 }),
+            );
         }
     });
-    shown.response.widget_info(|| {
-        WidgetInfo::labeled(Role::Figure, true, "correction table as a curve")
-    });
+    shown
+        .response
+        .widget_info(|| WidgetInfo::labeled(Role::Figure, true, "correction table as a curve"));
     let painter = ui.painter();
     let corner = shown.transform.frame().left_top() + egui::vec2(12.0, 4.0);
     let font = FontId::proportional(size::SMALL);

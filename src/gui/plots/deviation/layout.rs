@@ -29,7 +29,10 @@ pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
     }
     let margin = |[low, high]: [f64; 2], [below, above]: [f64; 2], least: f64| {
         let wide = high - low;
-        [low - (below * wide).max(least), high + (above * wide).max(least)]
+        [
+            low - (below * wide).max(least),
+            high + (above * wide).max(least),
+        ]
     };
     Extent {
         q: margin(q, [0.03, 0.03], 1e-3),
@@ -88,6 +91,9 @@ mod tests {
         let small = series(&[(0.0, 0.01, None), (1.0, -0.01, None)]);
         assert_eq!(band(&small, &extent(&small, false), false), None);
         let large = series(&[(0.0, 10.0, None), (1.0, -10.0, None)]);
-        assert_eq!(band(&large, &extent(&large, false), false), Some([-0.2, 0.2]));
+        assert_eq!(
+            band(&large, &extent(&large, false), false),
+            Some([-0.2, 0.2])
+        );
     }
 }

@@ -5,10 +5,10 @@ use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::{Drawing, axis, marks, steps, thinned, workspace};
-use crate::gui::view::AngleUnit;
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::Units;
+use crate::gui::view::AngleUnit;
 
 use super::layout::{self, Extent};
 use super::model::Series;
@@ -70,22 +70,26 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
-        .x_grid_spacer(move |input| steps(input, degrees))
-        .y_grid_spacer(|input| steps(input, false))
+        .x_grid_spacer(move |input| steps(input.bounds, degrees))
+        .y_grid_spacer(|input| steps(input.bounds, false))
         .custom_x_axes(axis(Axis::X, across, &palette, |q| q))
         .custom_y_axes(axis(Axis::Y, upwards, &palette, |mm| mm));
     let emphasised = view.hovered.or(view.selected);
     let drawn = &series;
     let shown = plot.show(ui, |plot| {
-        plot.add(Drawing::new("deviation", corners, move |transform, shapes| {
-            ground(shapes, transform, drawn, &extent, band, axes, &palette);
-            dots(shapes, transform, drawn, only_after, axes, &palette);
-            for dot in drawn.dots.iter().filter(|d| Some(d.sample) == emphasised) {
-                let mm = dot.after_mm.unwrap_or(dot.before_mm);
-                let here = transform.position_from_point(&axes.at(dot.q, mm));
-                shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));
-            }
-        }));
+        plot.add(Drawing::new(
+            "deviation",
+            corners,
+            move |transform, shapes| {
+                ground(shapes, transform, drawn, &extent, band, axes, &palette);
+                dots(shapes, transform, drawn, only_after, axes, &palette);
+                for dot in drawn.dots.iter().filter(|d| Some(d.sample) == emphasised) {
+                    let mm = dot.after_mm.unwrap_or(dot.before_mm);
+                    let here = transform.position_from_point(&axes.at(dot.q, mm));
+                    shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));
+                }
+            },
+        ));
     });
     let (response, transform) = (shown.response, shown.transform);
     let name = view.component.name();
@@ -200,7 +204,13 @@ fn legend(
         painter.rect_filled(back, 2.0, palette.surface.gamma_multiply(0.85));
         painter.galley(place.min, galley, palette.muted);
         let mark = pos2(place.left() - 10.0, y);
-        painter.add(marks::pointing(mark, 3.4, side, fill, Stroke::new(1.2, edge)));
+        painter.add(marks::pointing(
+            mark,
+            3.4,
+            side,
+            fill,
+            Stroke::new(1.2, edge),
+        ));
         right = place.left() - 28.0;
     }
     if let Some(note) = thinned(series.stride, "point") {

@@ -40,7 +40,10 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
         for p in scene.paths_mm.iter().flatten() {
             let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
             let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
-            take([dial.centre_mm[0] + out * arm[0], dial.centre_mm[1] + out * arm[1]]);
+            take([
+                dial.centre_mm[0] + out * arm[0],
+                dial.centre_mm[1] + out * arm[1],
+            ]);
         }
     }
     if !low[0].is_finite() || !low[1].is_finite() {
@@ -52,10 +55,12 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
 
 /// The corners of a sector as quadrilaterals, mm.
 pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
-    let pieces = ((to_rad - from_rad).abs() / CHORD_RAD).ceil().clamp(1.0, 400.0);
+    let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)
+        .ceil()
+        .clamp(1.0, 400.0);
     let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
     let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
-    (0..pieces as usize)
+    (0..crate::gui::units::whole(pieces))
         .map(|k| {
             let (a, b) = (at(k as f64), at(k as f64 + 1.0));
             [
@@ -135,7 +140,10 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     }
     let [right, up] = workbench.view().plane.axes();
     let direction = shown[up].atan2(shown[right]).to_degrees();
-    lines.push(("direction".to_owned(), format!("{}°", trimmed(direction, 0))));
+    lines.push((
+        "direction".to_owned(),
+        format!("{}°", trimmed(direction, 0)),
+    ));
     if let Some(tolerance_mm) = workbench.document().tolerance_mm {
         let within = subject.component(shown, sample, Component::Length) <= tolerance_mm;
         let says = if within { "within" } else { "outside" };

@@ -2,6 +2,7 @@
 
 mod handles;
 mod layout;
+mod legend;
 mod model;
 mod paint;
 

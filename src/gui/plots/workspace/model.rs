@@ -105,7 +105,8 @@ impl Scene {
         let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
         let tolerance_mm = workbench.document().tolerance_mm;
         let usable: usize = subject.usable.iter().filter(|u| **u).count();
-        let (arrow_stride, point_stride) = (stride(usable, MOST_ARROWS), stride(usable, MOST_POINTS));
+        let (arrow_stride, point_stride) =
+            (stride(usable, MOST_ARROWS), stride(usable, MOST_POINTS));
         let samples = || (0..subject.len()).filter(|i| subject.usable[*i]);
 
         let arrows = samples().step_by(arrow_stride).map(|sample| {
@@ -263,7 +264,10 @@ mod tests {
         let between = longest(&workbench);
         workbench.execute(Command::Blend(1.0));
         let after = longest(&workbench);
-        assert!(before > between && between > after, "{before} {between} {after}");
+        assert!(
+            before > between && between > after,
+            "{before} {between} {after}"
+        );
         assert!(after < 1.0);
     }
 

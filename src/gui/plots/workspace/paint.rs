@@ -1,23 +1,21 @@
 //! The workspace plot in egui.
 
 use egui::epaint::Mesh;
-use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
+use egui::{Align2, CursorIcon, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, pos2};
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, axis, marks, steps, thinned};
+use crate::gui::plots::{Drawing, axis, marks, steps};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::significant;
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::sessions::Region;
 
 use super::handles;
 use super::layout::{self, HANDLE, SECTOR};
+use super::legend;
 use super::model::{Dial, Scene};
 
-/// The longest that the scale's arrow gets, points.
-const LONGEST_SCALE: f64 = 90.0;
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
 
@@ -31,9 +29,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let [right, up] = view.plane.axes();
     let units = workbench.units();
     let name = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
-    let hints = |side, k: usize| {
-        axis(side, name(k), &palette, move |mm| units.length_value(mm))
-    };
+    let hints = |side, k: usize| axis(side, name(k), &palette, move |mm| units.length_value(mm));
     let editing = view.step == Step::Regions;
     let regions = &workbench.document().regions;
     let plot = Plot::new(("workspace", view.plane.name(), view.fitted))
@@ -44,8 +40,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
-        .x_grid_spacer(|input| steps(input, false))
-        .y_grid_spacer(|input| steps(input, false))
+        .x_grid_spacer(|input| steps(input.bounds, false))
+        .y_grid_spacer(|input| steps(input.bounds, false))
         .custom_x_axes(hints(Axis::X, right))
         .custom_y_axes(hints(Axis::Y, up));
     let emphasised = view.hovered.or(view.selected);
@@ -56,7 +52,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
             path(shapes, transform, &scene, &palette);
             points(shapes, transform, &scene, &palette);
-            arrows(shapes, transform, &scene, &palette, workbench.answer().is_some());
+            arrows(
+                shapes,
+                transform,
+                &scene,
+                &palette,
+                workbench.answer().is_some(),
+            );
             if let Some(sample) = emphasised {
                 emphasis(shapes, transform, workbench, sample, &palette);
             }
@@ -65,10 +67,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let (response, transform) = (shown.response, shown.transform);
     let samples = scene.points.len();
     response.widget_info(|| {
-        WidgetInfo::labeled(Role::Figure, true, format!("workspace plot, {samples} samples"))
+        WidgetInfo::labeled(
+            Role::Figure,
+            true,
+            format!("workspace plot, {samples} samples"),
+        )
     });
     names_of_regions(ui, &scene, &transform, regions, &palette);
-    legend(ui, &scene, &transform, workbench, &palette);
+    legend::show(ui, &scene, &transform, workbench, &palette);
 
     let on = |p: [f64; 2]| screen(&transform, p);
     let pointer = response.hover_pos();
@@ -100,7 +106,9 @@ pub(crate) fn hover(
     }
     if let Some(sample) = under {
         let response = response.clone().on_hover_cursor(CursorIcon::PointingHand);
-        response.on_hover_ui_at_pointer(|ui| widgets::sample_card(ui, &layout::about(workbench, sample)));
+        response.on_hover_ui_at_pointer(|ui| {
+            widgets::sample_card(ui, &layout::about(workbench, sample));
+        });
     }
 }
 
@@ -120,10 +128,12 @@ fn sectors(
     order.sort_by(|a, b| regions[*a].from_rad.total_cmp(&regions[*b].from_rad));
     // One mesh without soft edges: neighbouring pieces leave no seams.
     let mut mesh = Mesh::default();
+    let mut next = 0;
     for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
         let color = palette.sectors[place % 2];
         for corners in layout::sector(dial, region.from_rad, region.to_rad) {
-            let first = mesh.vertices.len() as u32;
+            let first = next;
+            next += 4;
             for corner in corners {
                 mesh.colored_vertex(screen(transform, corner), color);
             }
@@ -173,7 +183,11 @@ fn arrows(
     let m = scene.magnification;
     let tip = |from: [f64; 2], v: [f64; 2]| [from[0] + m * v[0], from[1] + m * v[1]];
     let ghost = Stroke::new(1.0, palette.before.gamma_multiply(0.38));
-    let color = if identified { palette.after } else { palette.before };
+    let color = if identified {
+        palette.after
+    } else {
+        palette.before
+    };
     for arrow in &scene.arrows {
         if let Some(before) = arrow.before_mm {
             // The simulation that the deviation before belongs to.
@@ -181,7 +195,10 @@ fn arrows(
                 arrow.from_mm[0] + arrow.vector_mm[0] - before[0],
                 arrow.from_mm[1] + arrow.vector_mm[1] - before[1],
             ];
-            let (from, to) = (screen(transform, from), screen(transform, tip(from, before)));
+            let (from, to) = (
+                screen(transform, from),
+                screen(transform, tip(from, before)),
+            );
             marks::arrow(shapes, from, to, ghost);
         }
     }
@@ -245,99 +262,4 @@ fn names_of_regions(
         let font = crate::gui::tokens::strong(size::BODY);
         painter.text(at, Align2::CENTER_CENTER, &region.name, font, palette.muted);
     }
-}
-
-/// The scale of the vectors, what the marks mean, and what is not shown.
-fn legend(
-    ui: &mut Ui,
-    scene: &Scene,
-    transform: &PlotTransform,
-    workbench: &Workbench,
-    palette: &Palette,
-) {
-    let units = workbench.units();
-    let frame = *transform.frame();
-    let painter = ui.painter().with_clip_rect(frame);
-    let font = FontId::proportional(size::SMALL);
-    let points_per_mm = transform.dpos_dvalue_x().abs();
-    let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
-    let long = (mm * scene.magnification * points_per_mm) as f32;
-    let corner = frame.left_top() + egui::vec2(12.0, 16.0);
-    let color = if workbench.answer().is_some() {
-        palette.after
-    } else {
-        palette.before
-    };
-    let mut shapes = Vec::new();
-    marks::arrow(
-        &mut shapes,
-        corner,
-        corner + egui::vec2(long, 0.0),
-        Stroke::new(2.0, color),
-    );
-    painter.extend(shapes);
-    let says = format!(
-        "{}  ·  vectors × {}",
-        units.length(mm),
-        significant(scene.magnification, 2)
-    );
-    painter.text(
-        corner + egui::vec2(long + 8.0, 0.0),
-        Align2::LEFT_CENTER,
-        says,
-        font.clone(),
-        palette.muted,
-    );
-    let notes = [
-        thinned(scene.arrow_stride, "arrow"),
-        thinned(scene.point_stride, "point"),
-    ];
-    for (line, note) in notes.into_iter().flatten().enumerate() {
-        let at = corner + egui::vec2(0.0, 18.0 * (line + 1) as f32);
-        painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.warning);
-    }
-    meanings(ui, frame, workbench, palette);
-}
-
-fn meanings(ui: &mut Ui, frame: Rect, workbench: &Workbench, palette: &Palette) {
-    let painter = ui.painter().with_clip_rect(frame);
-    let font = FontId::proportional(size::SMALL);
-    let line = |x: Pos2, color: Color32, width: f32| {
-        let ends = [x - egui::vec2(7.0, 0.0), x + egui::vec2(7.0, 0.0)];
-        Shape::line_segment(ends, Stroke::new(width, color))
-    };
-    let mut entries: Vec<(&str, Box<dyn Fn(Pos2) -> Shape>)> = Vec::new();
-    let p = *palette;
-    entries.push(("nominal path", Box::new(move |at| line(at, p.nominal, 1.25))));
-    if workbench.answer().is_some() && workbench.view().blend > 0.0 {
-        let faint = p.before.gamma_multiply(0.5);
-        entries.push(("before", Box::new(move |at| line(at, faint, 1.5))));
-        entries.push(("after", Box::new(move |at| line(at, p.after, 1.8))));
-    }
-    if workbench.document().tolerance_mm.is_some() {
-        entries.push(("within", Box::new(move |at| marks::disc(at, 3.0, p.within))));
-        entries.push((
-            "outside",
-            Box::new(move |at| {
-                marks::diamond(at, 4.2, p.surface, Stroke::new(1.4, p.outside))
-            }),
-        ));
-    } else {
-        entries.push(("measured", Box::new(move |at| marks::disc(at, 2.6, p.text))));
-    }
-    let mut right = frame.right() - 12.0;
-    let y = frame.bottom() - 14.0;
-    for (name, mark) in entries.into_iter().rev() {
-        let text = painter.text(
-            pos2(right, y),
-            Align2::RIGHT_CENTER,
-            name,
-            font.clone(),
-            palette.muted,
-        );
-        painter.add(mark(pos2(text.left() - 12.0, y)));
-        right = text.left() - 32.0;
-    }
-    // Nothing in the legend can be clicked, but a reader should find it.
-    ui.interact(frame, ui.scope_id().with("legend"), Sense::empty());
 }

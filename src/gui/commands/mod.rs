@@ -3,97 +3,26 @@
 //! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
 //! only function that changes anything.
 
+mod command;
+mod reports;
+#[cfg(test)]
+mod tests;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::document::Document;
-use super::edit::Edit;
-use super::files;
-use super::outcome::{Answer, Outcome};
-use super::preview::{Made, Preview, Wanted};
-use super::simulate::Form;
-use super::subject::{Component, Subject};
-use super::tasks::{Report, Tasks, What};
-use super::undo::History;
-use super::units::Units;
-use super::view::{
-    AngleUnit, LengthUnit, Message, Plane, Sheet, Side, Step, ViewState,
-};
+pub(crate) use command::Command;
 
-/// One thing that can be done.
-#[derive(Debug, Clone)]
-pub(crate) enum Command {
-    /// A finished change of the document.
-    Edit(Edit),
-    /// A change within a gesture.
-    Drag(Edit),
-    /// The gesture is over.
-    EndDrag,
-    /// Take the last change back.
-    Undo,
-    /// Bring it back again.
-    Redo,
-    /// Ask for a file to open.
-    ChooseFile,
-    /// Read this file.
-    OpenFile(PathBuf),
-    /// Open a session that comes with the program.
-    OpenExample(usize),
-    /// Ask for a file to save to.
-    ChooseWhereToSave,
-    /// Write the session to this file.
-    SaveAs {
-        /// The file.
-        path: PathBuf,
-        /// Whether a file that is there may be replaced.
-        replace: bool,
-    },
-    /// Ask for a file to export to.
-    ChooseWhereToExport(What),
-    /// Write the table, or the model, to this file.
-    ExportTo {
-        /// What.
-        what: What,
-        /// The file.
-        path: PathBuf,
-        /// Whether files that are there may be replaced.
-        replace: bool,
-    },
-    /// Make a session by simulation.
-    Simulate(Form),
-    /// Drop the task that is under way.
-    Cancel,
-    /// Show this step.
-    GoTo(Step),
-    /// Look at the workspace in this plane.
-    Look(Plane),
-    /// Draw error vectors so much longer; `None`: so that they are readable.
-    Magnify(Option<f64>),
-    /// From before, 0, to after, 1.
-    Blend(f32),
-    /// Show this component in the chart.
-    Component(Component),
-    /// Show only what is left in the chart.
-    OnlyAfter(bool),
-    /// The pointer is on this sample.
-    Hover(Option<usize>),
-    /// Choose this sample.
-    Select(Option<usize>),
-    /// Show this on the right-hand side.
-    Side(Side),
-    /// Show lengths in this unit.
-    Length(LengthUnit),
-    /// Show angles in this unit.
-    Angle(AngleUnit),
-    /// Light, dark, or as the system has it.
-    Theme(egui::ThemePreference),
-    /// Open, change or close a sheet.
-    Sheet(Option<Sheet>),
-    /// The message was read.
-    Dismiss,
-    /// Show everything again.
-    Fit,
-}
+use crate::gui::document::Document;
+use crate::gui::edit::Edit;
+use crate::gui::files;
+use crate::gui::outcome::{Answer, Outcome};
+use crate::gui::preview::{Made, Preview, Wanted};
+use crate::gui::subject::Subject;
+use crate::gui::tasks::{Tasks, What};
+use crate::gui::undo::History;
+use crate::gui::units::Units;
+use crate::gui::view::{Message, Plane, Step, ViewState};
 
 /// Document, view, answer and tasks.
 pub(crate) struct Workbench {
@@ -195,7 +124,7 @@ impl Workbench {
         self.answer()?;
         let preview = self.preview.as_ref()?;
         let same = Arc::ptr_eq(&preview.wanted.outcome.question.subject, self.subject());
-        same.then(|| preview.made.as_ref())
+        same.then_some(preview.made.as_ref())
     }
 
     /// The file that was exported last, of this session.
@@ -228,8 +157,9 @@ impl Workbench {
                 self.after_travel();
             }
             Command::ChooseFile => {
-                self.tasks
-                    .start("waiting for a file to be chosen", |_| files::choose_to_open());
+                self.tasks.start("waiting for a file to be chosen", |_| {
+                    files::choose_to_open()
+                });
             }
             Command::OpenFile(path) => {
                 self.view.sheet = None;
@@ -242,14 +172,16 @@ impl Workbench {
             }
             Command::ChooseWhereToSave => {
                 let name = files::file_name_for(&self.document().subject.session);
-                self.tasks
-                    .start("waiting for a file name", move |_| files::choose_to_save(&name));
+                self.tasks.start("waiting for a file name", move |_| {
+                    files::choose_to_save(&name)
+                });
             }
             Command::SaveAs { path, replace } => {
                 self.view.sheet = None;
                 let session = self.document().session_to_save();
                 let what = format!("saving {}", path.display());
-                self.tasks.start(what, move |_| files::save(&session, &path, replace));
+                self.tasks
+                    .start(what, move |_| files::save(&session, &path, replace));
             }
             Command::ChooseWhereToExport(what) => {
                 let name = self.name_of(what);
@@ -265,15 +197,15 @@ impl Workbench {
                 self.view.sheet = None;
                 self.export_to(what, path, replace);
             }
-            Command::Simulate(form) => match form.problem() {
-                Some(problem) => {
+            Command::Simulate(form) => {
+                if let Some(problem) = form.problem() {
                     self.complain("The simulation needs other numbers", vec![problem]);
-                }
-                None => {
+                } else {
                     self.view.sheet = None;
-                    self.tasks.start("simulating", move |watch| files::simulate(&form, watch));
+                    self.tasks
+                        .start("simulating", move |watch| files::simulate(&form, watch));
                 }
-            },
+            }
             Command::Cancel => self.tasks.cancel_newest(),
             other => self.look(other),
         }
@@ -359,7 +291,7 @@ impl Workbench {
         let session = &document.subject.session.name;
         match what {
             What::Table => document.export.file_name(session),
-            What::Model => format!("{}.model.json", super::document::plain(session)),
+            What::Model => format!("{}.model.json", crate::gui::document::plain(session)),
         }
     }
 
@@ -400,102 +332,12 @@ impl Workbench {
         let Some(question) = self.document().question() else {
             return;
         };
-        let answered = self.outcome.as_ref().is_some_and(|o| o.question == question);
+        let answered = self
+            .outcome
+            .as_ref()
+            .is_some_and(|o| o.question == question);
         if !answered && !self.tasks.is_asked(&question) {
             self.tasks.ask(question);
-        }
-    }
-
-    /// Takes what the tasks have brought. Whether there was anything.
-    pub(crate) fn receive(&mut self) -> bool {
-        let mut any = false;
-        loop {
-            let reports = self.tasks.reports();
-            if reports.is_empty() {
-                return any;
-            }
-            any = true;
-            for report in reports {
-                self.take(report);
-            }
-        }
-    }
-
-    fn take(&mut self, report: Report) {
-        match report {
-            Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
-            Report::Opened(Err(message))
-            | Report::Saved(Err(message))
-            | Report::Exported(Err(message)) => {
-                self.view.message = Some(message);
-            }
-            Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
-            // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
-            Report::ChosenToOpen(None) => {
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: "No file was chosen".to_owned(),
-                    details: vec![
-                        "If no dialog appeared, drop the file on the window, or type its path \
-                         in the Session step"
-                            .to_owned(),
-                    ],
-                });
-            }
-            Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs {
-                path,
-                // The dialog has asked.
-                replace: true,
-            }),
-            Report::ChosenToSave(None) => {
-                let name = files::file_name_for(&self.document().subject.session);
-                self.view.sheet = Some(Sheet::SavePath {
-                    path: name,
-                    replace: false,
-                });
-            }
-            Report::Saved(Ok(path)) => {
-                self.saved = Arc::clone(self.history.present());
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: format!("Saved {}", path.display()),
-                    details: Vec::new(),
-                });
-            }
-            Report::Answered(outcome) => {
-                self.outcome = Some(Arc::new(*outcome));
-                self.keep_preparing();
-            }
-            Report::Prepared(preview) => self.preview = Some(*preview),
-            Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
-                what,
-                path,
-                // The dialog has asked.
-                replace: true,
-            }),
-            Report::ChosenToExport(what, None) => {
-                let path = self.name_of(what);
-                self.view.sheet = Some(Sheet::ExportPath {
-                    what,
-                    path,
-                    replace: false,
-                });
-            }
-            Report::Exported(Ok(path)) => {
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: format!("Written: {}", path.display()),
-                    details: Vec::new(),
-                });
-                self.exported = Some(path);
-            }
-            Report::Broken => self.complain(
-                "Something went wrong inside the program",
-                vec![
-                    "Nothing was changed; save your work, and please report what you did last"
-                        .to_owned(),
-                ],
-            ),
         }
     }
 }

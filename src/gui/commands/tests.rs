@@ -5,15 +5,16 @@ use std::sync::Arc;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::boundaries::{NARROWEST_RAD, boundaries};
-use super::commands::{Command, Workbench};
-use super::document::{ExportChoice, Method};
-use super::edit::Edit;
-use super::simulate::Form;
-use super::subject::Component;
-use super::testing::workbench;
-use super::view::{Plane, Step};
+use super::{Command, Workbench};
+use crate::gui::boundaries::{NARROWEST_RAD, boundaries};
+
 use crate::effects::CATALOGUE;
+use crate::gui::document::{ExportChoice, Method};
+use crate::gui::edit::Edit;
+use crate::gui::simulate::Form;
+use crate::gui::subject::Component;
+use crate::gui::testing::workbench;
+use crate::gui::view::{Plane, Step};
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {
@@ -26,7 +27,10 @@ fn the_exact_fit_finds_what_the_simulation_hid() {
     let mut workbench = workbench();
     done(&mut workbench, Edit::Effect("backlash", true));
     done(&mut workbench, Edit::Identify);
-    let found = &workbench.answer().expect("it can be identified").identification;
+    let found = &workbench
+        .answer()
+        .expect("it can be identified")
+        .identification;
     let value = |name: &str| {
         let one = found.parameters.iter().find(|p| p.name == name);
         one.expect("it was fitted").value
@@ -103,7 +107,11 @@ fn a_wrong_file_leaves_everything_as_it_was() {
     assert!(workbench.answer().is_some());
     let message = workbench.view().message.as_ref().expect("it is said");
     assert!(message.title.contains("nothing was changed"));
-    assert!(message.details[0].contains("line 1"), "{:?}", message.details);
+    assert!(
+        message.details[0].contains("line 1"),
+        "{:?}",
+        message.details
+    );
 }
 
 #[test]
@@ -144,10 +152,13 @@ fn an_export_writes_the_table_and_what_it_means() {
     let made = workbench.export().expect("prepared").expect("possible");
     let first = made.table.forward[0].to_degrees();
     assert!((first - 3.0).abs() < 0.05, "add what is missing: {first}");
-    assert!(made.remainder.rms_mm > 4.5, "a joint cannot lengthen a link");
+    assert!(
+        made.remainder.rms_mm > 4.5,
+        "a joint cannot lengthen a link"
+    );
     let folder = tempfile::tempdir().expect("a folder");
     workbench.execute(Command::ExportTo {
-        what: super::tasks::What::Table,
+        what: crate::gui::tasks::What::Table,
         path: folder.path().join("table.csv"),
         replace: false,
     });
