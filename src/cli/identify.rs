@@ -61,7 +61,8 @@ enum Values {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        output::one_use_of_standard_output(self.json, self.out.as_deref())?;
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
         let values = match self.joint_values {
             Values::Commanded => JointValues::Commanded,
             Values::Read => JointValues::Read,
@@ -78,7 +79,7 @@ impl Identify {
         }
         let loaded = truepose::sessions::load(&self.session)?;
         output::findings(&loaded.findings);
-        let session = loaded.session;
+        let session = &loaded.session;
         let answer = match self.method {
             Method::Exact => {
                 let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
@@ -87,24 +88,24 @@ impl Identify {
                 } else {
                     self.effects
                 };
-                identify_exact(&session, &effects, values)?
+                identify_exact(session, &effects, values)?
             }
             Method::Regional => {
                 let choice = match &self.regions {
                     None => RegionChoice::FromSession,
                     Some(text) => parse_regions(text)?,
                 };
-                identify_regional(&session, &choice, values)?
+                identify_regional(session, &choice, values)?
             }
         };
         if let Some(out) = &self.out {
-            let calibration = answer.calibration(&session, &Inputs::new(&session, values));
+            let calibration = answer.calibration(session, &Inputs::new(session, values));
             let text = truepose::model::format_v1::write_model(&calibration);
-            output::document(out, text.as_bytes(), self.force, &[&self.session])?;
+            output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
             output::json(&Answer::new(&answer))
-        } else if self.out.as_ref().is_some_and(|out| out.as_os_str() == "-") {
+        } else if to_stdout {
             Ok(())
         } else {
             output::text(&in_words(&answer))

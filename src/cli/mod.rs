@@ -8,13 +8,13 @@ mod effects;
 mod failure;
 mod identify;
 mod output;
+mod simulate;
+mod verify;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-
-use failure::Failure;
 
 /// Calibrates a robot: finds where measurement and simulation disagree, and writes the table
 /// that the controller reads
@@ -30,8 +30,12 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Make a session by simulation from a scenario
+    Simulate(simulate::Simulate),
     /// Identify a session's robot: the exact fit, or the paper's method by regions
     Identify(identify::Identify),
+    /// Check a model on another session
+    Verify(verify::Verify),
     /// List the effects that the program knows
     Effects(effects::Effects),
 }
@@ -44,6 +48,8 @@ pub(crate) fn run() -> ExitCode {
     };
     let done = match arguments.command {
         None => Ok(()),
+        Some(Command::Simulate(command)) => command.run(),
+        Some(Command::Verify(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
     };

@@ -6,7 +6,7 @@
 //! numbers under `from_deg`, `to_deg`, `step_deg`, `q_deg` and `speed_deg_s` are mm; `from_mm` and
 //! so on say the same more plainly.
 
-use std::path::Path as FilePath;
+use std::path::{Path as FilePath, PathBuf};
 
 use super::scenario::{
     Circumstances, Noise, NoiseKind, Order, Outliers, Poses, Scenario, Stop, Sweep, Temperature,
@@ -30,6 +30,8 @@ pub struct LoadedScenario {
     pub scenario: Scenario,
     /// Notes and warnings; no errors.
     pub findings: Vec<Diagnostic>,
+    /// Every file that was read: the document, the robot's URDF. No output may replace them.
+    pub files: Vec<PathBuf>,
 }
 
 /// Reads the scenario at `path`.
@@ -77,7 +79,13 @@ fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<LoadedSce
         findings.push(problem);
     }
     if sound(&findings) {
-        Ok(LoadedScenario { scenario, findings })
+        let document = fields.source.file.clone();
+        let files = document.into_iter().chain(fields.also_read).collect();
+        Ok(LoadedScenario {
+            scenario,
+            findings,
+            files,
+        })
     } else {
         Err(Rejected {
             diagnostics: findings,
