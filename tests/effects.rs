@@ -1,6 +1,8 @@
 //! The derivatives that every effect gives are those of the positions that it gives: checked by
 //! differences at values that are not zero, on a single axis and on an arm, alone and all together.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use truepose::effects::{CATALOGUE, Effect, Inputs, MeasuringFrame, Setting, Term};

@@ -1,6 +1,9 @@
 //! What a simulation has put in, the identification takes out again.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use proptest::prelude::*;
+use truepose::effects::JointValues;
 use truepose::identification::{Identification, identify_exact};
 use truepose::sessions::Session;
 use truepose::simulation::{Truth, parse_scenario, simulate, unwatched};
@@ -22,7 +25,7 @@ fn session(effects: &str, noise: &str, seed: u64) -> (Session, Truth) {
 
 fn identify(session: &Session, truth: &Truth) -> Identification {
     let ids = truth.effects.iter().map(|t| t.effect.about().id.to_owned());
-    identify_exact(session, &ids.collect::<Vec<_>>(), Default::default()).unwrap()
+    identify_exact(session, &ids.collect::<Vec<_>>(), JointValues::default()).unwrap()
 }
 
 fn offset_and_length(offset_deg: f64, delta_mm: f64) -> String {

@@ -6,6 +6,8 @@
 //! p = c + Q (R cos(θ + φ0), R sin(θ + φ0), h)
 //! ```
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use truepose::sessions::Session;
 use truepose::simulation::{parse_scenario, simulate, unwatched};
 
@@ -172,9 +174,9 @@ fn an_eccentric_encoder_reads_the_command() {
             for _ in 0..80 {
                 let middle = 0.5 * (low + high);
                 if reads(middle) < a.q {
-                    low = middle
+                    low = middle;
                 } else {
-                    high = middle
+                    high = middle;
                 }
             }
             turned(a.home, low)

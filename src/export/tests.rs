@@ -2,7 +2,7 @@ use std::process::Command;
 
 use super::*;
 use crate::compensation::UniformTable;
-use crate::effects::Inputs;
+use crate::effects::{Inputs, JointValues};
 use crate::identification::{identify_exact, identify_regional, regions::RegionChoice};
 use crate::model::{Calibration, Model};
 use crate::simulation::{Scenario, load_scenario, simulate, unwatched};
@@ -21,8 +21,8 @@ fn session(name: &str) -> Session {
 
 fn calibration(session: &Session, effects: &[&str]) -> Calibration {
     let effects: Vec<String> = effects.iter().map(|e| (*e).to_owned()).collect();
-    let found = identify_exact(session, &effects, Default::default()).unwrap();
-    found.calibration(session, &Inputs::new(session, Default::default()))
+    let found = identify_exact(session, &effects, JointValues::default()).unwrap();
+    found.calibration(session, &Inputs::new(session, JointValues::default()))
 }
 
 fn export(calibration: &Calibration, id: &str, name: &str, step: f64) -> Export {
@@ -139,8 +139,8 @@ fn a_step_that_makes_no_sense_is_refused() {
     let session = session("paper-30");
     let calibration = calibration(&session, &["joint-zero-offset"]);
     let job = |step, joint| Job {
-        step,
         joint,
+        step,
         ..Job::new(&calibration, "t")
     };
     for (job, says) in [
@@ -171,8 +171,8 @@ fn a_step_that_makes_no_sense_is_refused() {
 fn a_regional_model_has_a_table_too() {
     let session = session("paper-30");
     let found =
-        identify_regional(&session, &RegionChoice::FromSession, Default::default()).unwrap();
-    let calibration = found.calibration(&session, &Inputs::new(&session, Default::default()));
+        identify_regional(&session, &RegionChoice::FromSession, JointValues::default()).unwrap();
+    let calibration = found.calibration(&session, &Inputs::new(&session, JointValues::default()));
     let export = export(&calibration, "csv", "t.csv", 6.0);
     let left = gap_after_export(&calibration, &session, &export).unwrap();
     // 5 mm of radius stay for any joint; beside it the ±2.9 mm that the paper's regions leave.
