@@ -5,11 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use truepose::effects::{Inputs, JointValues};
+use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
-use truepose::identification::{
-    DEFAULT_EFFECTS, Gap, Identification, identify_exact, identify_regional,
-};
+use truepose::identification::{Gap, Identification};
+use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
@@ -78,28 +77,18 @@ impl Identify {
             ));
         }
         let loaded = truepose::sessions::load(&self.session)?;
-        output::findings(&loaded.findings);
+        output::messages(&loaded.findings);
         let session = &loaded.session;
-        let answer = match self.method {
-            Method::Exact => {
-                let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
-                let effects = if self.effects.is_empty() {
-                    defaults()
-                } else {
-                    self.effects
-                };
-                identify_exact(session, &effects, values)?
-            }
-            Method::Regional => {
-                let choice = match &self.regions {
-                    None => RegionChoice::FromSession,
-                    Some(text) => parse_regions(text)?,
-                };
-                identify_regional(session, &choice, values)?
-            }
+        let method = match (self.method, &self.regions) {
+            (Method::Exact, _) if self.effects.is_empty() => pipeline::Method::default(),
+            (Method::Exact, _) => pipeline::Method::Exact {
+                effects: self.effects,
+            },
+            (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
+            (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
         };
+        let (answer, calibration) = pipeline::identify(session, &method, values)?;
         if let Some(out) = &self.out {
-            let calibration = answer.calibration(session, &Inputs::new(session, values));
             let text = truepose::model::format_v1::write_model(&calibration);
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }

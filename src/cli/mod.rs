@@ -5,6 +5,7 @@
 //! messages always go to standard error.
 
 mod effects;
+mod export;
 mod failure;
 mod identify;
 mod output;
@@ -36,6 +37,8 @@ enum Command {
     Identify(identify::Identify),
     /// Check a model on another session
     Verify(verify::Verify),
+    /// Write the table that a controller reads
+    Export(export::Export),
     /// List the effects that the program knows
     Effects(effects::Effects),
 }
@@ -50,6 +53,7 @@ pub(crate) fn run() -> ExitCode {
         None => Ok(()),
         Some(Command::Simulate(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
+        Some(Command::Export(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
     };

@@ -7,7 +7,6 @@ use anyhow::Context;
 use serde::Serialize;
 
 use truepose::atomic::WriteError;
-use truepose::diagnostic::Diagnostic;
 
 use super::failure::Failure;
 
@@ -30,12 +29,12 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Tells the user what was noticed while reading.
-pub(crate) fn findings(findings: &[Diagnostic]) {
+/// Tells the user something beside the answer.
+pub(crate) fn messages<T: std::fmt::Display>(messages: &[T]) {
     let mut stderr = std::io::stderr().lock();
-    for finding in findings {
+    for message in messages {
         // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {finding}");
+        let _ = writeln!(stderr, "truepose: {message}");
     }
 }
 

@@ -36,7 +36,7 @@ impl Simulate {
         let truth_to_stdout = self.truth.as_ref().is_some_and(|t| t.as_os_str() == "-");
         output::one_use_of_standard_output(to_stdout, truth_to_stdout, "--out -", "--truth -")?;
         let loaded = load_scenario(&self.scenario)?;
-        output::findings(&loaded.findings);
+        output::messages(&loaded.findings);
         let scenario = loaded.scenario;
         let seed = self.seed.unwrap_or(scenario.seed);
         let (session, truth) = match simulate(&scenario, seed, unwatched) {

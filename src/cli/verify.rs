@@ -27,7 +27,7 @@ impl Verify {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let calibration = load_model(&self.model)?;
         let loaded = truepose::sessions::load(&self.session)?;
-        output::findings(&loaded.findings);
+        output::messages(&loaded.findings);
         let verification = verify(&calibration, &loaded.session)
             .map_err(|error| Failure::WrongInput(error.to_string()))?;
         if self.json {
