@@ -46,6 +46,9 @@ pub enum SimulateError {
     /// The scenario makes no sense.
     #[error("{0}")]
     Rejected(#[from] Rejected),
+    /// Lengths or effects are so large that a point is no number any more.
+    #[error("a point lies farther out than numbers reach; use smaller lengths and effects")]
+    NotFinite,
     /// Whoever watched wanted no more.
     #[error("the simulation was stopped")]
     Stopped,
@@ -92,6 +95,10 @@ pub fn simulate(
     let mut session = session_of(scenario, std::mem::take(&mut samples));
     let model = Model::new(scenario.robot.clone(), scenario.effects.clone());
     let exact = predict(&model, &session, &mut watch)?;
+    let columns = [&exact.x_mm, &exact.y_mm, &exact.z_mm];
+    if columns.into_iter().flatten().any(|v| !v.is_finite()) {
+        return Err(SimulateError::NotFinite);
+    }
     let (measured, outliers) = noise::measured(scenario, &exact, seed);
     let resolved = noise::resolved(scenario.resolution_mm, measured);
     session.samples.x_mm = resolved.x_mm;

@@ -77,6 +77,9 @@ impl NoiseKind {
 impl Truth {
     /// The truth as a JSON document, `truepose-truth/1`. Samples are counted from 1 in it, as the
     /// rows of the session.
+    ///
+    /// # Panics
+    /// Never: writing to memory does not fail.
     pub fn to_json(&self) -> String {
         let effect = |term: &Term| {
             let about = term.effect.about();

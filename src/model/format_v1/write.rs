@@ -104,6 +104,9 @@ struct StepTwin<'a> {
 }
 
 /// The model as the text of its file.
+///
+/// # Panics
+/// Never: writing to memory does not fail.
 pub fn write_model(calibration: &Calibration) -> String {
     let robot = &calibration.model.robot;
     let terms = calibration.model.terms().iter();
@@ -133,8 +136,13 @@ pub fn write_model(calibration: &Calibration) -> String {
 /// SHA-256 of the model's file as the program writes it: 64 hexadecimal digits. A session says
 /// with it which model's table was active while it was measured (`compensated_by`).
 pub fn model_hash(calibration: &Calibration) -> String {
-    let digest = Sha256::digest(write_model(calibration));
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    let mut hash = String::with_capacity(64);
+    for byte in Sha256::digest(write_model(calibration)) {
+        for digit in [byte >> 4, byte & 15] {
+            hash.push(char::from(b"0123456789abcdef"[usize::from(digit)]));
+        }
+    }
+    hash
 }
 
 impl RobotExactTwin {
