@@ -14,6 +14,7 @@ pub mod uncertainty;
 mod exact;
 mod outcome;
 mod regional;
+mod unidentifiable;
 
 pub use exact::{DEFAULT_EFFECTS, fit_without_outliers, identify_exact, report, testable_effects};
 pub use outcome::{

@@ -109,6 +109,7 @@ struct StepTwin<'a> {
 /// Never: writing to memory does not fail.
 pub fn write_model(calibration: &Calibration) -> String {
     let robot = &calibration.model.robot;
+    let terms = calibration.model.terms().iter();
     let twin = ModelTwin {
         format: FORMAT,
         program_version: &calibration.program_version,
@@ -117,7 +118,7 @@ pub fn write_model(calibration: &Calibration) -> String {
         robot: RobotTwin::of(robot),
         robot_exact: RobotExactTwin::of(robot),
         targets: TargetsTwin(&calibration.targets),
-        effects: calibration.model.terms().iter().map(TermTwin::of).collect(),
+        effects: terms.map(|term| TermTwin::of(term, robot)).collect(),
         covariance: calibration.covariance.as_ref().map(|c| {
             let rows = c.row_iter();
             rows.map(|row| row.iter().copied().collect()).collect()
@@ -159,12 +160,12 @@ impl RobotExactTwin {
 }
 
 impl<'a> TermTwin<'a> {
-    fn of(term: &'a Term) -> Self {
+    fn of(term: &'a Term, robot: &Robot) -> Self {
         let about = term.effect.about();
         Self {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
-            parameters: ParametersTwin(term.parameters()),
+            parameters: ParametersTwin(term.parameters_on(robot.joints[term.joint].kind)),
             exact: ExactTwin {
                 setting: term.setting,
                 coefficients: &term.coefficients,
