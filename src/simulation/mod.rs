@@ -34,7 +34,7 @@ pub use scenario::{
 };
 pub use truth::Truth;
 
-use crate::diagnostic::{Rejected, Severity};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::LANES;
 use crate::model::{Model, Positions};
@@ -46,9 +46,6 @@ pub enum SimulateError {
     /// The scenario makes no sense.
     #[error("{0}")]
     Rejected(#[from] Rejected),
-    /// Lengths or effects are so large that a point is no number any more.
-    #[error("a point lies farther out than numbers reach; use smaller lengths and effects")]
-    NotFinite,
     /// Whoever watched wanted no more.
     #[error("the simulation was stopped")]
     Stopped,
@@ -97,7 +94,10 @@ pub fn simulate(
     let exact = predict(&model, &session, &mut watch)?;
     let columns = [&exact.x_mm, &exact.y_mm, &exact.z_mm];
     if columns.into_iter().flatten().any(|v| !v.is_finite()) {
-        return Err(SimulateError::NotFinite);
+        let found = "a point lies farther out than numbers reach";
+        let place = Place::default().in_field("effects");
+        let expected = "smaller lengths and effects";
+        return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());
     }
     let (measured, outliers) = noise::measured(scenario, &exact, seed);
     let resolved = noise::resolved(scenario.resolution_mm, measured);
