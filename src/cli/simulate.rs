@@ -42,9 +42,6 @@ impl Simulate {
         let (session, truth) = match simulate(&scenario, seed, unwatched) {
             Ok(made) => made,
             Err(SimulateError::Rejected(rejected)) => return Err(rejected.into()),
-            Err(error @ SimulateError::NotFinite) => {
-                return Err(Failure::WrongInput(error.to_string()));
-            }
             Err(error @ SimulateError::Stopped) => return Err(Failure::Failed(error.into())),
         };
         let inputs = output::paths(&loaded.files);
