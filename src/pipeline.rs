@@ -54,16 +54,16 @@ pub enum PipelineError {
 /// Everything that comes out of a session.
 #[derive(Debug, Clone)]
 pub struct Calibrated {
-    /// The session and what was noticed while reading it.
-    pub loaded: Loaded,
     /// What was identified, with intervals.
     pub identification: Identification,
-    /// The model that goes with it, to be saved.
-    pub calibration: Calibration,
     /// What the model and its corrections do to the gap.
     pub verification: Verification,
     /// The table for the first joint.
     pub export: Export,
+    /// The session and what was noticed while reading it.
+    pub loaded: Loaded,
+    /// The model, to be saved.
+    pub calibration: Calibration,
 }
 
 /// Reads a session, identifies it, checks the model and makes a table.
@@ -85,11 +85,11 @@ pub fn calibrate(
     };
     let export = format.exporter.export(&job)?;
     Ok(Calibrated {
+        identification,
         verification,
         export,
-        identification,
-        calibration,
         loaded,
+        calibration,
     })
 }
 

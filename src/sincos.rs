@@ -26,7 +26,11 @@ const HALF_PI_LOW: f64 = 6.077100506506192e-11;
 const ROUNDING: f64 = 6755399441055744.0;
 
 /// Writes the sines and cosines of `angles_rad`; all three slices have one length.
-#[inline]
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "a part of wide loops: only what stands inside them is compiled for wide vectors"
+)]
 pub fn sin_cos_all(angles_rad: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     let count = angles_rad.len();
     let (sines, cosines) = (&mut sines[..count], &mut cosines[..count]);
@@ -41,7 +45,8 @@ pub fn sin_cos_all(angles_rad: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     }
 }
 
-#[inline]
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "as sin_cos_all")]
 fn are_small(angles_rad: &[f64]) -> bool {
     // Not a comparison with > : a NaN has to take the careful way too.
     angles_rad

@@ -3,9 +3,12 @@
 //!
 //! After a wanted change: `TRUEPOSE_WRITE_SESSIONS=1 cargo test --test bundled_sessions`.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use std::path::{Path, PathBuf};
 
 use truepose::diagnostic::{Diagnostic, Severity};
+use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
 use truepose::identification::{identify_exact, identify_regional};
 use truepose::sessions::{Replacing, Session, load, samples_path, save};
@@ -76,7 +79,7 @@ fn the_papers_sessions_give_the_papers_error() {
     for name in ["paper-30", "paper-run"] {
         let session = bundled(name);
         let effects = ["joint-zero-offset", "link-length"].map(str::to_owned);
-        let found = identify_exact(&session, &effects, Default::default()).unwrap();
+        let found = identify_exact(&session, &effects, JointValues::default()).unwrap();
         assert!((found.parameters[0].value + 3.0).abs() < 1e-12, "{name}");
         assert!((found.parameters[1].value + 5.0).abs() < 1e-11, "{name}");
         assert!(found.gap.after.rms_mm < 1e-9, "{name}");
@@ -88,7 +91,7 @@ fn the_thirty_samples_give_the_papers_table() {
     let found = identify_regional(
         &bundled("paper-30"),
         &RegionChoice::FromSession,
-        Default::default(),
+        JointValues::default(),
     );
     let regions = found.unwrap().regions;
     // Recomputed from the equations of the paper; see tests/paper.rs.
@@ -112,7 +115,7 @@ fn the_commissioning_run_holds_more_than_offset_and_length_explain() {
     assert_eq!(session.samples.len(), 208);
     let identify = |effects: &[&str]| {
         let effects: Vec<String> = effects.iter().map(|e| (*e).to_owned()).collect();
-        identify_exact(&session, &effects, Default::default()).unwrap()
+        identify_exact(&session, &effects, JointValues::default()).unwrap()
     };
     let plain = identify(&["joint-zero-offset", "link-length"]);
     assert!(plain.gap.before.rms_mm > 1.5, "{:?}", plain.gap);

@@ -1,6 +1,8 @@
 //! The terminal, as a person or another program uses it: the binary itself, its exit status, its
 //! standard output and its files.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

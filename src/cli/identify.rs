@@ -173,6 +173,8 @@ struct Intervals {
 struct ParameterRow {
     effect: &'static str,
     joint: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setup: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -237,6 +239,7 @@ impl<'a> Answer<'a> {
         let parameters = answer.parameters.iter().map(|p| ParameterRow {
             effect: p.effect,
             joint: p.joint,
+            setup: p.setup.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,
@@ -327,7 +330,11 @@ fn in_words(answer: &Identification) -> String {
         );
     }
     for p in &answer.parameters {
-        let joint = p.joint.map_or("-".to_owned(), |j| j.to_string());
+        let joint = match (&p.setup, p.joint) {
+            (Some(setup), _) => setup.clone(),
+            (None, Some(joint)) => joint.to_string(),
+            (None, None) => "-".to_owned(),
+        };
         let interval = p
             .ci95
             .map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));

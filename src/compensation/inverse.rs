@@ -7,10 +7,10 @@
 //! One joint: Newton's method on the derivative, with the second derivative of p, because a
 //! remainder along the radius makes Gauss–Newton slow there. Several joints: Gauss–Newton with the
 //! pseudo-inverse (Nakamura 1991), so that of all commands that do equally well the nearest is
-//! taken. Directions in which the tool hardly moves ([`FLATTEST`] of the best) are not corrected at
-//! all: near a singular pose a tiny gain would cost a large move.
+//! taken. Directions in which the tool hardly moves (below a hundredth of the best) are not
+//! corrected at all: near a singular pose a tiny gain would cost a large move.
 //!
-//! Derivatives by the command are central differences of the model itself over [`STEP`] rad or
+//! Derivatives by the command are central differences of the model itself over 10⁻⁴ rad or 0.1
 //! mm: they hold for every effect, however it depends on the command. What they miss shows only
 //! where a remainder stays, and then by some 10⁻¹² rad.
 //!

@@ -11,7 +11,7 @@
 //!
 //! - [`conditions`]: under which a correction holds; the reference is standstill, 20 °C, no load.
 //! - [`inverse`]: the minimisation above, for any model and any number of joints.
-//! - [`regional`]: the source paper's q_c = q + M Δρ, equation (8), and the joint command that
+//! - [`regional`]: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
 //! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
 //! - [`table`]: the correction of one joint over its limits; [`interpolation`]: reading it fast.

@@ -223,7 +223,8 @@ fn measured_poses(job: &Job) -> Inputs<'static> {
         if joints == 1 {
             k as f64 / (POSES - 1) as f64
         } else {
-            (0.5 + (k as f64 + 1.0) * ratio(joints).powi(-(joint as i32 + 1))).fract()
+            let stride = ratio(joints).powf(-(joint as f64 + 1.0));
+            (0.5 + (k as f64 + 1.0) * stride).fract()
         }
     };
     let column = |(joint, range): (usize, &Range)| -> Vec<f64> {

@@ -13,245 +13,20 @@
 //! [`identify_exact`](super::identify_exact) is the one to use.
 
 use crate::effects::JointValues;
-use crate::effects::inputs::reflectors_at_home;
-use crate::effects::term::JointFrame;
 use crate::kinematics::JointKind;
-use crate::lanes::{LANES, Lanes, add_scaled, dot, minus};
+use crate::lanes::dot;
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
-use crate::sincos::sin_cos_lanes;
-use crate::wide::{Loop, wide};
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
 use super::gap::{Deviations, Spread};
 use super::outcome::{Gap, Identification, Quality, RegionResult};
+use super::plane::{Plane, RegionSums, sum_by_region};
 use super::problem::Problem;
 use super::regions::{Assignment, RegionChoice};
 use super::robust::suspects;
 use super::uncertainty::half_width_factor;
-
-/// Sums of one region, from which its least squares follow.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct RegionSums {
-    /// Number of samples.
-    pub samples: usize,
-    /// Σ ΔPx, mm.
-    pub dx: f64,
-    /// Σ l1·ΔPy, mm².
-    pub l1_dy: f64,
-    /// Σ l1², mm².
-    pub l1_l1: f64,
-    /// Σ |ΔP|², mm².
-    pub square: f64,
-}
-
-impl RegionSums {
-    /// Adds sums of 1, ΔPx, ΔPy and |ΔP|² over samples with the same l1.
-    fn add(&mut self, [samples, dx, dy, square]: [f64; 4], l1: f64) {
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a sum of ones: a whole number from 0 to the number of samples"
-        )]
-        let counted = samples as usize;
-        self.samples += counted;
-        self.dx += dx;
-        self.l1_dy += l1 * dy;
-        self.l1_l1 += l1 * l1 * samples;
-        self.square += square;
-    }
-
-    /// Δθ in rad and Δl1 in mm, by (7).
-    pub fn correction(&self) -> (f64, f64) {
-        let theta = if self.l1_l1 > 0.0 {
-            self.l1_dy / self.l1_l1
-        } else {
-            0.0
-        };
-        (theta, self.dx / self.samples as f64)
-    }
-}
-
-/// Sums over all samples that count, one for each region, and the number of samples in none.
-pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>, usize) {
-    let plane = Plane::new(problem.session);
-    let assignment = Assignment::new(regions);
-    // A slot for each region and target, so that l1 is the same throughout a slot; after the
-    // regions one for samples in none, and one for samples that do not count.
-    let slots = regions.len() + 2;
-    let mut copies = vec![[[0.0; 4]; COPIES]; slots * plane.homes.len()];
-    wide(Summing {
-        plane: &plane,
-        problem,
-        assignment: &assignment,
-        slots,
-        copies: &mut copies,
-    });
-    let mut sums = vec![RegionSums::default(); slots];
-    for (slot, copies) in copies.iter().enumerate() {
-        let l1 = plane.homes[slot / slots].2;
-        for copy in copies {
-            sums[slot % slots].add(*copy, l1);
-        }
-    }
-    let outside = sums[regions.len()].samples;
-    sums.truncate(regions.len());
-    (sums, outside)
-}
-
-/// Neighbouring lanes add to different copies of a sum, so that one addition need not wait for
-/// the one before it.
-const COPIES: usize = 4;
-
-/// The loop of [`sum_by_region`].
-struct Summing<'a> {
-    plane: &'a Plane,
-    problem: &'a Problem<'a>,
-    assignment: &'a Assignment<'a>,
-    slots: usize,
-    copies: &'a mut [[[f64; 4]; COPIES]],
-}
-
-impl Loop for Summing<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) {
-        let mut places = [0; LANES];
-        let uncounted = self.slots - 1;
-        self.plane.each_block(self.problem, |start, len, block| {
-            self.assignment.regions_of(&block.q, &mut places);
-            let used = &self.problem.used[start..start + len];
-            for (lane, used) in used.iter().enumerate() {
-                let place = if *used { places[lane] } else { uncounted };
-                let (dx, dy) = (block.dx[lane], block.dy[lane]);
-                let slot = place + self.slots * block.target[lane];
-                let sums = &mut self.copies[slot][lane % COPIES];
-                let add = [1.0, dx, dy, dx * dx + dy * dy];
-                for (sum, value) in sums.iter_mut().zip(add) {
-                    *sum += value;
-                }
-            }
-        });
-    }
-}
-
-/// The plane in which a single axis moves a reflector.
-struct Plane {
-    origin: [f64; 3],
-    x: [f64; 3],
-    y: [f64; 3],
-    /// In-plane coordinates of every reflector at home, and its distance from the axis.
-    homes: Vec<(f64, f64, f64)>,
-}
-
-/// A block of samples in the plane: the angle, ΔP = nominal − measured, and l1.
-struct PlaneBlock {
-    q: Lanes,
-    dx: Lanes,
-    dy: Lanes,
-    target: [usize; LANES],
-}
-
-impl Default for PlaneBlock {
-    fn default() -> Self {
-        let zero = [0.0; LANES];
-        Self {
-            q: zero,
-            dx: zero,
-            dy: zero,
-            target: [0; LANES],
-        }
-    }
-}
-
-impl Plane {
-    fn new(session: &Session) -> Self {
-        let frame = JointFrame::new(&session.robot, 0);
-        // A tool on the axis has no radius; any direction across the axis will do.
-        let (x, y) = if frame.radius_mm > 0.0 {
-            (frame.radial, frame.tangential)
-        } else {
-            (frame.across_1, frame.across_2)
-        };
-        let homes = reflectors_at_home(session).into_iter().map(|home| {
-            let arm = minus(home, frame.origin_mm);
-            let (a, b) = (dot(arm, x), dot(arm, y));
-            (a, b, a.hypot(b))
-        });
-        Self {
-            origin: frame.origin_mm,
-            x,
-            y,
-            homes: homes.collect(),
-        }
-    }
-
-    /// Calls `see` with (first sample, number of samples, ΔP) for every block. Samples that cannot
-    /// be used are among them.
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn each_block(&self, problem: &Problem, mut see: impl FnMut(usize, usize, &PlaneBlock)) {
-        let samples = &problem.session.samples;
-        let q = &problem.inputs.q[0];
-        let target = problem.inputs.target.as_deref();
-        let flat = self.x == [1.0, 0.0, 0.0] && self.y == [0.0, 1.0, 0.0];
-        let mut block = PlaneBlock::default();
-        let (a0, b0, _) = self.homes[0];
-        let (mut a, mut b) = ([a0; LANES], [b0; LANES]);
-        for start in (0..q.len()).step_by(LANES) {
-            let len = (q.len() - start).min(LANES);
-            block.q[..len].copy_from_slice(&q[start..start + len]);
-            let (sin, cos) = sin_cos_lanes(&block.q);
-            if let Some(target) = target {
-                for lane in 0..len {
-                    block.target[lane] = target[start + lane] as usize;
-                    (a[lane], b[lane], _) = self.homes[block.target[lane]];
-                }
-            }
-            let (mut x, mut y) = ([0.0; LANES], [0.0; LANES]);
-            x[..len].copy_from_slice(&samples.x_mm[start..start + len]);
-            y[..len].copy_from_slice(&samples.y_mm[start..start + len]);
-            if flat {
-                for lane in 0..LANES {
-                    x[lane] -= self.origin[0];
-                    y[lane] -= self.origin[1];
-                }
-            } else {
-                for lane in 0..len {
-                    let z = samples
-                        .z_mm
-                        .as_ref()
-                        .map_or(self.origin[2], |z| z[start + lane]);
-                    let arm = minus([x[lane], y[lane], z], self.origin);
-                    (x[lane], y[lane]) = (dot(arm, self.x), dot(arm, self.y));
-                }
-            }
-            for lane in 0..LANES {
-                block.dx[lane] = a[lane] * cos[lane] - b[lane] * sin[lane] - x[lane];
-                block.dy[lane] = a[lane] * sin[lane] + b[lane] * cos[lane] - y[lane];
-            }
-            see(start, len, &block);
-        }
-    }
-
-    /// Calls `see` with (sample, ΔPx, ΔPy, l1) for every usable sample.
-    fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
-        self.each_block(problem, |start, len, block| {
-            for lane in (0..len).filter(|lane| problem.usable[start + lane]) {
-                let l1 = self.homes[block.target[lane]].2;
-                see(start + lane, block.dx[lane], block.dy[lane], l1);
-            }
-        });
-    }
-
-    /// A deviation in the plane as a vector in the measuring frame: −ΔP.
-    fn deviation(&self, dx: f64, dy: f64) -> [f64; 3] {
-        add_scaled(self.x.map(|v| -v * dx), self.y, -dy)
-    }
-}
 
 /// The paper's identification of a session with a single revolute joint.
 ///
@@ -273,13 +48,13 @@ pub fn identify_regional(
     let corrections: Vec<(f64, f64)> = sums.iter().map(RegionSums::correction).collect();
 
     let assignment = Assignment::new(&regions);
-    let plane = Plane::new(session);
+    let plane = Plane::new(&problem);
     let blank = || Deviations {
         axes_mm: std::array::from_fn(|_| vec![f64::NAN; session.samples.len()]),
         length_mm: vec![f64::NAN; session.samples.len()],
     };
     let (mut before, mut after) = (blank(), blank());
-    plane.each_sample(&problem, |i, dx, dy, l1| {
+    plane.each_sample(&problem.usable, |i, dx, dy, l1| {
         if let Some(region) = assignment.region_of(problem.inputs.q[0][i]) {
             // (8): the corrected position is q + M Δρ.
             let (theta, l1_mm) = corrections[region];

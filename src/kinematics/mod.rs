@@ -58,7 +58,7 @@ pub mod urdf;
 mod urdf_document;
 
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 
 pub use dh::{DhConvention, DhRow, robot_from_dh};
 pub use geometry::GeometryDelta;

@@ -30,8 +30,9 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
         (Vec::with_capacity(n), column(), column(), column());
     let mut before: Vec<f64> = vec![0.0; joints];
     for (k, (stop, hand)) in stops.iter().zip(&hands).enumerate() {
-        for t in 0..targets {
-            let now = (k as f64 + t as f64 / targets as f64) * c.seconds_per_pose.unwrap_or(0.0);
+        for (index, t) in (0..targets).zip(0_u32..) {
+            let now =
+                (k as f64 + index as f64 / targets as f64) * c.seconds_per_pose.unwrap_or(0.0);
             for joint in 0..joints {
                 let from = stop.dir.as_ref().map_or(0.0, |dir| dir[joint]);
                 let moving = if from == 0.0 {
@@ -44,7 +45,7 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
                 // Adding zero makes a speed of −0 a plain 0.
                 speed[joint].push(moving * hand.speed + 0.0);
             }
-            target.push(u32::try_from(t).expect("far fewer targets than that"));
+            target.push(t);
             load.push(hand.load_kg);
             temperature.push(hand.temperature_c.unwrap_or_else(|| warmed_up(c, now)));
             time.push(now);

@@ -34,7 +34,7 @@ pub use scenario::{
 };
 pub use truth::Truth;
 
-use crate::diagnostic::{Rejected, Severity};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::LANES;
 use crate::model::{Model, Positions};
@@ -92,6 +92,13 @@ pub fn simulate(
     let mut session = session_of(scenario, std::mem::take(&mut samples));
     let model = Model::new(scenario.robot.clone(), scenario.effects.clone());
     let exact = predict(&model, &session, &mut watch)?;
+    let columns = [&exact.x_mm, &exact.y_mm, &exact.z_mm];
+    if columns.into_iter().flatten().any(|v| !v.is_finite()) {
+        let found = "a point lies farther out than numbers reach";
+        let place = Place::default().in_field("effects");
+        let expected = "smaller lengths and effects";
+        return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());
+    }
     let (measured, outliers) = noise::measured(scenario, &exact, seed);
     let resolved = noise::resolved(scenario.resolution_mm, measured);
     session.samples.x_mm = resolved.x_mm;

@@ -67,10 +67,9 @@ pub fn side(from: f64, to: f64) -> f64 {
 
 /// The places of one way, worked out in the user's unit: whole degrees stay whole.
 fn places(sweep: &Sweep, kind: JointKind) -> Vec<f64> {
-    let (outer, inner): (fn(f64) -> f64, fn(f64) -> f64) = match kind {
-        JointKind::Revolute => (deg_from_rad, rad_from_deg),
-        JointKind::Prismatic => (|mm| mm, |mm| mm),
-    };
+    let turns = kind == JointKind::Revolute;
+    let outer = |v: f64| if turns { deg_from_rad(v) } else { v };
+    let inner = |v: f64| if turns { rad_from_deg(v) } else { v };
     let tidy = |v: f64| (v * 1e9).round() / 1e9;
     let (from, to) = (tidy(outer(sweep.from)), tidy(outer(sweep.to)));
     let step = tidy(outer(sweep.step.abs())) * if to < from { -1.0 } else { 1.0 };

@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::*;
 use crate::identification::regions::Assignment;
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -304,5 +306,34 @@ fn the_papers_boundaries_belong_to_the_regions_that_the_paper_has_them_in() {
     let assignment = Assignment::new(&session.regions);
     for (i, q) in session.samples.q[0].iter().enumerate() {
         assert_eq!(assignment.region_of(*q), Some(i / 5), "sample {i}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn a_damaged_scenario_is_refused_or_played_but_never_a_panic(
+        at in any::<prop::sample::Index>(),
+        junk in "[\\[\\]{}0-9eE.,:\"a-z-]{0,4}",
+        which in 0..2usize,
+    ) {
+        let name = ["paper-30", "lamp-commissioning"][which];
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/");
+        let mut text = std::fs::read_to_string(format!("{folder}{name}.scenario.json")).unwrap();
+        let mut cut = at.index(text.len());
+        while !text.is_char_boundary(cut) {
+            cut -= 1;
+        }
+        text.insert_str(cut, &junk);
+        if let Ok(loaded) = parse_scenario(text.as_bytes())
+            && loaded.scenario.poses.stops() < 2000.0
+            && let Ok((session, _)) = simulate(&loaded.scenario, 1, unwatched)
+        {
+            let mut document = Vec::new();
+            crate::sessions::write_inline(&session, &mut document).unwrap();
+            let again = crate::sessions::parse(&document);
+            prop_assert!(again.is_ok(), "{}", again.unwrap_err());
+        }
     }
 }

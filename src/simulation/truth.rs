@@ -51,10 +51,16 @@ impl Serialize for ParametersTwin {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
         for parameter in &self.0 {
-            map.serialize_entry(parameter.name, &parameter.value)?;
+            map.serialize_entry(parameter.name, &as_given(parameter.value))?;
         }
         map.end()
     }
+}
+
+/// Twelve digits: an amplitude and a phase lose their last bits on the way through sine and cosine,
+/// and the truth should look as it was given.
+fn as_given(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
 }
 
 #[derive(Serialize)]
@@ -77,6 +83,9 @@ impl NoiseKind {
 impl Truth {
     /// The truth as a JSON document, `truepose-truth/1`. Samples are counted from 1 in it, as the
     /// rows of the session.
+    ///
+    /// # Panics
+    /// Never: writing to memory does not fail.
     pub fn to_json(&self) -> String {
         let effect = |term: &Term| {
             let about = term.effect.about();

@@ -10,10 +10,13 @@
 //! The order of effects, keys and digits is fixed: the same model is the same file, byte for byte,
 //! and [`model_hash`] is what `sha256sum` says of it.
 
+mod exact;
 mod read;
+mod term;
 mod write;
 
-pub(crate) use read::term;
+pub(crate) use term::term;
+
 pub use read::{load_model, read_model};
 pub use write::{model_hash, write_model};
 

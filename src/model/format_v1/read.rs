@@ -2,23 +2,19 @@
 
 use std::path::Path as FilePath;
 
-use nalgebra::{DMatrix, Quaternion, Unit, UnitQuaternion, Vector3};
+use nalgebra::DMatrix;
 
 use super::FORMAT;
+use super::exact::{DISAGREES, agrees, robot_of};
+use super::term::term;
 use crate::diagnostic::{Place, Rejected};
-use crate::effects::{Term, find};
-use crate::kinematics::{Range, Robot};
+use crate::effects::Term;
+use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::sessions::files;
 use crate::sessions::format_v1::read::{default_targets, positive, targets};
-use crate::sessions::format_v1::robot;
 use crate::sessions::json::{self, Fields, Member, Node, Path, Source, Value, optional};
-use crate::sessions::validation;
 use crate::units::rad_from_deg;
-
-/// Exact and readable numbers may differ by this part through conversion, not by more.
-const AGREES: f64 = 1e-9;
-const DISAGREES: &str = "the value that the readable keys give: edit both, or remove the exact one";
 
 /// Reads the model at `path`.
 ///
@@ -96,21 +92,14 @@ fn document(
     let covariance = optional(members, "covariance")
         .map(|node| covariance(fields, node, model.coefficient_count()));
     let regions = each(fields, members, root.at, "regions", region)?;
-    if let (false, Some(node), true) = (
-        regions.is_empty(),
-        optional(members, "regions"),
-        model.robot.joints.len() != 1,
-    ) {
-        let found = format!(
-            "regions of a robot with {} joints",
-            model.robot.joints.len()
-        );
-        fields.error(
-            node.at,
-            &path.key("regions"),
-            found,
-            "regions of a single joint",
-        );
+    let joints = &model.robot.joints;
+    let one_that_turns = joints.len() == 1 && joints[0].kind == JointKind::Revolute;
+    if let Some(node) = optional(members, "regions").filter(|_| !regions.is_empty())
+        && !one_that_turns
+    {
+        let found = "regions of another robot than one with a single turning joint";
+        let path = &path.key("regions");
+        fields.error(node.at, path, found, "no regions for this robot");
     }
     let measured = each(fields, members, root.at, "measured", range)?;
     if let (Some(node), true) = (
@@ -177,92 +166,6 @@ fn each<T>(
     all.into_iter().collect()
 }
 
-fn agrees(exact: f64, readable: f64) -> bool {
-    (exact - readable).abs() <= AGREES * readable.abs().max(1e-3)
-}
-
-/// The robot, with the exact numbers in place of the readable ones.
-fn robot_of(
-    fields: &mut Fields<'_>,
-    members: &[Member],
-    at: usize,
-    folder: Option<&FilePath>,
-) -> Option<Robot> {
-    let path = &Path::Root;
-    let expected = "an object that describes the robot";
-    let node = fields.required(members, at, path, "robot", expected)?;
-    let mut robot = robot::read(fields, node, &path.key("robot"), folder)?;
-    let place = fields.place(node.at, &path.key("robot"));
-    validation::robot(&robot, &place, &mut fields.findings);
-    if fields.has_errors() {
-        return None;
-    }
-    let Some(exact) = optional(members, "robot_exact") else {
-        return Some(robot);
-    };
-    let path = &path.key("robot_exact");
-    let members = fields.object(
-        exact,
-        path,
-        "an object with joints and tool_quaternion_wxyz",
-    )?;
-    let joints = fields.required(members, exact.at, path, "joints", "an array")?;
-    let list = match &joints.value {
-        Value::List(list) if list.len() == robot.joints.len() => list,
-        _ => {
-            let expected = format!("an array of {} objects", robot.joints.len());
-            fields.mismatch(joints, &path.key("joints"), &expected);
-            return None;
-        }
-    };
-    for (index, (joint, node)) in robot.joints.iter_mut().zip(list).enumerate() {
-        let joints = path.key("joints");
-        let path = &joints.index(index);
-        let members = fields.object(node, path, "an object with axis and limits_inner")?;
-        let axis = fields.required_numbers::<3>(members, node.at, path, "axis", "3 numbers")?;
-        let readable = joint.axis.direction.into_inner();
-        if !axis.iter().zip(&readable).all(|(a, b)| agrees(*a, *b)) {
-            fields.error(node.at, &path.key("axis"), format!("{axis:?}"), DISAGREES);
-        }
-        joint.axis.direction = Unit::new_unchecked(Vector3::from(axis));
-        let limits = match optional(members, "limits_inner") {
-            None => None,
-            Some(node) => {
-                Some(fields.numbers::<2>(node, &path.key("limits_inner"), "2 numbers")?)
-            }
-        };
-        let same = match (limits, joint.limits) {
-            (None, None) => true,
-            (Some([from, to]), Some(l)) => agrees(from, l.from) && agrees(to, l.to) && from < to,
-            _ => false,
-        };
-        if !same {
-            let found = format!("{limits:?}");
-            fields.error(node.at, &path.key("limits_inner"), found, DISAGREES);
-        }
-        joint.limits = limits.map(|[from, to]| Range { from, to });
-    }
-    let key = "tool_quaternion_wxyz";
-    let exact_turn = fields.required_numbers::<4>(members, exact.at, path, key, "4 numbers")?;
-    let readable = robot.base_from_tool.rotation.quaternion();
-    let readable = [readable.w, readable.i, readable.j, readable.k];
-    if !exact_turn
-        .iter()
-        .zip(&readable)
-        .all(|(a, b)| agrees(*a, *b))
-    {
-        fields.error(
-            exact.at,
-            &path.key(key),
-            format!("{exact_turn:?}"),
-            DISAGREES,
-        );
-    }
-    let [w, x, y, z] = exact_turn;
-    robot.base_from_tool.rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
-    Some(robot)
-}
-
 fn terms(
     fields: &mut Fields<'_>,
     members: &[Member],
@@ -272,117 +175,6 @@ fn terms(
     each(fields, members, at, "effects", |fields, node, path| {
         term(fields, node, path, joints)
     })
-}
-
-/// One effect, as models and scenarios write it.
-pub(crate) fn term(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    joints: usize,
-) -> Option<Term> {
-    let members = fields.object(node, path, "an object with effect and parameters")?;
-    fields.unknown_keys(members, path, &["effect", "joint", "parameters", "exact"]);
-    let id = fields.required_text(members, node.at, path, "effect")?;
-    if find(&id).is_none() {
-        let found = format!("no effect is called '{id}'");
-        let expected = "a name that `truepose effects` lists";
-        fields.error(node.at, &path.key("effect"), found, expected);
-        return None;
-    }
-    let joint = match optional(members, "joint") {
-        None => 1,
-        Some(node) => count(fields, node, &path.key("joint"), "a joint, counted from 1")?,
-    };
-    let given = optional(members, "parameters");
-    let parameters = match given {
-        None => Vec::new(),
-        Some(node) => parameters(fields, node, &path.key("parameters"))?,
-    };
-    let named: Vec<(&str, f64)> = parameters.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-    let readable = match Term::from_parameters(&id, joint, &named, joints) {
-        Ok(term) => term,
-        Err(error) => {
-            let at = given.map_or(node.at, |given| given.at);
-            let expected = "parameters as `truepose effects` lists them";
-            fields.error(at, path, error.to_string(), expected);
-            return None;
-        }
-    };
-    match optional(members, "exact") {
-        None => Some(readable),
-        Some(node) => exact_term(fields, node, &path.key("exact"), readable),
-    }
-}
-
-fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {
-    let members = fields.object(node, path, "an object with a number for each parameter")?;
-    let all: Vec<Option<(String, f64)>> = members
-        .iter()
-        .map(|member| {
-            let path = &path.key(&member.key);
-            let value = fields.number(&member.node, path)?;
-            if member.key.starts_with("amplitude") && value < 0.0 {
-                fields.mismatch(&member.node, path, "an amplitude of 0 or more");
-                return None;
-            }
-            Some((member.key.clone(), value))
-        })
-        .collect();
-    all.into_iter().collect()
-}
-
-fn exact_term(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    mut term: Term,
-) -> Option<Term> {
-    let members = fields.object(node, path, "an object with setting and coefficients")?;
-    let setting = fields.required_number(members, node.at, path, "setting")?;
-    let shown = crate::effects::term::setting_quantity(term.effect.about().setting);
-    if shown.is_some() && !agrees(setting, term.setting) {
-        fields.error(
-            node.at,
-            &path.key("setting"),
-            setting.to_string(),
-            DISAGREES,
-        );
-        return None;
-    }
-    let key = "coefficients";
-    let wanted = term.coefficients.len();
-    let expected = format!("an array of {wanted} numbers");
-    let list = fields.required(members, node.at, path, key, &expected)?;
-    let coefficients = match &list.value {
-        Value::Numbers(values)
-            if values.len() == wanted && values.iter().all(|v| v.is_finite()) =>
-        {
-            values
-        }
-        _ => {
-            fields.mismatch(list, &path.key(key), &expected);
-            return None;
-        }
-    };
-    let scale = term
-        .coefficients
-        .iter()
-        .fold(0.0_f64, |m, v| m.max(v.abs()));
-    let near =
-        |(exact, readable): (&f64, &f64)| (exact - readable).abs() <= AGREES * scale.max(1e-9);
-    if !coefficients.iter().zip(&term.coefficients).all(near) {
-        fields.error(
-            list.at,
-            &path.key(key),
-            format!("{coefficients:?}"),
-            DISAGREES,
-        );
-        return None;
-    }
-    term.setting = setting;
-    term.coefficients.clone_from(coefficients);
-    Some(term)
 }
 
 fn covariance(fields: &mut Fields<'_>, node: &Node, size: usize) -> Option<DMatrix<f64>> {
@@ -495,7 +287,12 @@ fn step(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<GapStep
 }
 
 /// A whole number from 0 on.
-fn count(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, expected: &str) -> Option<usize> {
+pub(super) fn count(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+    expected: &str,
+) -> Option<usize> {
     match node.value {
         #[allow(
             clippy::cast_possible_truncation,

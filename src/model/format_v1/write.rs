@@ -104,8 +104,12 @@ struct StepTwin<'a> {
 }
 
 /// The model as the text of its file.
+///
+/// # Panics
+/// Never: writing to memory does not fail.
 pub fn write_model(calibration: &Calibration) -> String {
     let robot = &calibration.model.robot;
+    let terms = calibration.model.terms().iter();
     let twin = ModelTwin {
         format: FORMAT,
         program_version: &calibration.program_version,
@@ -114,7 +118,7 @@ pub fn write_model(calibration: &Calibration) -> String {
         robot: RobotTwin::of(robot),
         robot_exact: RobotExactTwin::of(robot),
         targets: TargetsTwin(&calibration.targets),
-        effects: calibration.model.terms().iter().map(TermTwin::of).collect(),
+        effects: terms.map(|term| TermTwin::of(term, robot)).collect(),
         covariance: calibration.covariance.as_ref().map(|c| {
             let rows = c.row_iter();
             rows.map(|row| row.iter().copied().collect()).collect()
@@ -132,8 +136,13 @@ pub fn write_model(calibration: &Calibration) -> String {
 /// SHA-256 of the model's file as the program writes it: 64 hexadecimal digits. A session says
 /// with it which model's table was active while it was measured (`compensated_by`).
 pub fn model_hash(calibration: &Calibration) -> String {
-    let digest = Sha256::digest(write_model(calibration));
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
+    let mut hash = String::with_capacity(64);
+    for byte in Sha256::digest(write_model(calibration)) {
+        for digit in [byte >> 4, byte & 15] {
+            hash.push(char::from(b"0123456789abcdef"[usize::from(digit)]));
+        }
+    }
+    hash
 }
 
 impl RobotExactTwin {
@@ -151,12 +160,12 @@ impl RobotExactTwin {
 }
 
 impl<'a> TermTwin<'a> {
-    fn of(term: &'a Term) -> Self {
+    fn of(term: &'a Term, robot: &Robot) -> Self {
         let about = term.effect.about();
         Self {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
-            parameters: ParametersTwin(term.parameters()),
+            parameters: ParametersTwin(term.parameters_on(robot.joints[term.joint].kind)),
             exact: ExactTwin {
                 setting: term.setting,
                 coefficients: &term.coefficients,
