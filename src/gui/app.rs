@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui};
+use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use super::commands::{Command, Workbench};
 use super::tasks::{Runner, Tasks, What};
@@ -45,6 +45,7 @@ impl App {
             self.workbench.execute(command);
         }
         self.keep_theme_and_title(ui.ctx());
+        self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
         }
@@ -101,6 +102,15 @@ impl App {
         panels::dropped::show(ui, commands);
     }
 
+    fn ask_before_leaving(&mut self, ctx: &Context) {
+        if self.workbench.view().leaving {
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        } else if ctx.input(|i| i.viewport().close_requested()) && self.workbench.unsaved() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.workbench.execute(Command::Sheet(Some(Sheet::Leave)));
+        }
+    }
+
     fn keep_theme_and_title(&mut self, ctx: &Context) {
         let theme = self.workbench.view().theme;
         if self.theme != theme {
@@ -109,7 +119,7 @@ impl App {
         }
         let title = panels::menu::window_title(&self.workbench);
         if title != self.title {
-            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
     }

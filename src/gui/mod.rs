@@ -70,11 +70,28 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         Box::new(move |cc| Ok(Box::new(App::new(&cc.egui_ctx, path, Runner::Threads)))),
     )
     .map_err(|error| {
+        let error = error.to_string();
+        let because = plainly(&error);
         anyhow!(
-            "the window cannot be opened: {error}\nwithout a display, use the terminal: \
+            "the window cannot be opened: {because}\nwithout a display, use the terminal: \
              truepose identify {session} --json"
         )
     })
+}
+
+/// An error without the place in somebody's source code at which it came up.
+fn plainly(error: &str) -> &str {
+    let after_place = error.rsplit_once(".rs:").map(|(_, rest)| rest);
+    let reason = after_place.and_then(|rest| rest.split_once(": "));
+    reason.map_or(error, |(_, reason)| reason.trim_end_matches('.'))
+}
+
+#[cfg(test)]
+#[test]
+fn a_reason_comes_without_its_place_in_the_source() {
+    let error = "winit EventLoopError: os error at src/linux/mod.rs:765: DISPLAY is not set.";
+    assert_eq!(plainly(error), "DISPLAY is not set");
+    assert_eq!(plainly("no adapter"), "no adapter");
 }
 
 /// The window's icon; none where it cannot be read, which is not worth a message.

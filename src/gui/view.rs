@@ -141,6 +141,8 @@ pub(crate) enum Sheet {
     Simulate(Form),
     /// The keyboard.
     Shortcuts,
+    /// Whether to leave without saving.
+    Leave,
     /// What this program is.
     About,
 }
@@ -183,6 +185,8 @@ pub(crate) struct ViewState {
     pub(crate) angle: AngleUnit,
     /// The sheet over the window.
     pub(crate) sheet: Option<Sheet>,
+    /// Whether the window may close although something is not saved.
+    pub(crate) leaving: bool,
     /// What the user has to know.
     pub(crate) message: Option<Message>,
     /// Light, dark, or as the system has it.
@@ -206,6 +210,7 @@ impl Default for ViewState {
             length: LengthUnit::default(),
             angle: AngleUnit::default(),
             sheet: None,
+            leaving: false,
             message: None,
             theme: ThemePreference::System,
             fitted: 0,

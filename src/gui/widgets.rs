@@ -200,11 +200,17 @@ pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
     });
 }
 
+/// Rows of text stand close together; rows of controls need room.
+pub(crate) fn dense(ui: &mut Ui) {
+    ui.spacing_mut().interact_size.y = 16.0;
+    ui.spacing_mut().item_spacing.y = 3.0;
+}
+
 /// What is said about a sample.
 pub(crate) fn sample_card(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
     let palette = Palette::of(ui);
     ui.set_max_width(220.0);
-    ui.spacing_mut().item_spacing.y = 2.0;
+    dense(ui);
     ui.label(RichText::new(title).font(strong(size::BODY)));
     egui::Grid::new("sample card")
         .num_columns(2)

@@ -77,6 +77,8 @@ pub(crate) enum Command {
     Theme(egui::ThemePreference),
     /// Open, change or close a sheet.
     Sheet(Option<Sheet>),
+    /// Close the window, saved or not.
+    Leave,
     /// The message was read.
     Dismiss,
     /// Show everything again.

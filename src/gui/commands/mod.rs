@@ -231,6 +231,7 @@ impl Workbench {
             Command::Angle(unit) => view.angle = unit,
             Command::Theme(theme) => view.theme = theme,
             Command::Sheet(sheet) => view.sheet = sheet,
+            Command::Leave => view.leaving = true,
             Command::Dismiss => view.message = None,
             Command::Fit => view.fitted += 1,
             _ => {}

@@ -1,15 +1,19 @@
 //! Step 2: where the joint gets corrections of its own.
 
+use std::sync::{Arc, Weak};
+
 use egui::{DragValue, Grid, RichText, TextEdit, Ui};
 
 use crate::gui::boundaries;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::Method;
 use crate::gui::edit::Edit;
+use crate::gui::subject::Subject;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::identification::regions::Assignment;
+use crate::sessions::Region;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// More regions than this are too many to be listed with fields.
@@ -65,7 +69,7 @@ fn divide(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let regions = &workbench.document().regions;
     let palette = Palette::of(ui);
-    let counts = samples_by_region(workbench);
+    let counts = counted(ui, workbench);
     let all = boundaries::boundaries(regions);
     Grid::new("regions")
         .num_columns(5)
@@ -122,6 +126,26 @@ fn table(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             format!("{outside} {samples} in no region and get no correction"),
         );
     }
+}
+
+/// The numbers of samples, counted again only when regions or session have changed.
+fn counted(ui: &Ui, workbench: &Workbench) -> Arc<[usize]> {
+    type Counted = (Arc<[Region]>, Weak<Subject>, Arc<[usize]>);
+    let document = workbench.document();
+    let id = ui.scope_id().with("samples by region");
+    let last: Option<Counted> = ui.data(|data| data.get_temp(id));
+    if let Some((regions, subject, counts)) = last
+        && Arc::ptr_eq(&regions, &document.regions)
+        && subject.as_ptr() == Arc::as_ptr(&document.subject)
+    {
+        return counts;
+    }
+    let counts: Arc<[usize]> = samples_by_region(workbench).into();
+    let regions = Arc::clone(&document.regions);
+    let subject = Arc::downgrade(&document.subject);
+    let counted: Counted = (regions, subject, Arc::clone(&counts));
+    ui.data_mut(|data| data.insert_temp(id, counted));
+    counts
 }
 
 fn samples_by_region(workbench: &Workbench) -> Vec<usize> {

@@ -8,7 +8,7 @@ use crate::gui::outcome::Answer;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{significant, trimmed, with_interval};
 use crate::gui::view::{Side, Step};
-use crate::gui::widgets;
+use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};
 use crate::units::deg_from_rad;
 
@@ -177,10 +177,11 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
 fn parameters(ui: &mut Ui, estimates: &[Estimate]) {
     let palette = Palette::of(ui);
     title(ui, "What the robot really is");
+    dense(ui);
     let mut last = None;
     Grid::new("parameters")
         .num_columns(3)
-        .spacing([10.0, 3.0])
+        .spacing([10.0, 4.0])
         .min_col_width(0.0)
         .show(ui, |ui| {
             for one in estimates {

@@ -102,8 +102,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 }
             });
         });
-    let inside = ui.rect_contains_pointer(ui.max_rect());
-    if inside && hovered.is_some() && hovered != view.hovered {
+    let id = ui.scope_id().with("row under the pointer");
+    let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
+    ui.data_mut(|data| data.insert_temp(id, hovered));
+    if before.flatten() != hovered {
         commands.push(Command::Hover(hovered));
     }
 }

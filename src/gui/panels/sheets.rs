@@ -38,6 +38,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 replace,
             } => export(ui, *what, path, *replace, commands),
             Sheet::Simulate(form) => simulation::show(ui, form, commands),
+            Sheet::Leave => leave(ui, workbench, commands),
             Sheet::Shortcuts => keys(ui),
             Sheet::About => about(ui),
         }
@@ -125,6 +126,18 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
             })));
         }
         Typed::Same => {}
+    }
+}
+
+fn leave(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.set_width(380.0);
+    widgets::heading(ui, "Leave without saving?");
+    let name = &workbench.subject().session.name;
+    ui.label(format!(
+        "The regions or the tolerance of {name} were changed and are not saved"
+    ));
+    if buttons(ui, "Leave", true, commands) {
+        commands.push(Command::Leave);
     }
 }
 

@@ -98,7 +98,8 @@ pub(crate) fn hover(
     under: Option<usize>,
     commands: &mut Vec<Command>,
 ) {
-    if response.hovered() && under != workbench.view().hovered {
+    let left = left(response, &response.ctx);
+    if (response.hovered() || left) && under != workbench.view().hovered {
         commands.push(Command::Hover(under));
     }
     if response.clicked() {
@@ -110,6 +111,17 @@ pub(crate) fn hover(
             widgets::sample_card(ui, &layout::about(workbench, sample));
         });
     }
+}
+
+/// Whether the pointer has just left this widget.
+pub(crate) fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
+    let id = response.id.with("was hovered");
+    let now = response.hovered();
+    ctx.data_mut(|data| {
+        let before: bool = data.get_temp(id).unwrap_or_default();
+        data.insert_temp(id, now);
+        before && !now
+    })
 }
 
 fn screen(transform: &PlotTransform, p: [f64; 2]) -> Pos2 {
