@@ -51,3 +51,6 @@ pub mod compensation;
 
 pub mod export;
 pub mod pipeline;
+
+#[cfg(feature = "gui")]
+pub mod gui;
