@@ -11,6 +11,7 @@ mod identify;
 mod output;
 mod simulate;
 mod verify;
+mod window;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -25,7 +26,6 @@ struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
     /// Session or model to open in the window
-    #[allow(dead_code, reason = "the window comes next")]
     file: Option<PathBuf>,
 }
 
@@ -50,7 +50,7 @@ pub(crate) fn run() -> ExitCode {
         Err(error) => return complain_about_arguments(&error),
     };
     let done = match arguments.command {
-        None => Ok(()),
+        None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
