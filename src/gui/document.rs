@@ -50,19 +50,13 @@ impl ExportChoice {
 
 /// A name that every file system takes.
 pub(crate) fn plain(name: &str) -> String {
-    let kept = |c: char| {
-        if c.is_alphanumeric() || c == '-' || c == '_' {
-            c
-        } else {
-            '-'
-        }
-    };
-    let name: String = name.chars().map(kept).collect();
-    let name = name.trim_matches('-');
+    let kept = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
+    let words = name.split(|c| !kept(c)).filter(|word| !word.is_empty());
+    let name = words.collect::<Vec<_>>().join("-");
     if name.is_empty() {
         "session".to_owned()
     } else {
-        name.to_owned()
+        name
     }
 }
 

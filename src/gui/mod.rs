@@ -57,7 +57,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         .with_title(TITLE)
         .with_app_id("truepose")
         .with_inner_size([1280.0, 800.0])
-        .with_min_inner_size([960.0, 600.0])
+        .with_min_inner_size([1120.0, 640.0])
         .with_icon(icon())
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions {

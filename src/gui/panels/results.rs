@@ -91,7 +91,8 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     gap_card(ui, workbench, answer);
     let found = &answer.identification;
     if !found.parameters.is_empty() {
-        widgets::card(ui, |ui| parameters(ui, &found.parameters));
+        let joints = workbench.subject().session.robot.joints.len();
+        widgets::card(ui, |ui| parameters(ui, &found.parameters, joints));
     }
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
@@ -174,7 +175,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     });
 }
 
-fn parameters(ui: &mut Ui, estimates: &[Estimate]) {
+fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
     let palette = Palette::of(ui);
     title(ui, "What the robot really is");
     dense(ui);
@@ -187,7 +188,11 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate]) {
             for one in estimates {
                 if last != Some((one.effect, one.joint)) {
                     last = Some((one.effect, one.joint));
-                    let name = find(one.effect).map_or(one.effect, |e| e.about().title);
+                    let title = find(one.effect).map_or(one.effect, |e| e.about().title);
+                    let name = match one.joint {
+                        Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
+                        _ => title.to_owned(),
+                    };
                     ui.label(RichText::new(name).color(palette.muted).size(size::SMALL));
                     ui.end_row();
                 }

@@ -1,6 +1,6 @@
 //! The middle: what the user has to know, the workspace, and the deviation below it.
 
-use egui::{Align, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
+use egui::{Align, ComboBox, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::{correction, deviation, workspace};
@@ -24,7 +24,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
             if let (Step::Export, Some(Ok(made))) = (view.step, workbench.export()) {
-                ui.horizontal(|ui| title(ui, "Correction table"));
+                ui.horizontal(|ui| {
+                    title(ui, "Correction table");
+                    caption(ui, &correction::caption(made));
+                });
                 correction::show(ui, workbench, made);
             } else {
                 chart_bar(ui, workbench, commands);
@@ -153,6 +156,29 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     }
 }
 
+/// From this width on the components stand side by side, points.
+const WIDE: f32 = 480.0;
+
+/// The components as a list, where there is no room for them side by side.
+fn component_list(
+    ui: &mut Ui,
+    offered: &[(Component, &str)],
+    current: Component,
+) -> Option<Component> {
+    let mut chosen = None;
+    let list = ComboBox::from_id_salt("component").selected_text(current.name());
+    let list = list.show_ui(ui, |ui| {
+        for (component, name) in offered {
+            if ui.selectable_label(*component == current, *name).clicked() {
+                chosen = Some(*component);
+            }
+        }
+    });
+    ui.ctx()
+        .accesskit_node_builder(list.response.id, |node| node.set_label("Component"));
+    chosen
+}
+
 fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let planar = workbench.subject().session.samples.z_mm.is_none();
@@ -162,7 +188,12 @@ fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             .iter()
             .filter(|c| !(planar && c.out_of_plane()));
         let offered: Vec<_> = offered.map(|c| (*c, c.name())).collect();
-        if let Some(component) = widgets::segmented(ui, &offered, view.component) {
+        let chosen = if ui.available_width() < WIDE {
+            component_list(ui, &offered, view.component)
+        } else {
+            widgets::segmented(ui, &offered, view.component)
+        };
+        if let Some(component) = chosen {
             commands.push(Command::Component(component));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

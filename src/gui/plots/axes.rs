@@ -30,13 +30,12 @@ pub(crate) fn axis<'a>(
     }]
 }
 
-/// Grid lines at round numbers, so few that each gets its label: in degrees at parts of a turn.
-pub(crate) fn steps(bounds: (f64, f64), degrees: bool) -> Vec<GridMark> {
-    /// Lines on a plot of the usual size.
-    const LINES: f64 = 9.0;
+/// Grid lines at round numbers, at most about `lines`, so that each gets its label: in degrees at
+/// parts of a turn.
+pub(crate) fn steps(bounds: (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
     const PARTS_OF_A_TURN: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
     let (low, high) = bounds;
-    let wanted = (high - low) / LINES;
+    let wanted = (high - low) / lines;
     if !(wanted.is_finite() && wanted > 0.0) {
         return Vec::new();
     }
@@ -72,7 +71,7 @@ mod tests {
     use super::*;
 
     fn values(bounds: (f64, f64), degrees: bool) -> Vec<f64> {
-        steps(bounds, degrees)
+        steps(bounds, degrees, 9.0)
             .iter()
             .map(|mark| mark.value)
             .collect()

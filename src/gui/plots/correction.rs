@@ -1,12 +1,12 @@
 //! The exported table as a curve: what is added to each command, for each side.
 
-use egui::{Color32, FontId, Role, Stroke, Ui, WidgetInfo};
+use egui::{Color32, Role, Stroke, Ui, WidgetInfo};
 use egui_plot::{Axis, Line, Plot, PlotPoints};
 
 use crate::gui::commands::Workbench;
 use crate::gui::plots::{MOST_POINTS, axis, steps, stride, thinned};
 use crate::gui::preview::Made;
-use crate::gui::tokens::{Palette, size};
+use crate::gui::tokens::Palette;
 use crate::kinematics::JointKind;
 
 /// Points of one curve: commanded value and correction, in the table's unit.
@@ -34,8 +34,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         // A constant correction is a straight line, not the noise of its last digit.
         .include_y(0.0)
         .set_margin_fraction(egui::vec2(0.03, 0.2))
-        .x_grid_spacer(move |input| steps(input.bounds, degrees))
-        .y_grid_spacer(|input| steps(input.bounds, false))
+        .x_grid_spacer(move |input| steps(input.bounds, degrees, 9.0))
+        .y_grid_spacer(|input| steps(input.bounds, false, 4.0))
         .custom_x_axes(axis(
             Axis::X,
             format!("{}, {unit}", table.name),
@@ -48,7 +48,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             &palette,
             |v| v,
         ));
-    let sides = reverse.is_some();
     let line = |name: &str, points: Vec<[f64; 2]>, color: Color32| {
         Line::new(name, PlotPoints::from(points))
             .stroke(Stroke::new(2.0, color))
@@ -66,10 +65,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     shown
         .response
         .widget_info(|| WidgetInfo::labeled(Role::Figure, true, "correction table as a curve"));
-    let painter = ui.painter();
-    let corner = shown.transform.frame().left_top() + egui::vec2(12.0, 4.0);
-    let font = FontId::proportional(size::SMALL);
-    let mut says = if sides {
+}
+
+/// What has to be said about the curve.
+pub(crate) fn caption(made: &Made) -> String {
+    let table = &made.table;
+    let mut says = if table.has_sides() {
         "solid: moving positive · dashed: moving negative".to_owned()
     } else {
         "the same for both directions".to_owned()
@@ -78,5 +79,5 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     if let Some(note) = thinned(every, "entry") {
         says = format!("{says} · {note}");
     }
-    painter.text(corner, egui::Align2::LEFT_TOP, says, font, palette.muted);
+    says
 }

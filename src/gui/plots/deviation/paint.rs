@@ -70,8 +70,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
-        .x_grid_spacer(move |input| steps(input.bounds, degrees))
-        .y_grid_spacer(|input| steps(input.bounds, false))
+        .x_grid_spacer(move |input| steps(input.bounds, degrees, 9.0))
+        .y_grid_spacer(|input| steps(input.bounds, false, 4.0))
         .custom_x_axes(axis(Axis::X, across, &palette, |q| q))
         .custom_y_axes(axis(Axis::Y, upwards, &palette, |mm| mm));
     let emphasised = view.hovered.or(view.selected);

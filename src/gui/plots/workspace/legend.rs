@@ -63,7 +63,7 @@ pub(super) fn show(
         let at = corner + vec2(0.0, 18.0 * (line + 1) as f32);
         painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.warning);
     }
-    meanings(ui, frame, workbench, palette);
+    meanings(ui, frame, workbench, scene, palette);
 }
 
 /// A mark of the legend.
@@ -90,9 +90,12 @@ impl Sign {
 }
 
 /// What the marks mean, from right to left along the lower edge.
-fn meanings(ui: &Ui, frame: Rect, workbench: &Workbench, palette: &Palette) {
+fn meanings(ui: &Ui, frame: Rect, workbench: &Workbench, scene: &Scene, palette: &Palette) {
     let painter = ui.painter().with_clip_rect(frame);
-    let mut entries = vec![("nominal path", Sign::Line(palette.nominal, 1.25))];
+    let mut entries = Vec::new();
+    if !scene.paths_mm.is_empty() {
+        entries.push(("nominal path", Sign::Line(palette.nominal, 1.25)));
+    }
     if workbench.answer().is_some() && workbench.view().blend > 0.0 {
         let faint = palette.before.gamma_multiply(0.5);
         entries.push(("before", Sign::Line(faint, 1.5)));

@@ -40,8 +40,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
-        .x_grid_spacer(|input| steps(input.bounds, false))
-        .y_grid_spacer(|input| steps(input.bounds, false))
+        .x_grid_spacer(|input| steps(input.bounds, false, 9.0))
+        .y_grid_spacer(|input| steps(input.bounds, false, 9.0))
         .custom_x_axes(hints(Axis::X, right))
         .custom_y_axes(hints(Axis::Y, up));
     let emphasised = view.hovered.or(view.selected);
