@@ -236,3 +236,43 @@ fn on_threads_the_window_goes_on_and_the_answer_arrives() {
     }
     panic!("no answer arrived");
 }
+
+#[test]
+fn every_menu_and_every_sheet_opens_and_closes() {
+    let mut window = window();
+    for menu in ["File", "Edit", "View"] {
+        press(&mut window, menu);
+        window.key_press(Key::Escape);
+        window.run_steps(4);
+    }
+    for (item, says) in [
+        ("Keyboard shortcuts", "show everything in the plots"),
+        (
+            "About truepose",
+            "Everything in this window can be done in the terminal too",
+        ),
+    ] {
+        press(&mut window, "Help");
+        press(&mut window, item);
+        assert!(window.query_by_label_contains(says).is_some(), "{item}");
+        window.key_press(Key::Escape);
+        window.run_steps(4);
+        assert!(window.query_by_label_contains(says).is_none(), "{item}");
+    }
+}
+
+#[test]
+fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
+    let mut window = window();
+    press(&mut window, "Samples");
+    let plot = window.get_by_label("workspace plot, 208 samples").rect();
+    // Somewhere on the way of the outer reflector there is a sample.
+    let named = (0_u8..60).any(|k| {
+        let x = plot.center().x + f32::from(k) * plot.width() / 120.0;
+        window.hover_at(egui::pos2(x, plot.center().y));
+        window.run_steps(3);
+        window.query_by_label_contains("sample ").is_some()
+            && window.query_by_label("direction").is_some()
+    });
+    assert!(named, "no sample was named on the whole radius");
+}

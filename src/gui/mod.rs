@@ -1,17 +1,17 @@
 //! The window.
 //!
-//! Data goes one way: panels and plots read the [`Workbench`](commands::Workbench) and send
-//! [`Command`](commands::Command)s; the workbench is the one place that changes anything.
+//! Data goes one way: panels and plots read the `commands::Workbench` and send
+//! `commands::Command`s; the workbench is the one place that changes anything.
 //!
-//! - [`app`]: the shell: takes what the tasks brought, lays out the panels, executes commands.
-//! - [`document`]: what can be undone, as one value ([`edit`] changes it, [`undo`] keeps it);
-//!   [`view`]: how it is looked at.
-//! - [`subject`]: a session with what follows from it alone; [`outcome`]: an identification made
+//! - `app`: the shell: takes what the tasks brought, lays out the panels, executes commands.
+//! - `document`: what can be undone, as one value (`edit` changes it, `undo` keeps it);
+//!   `view`: how it is looked at.
+//! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing.
-//! - [`preview`]: an export as it would be written.
-//! - [`tasks`]: work in the background; [`files`]: what it reads and writes.
-//! - [`tokens`]: colour, spacing and type; [`widgets`]: the few controls that egui does not have.
-//! - [`panels`]: what stands around the plots; [`plots`]: each in model, layout and paint.
+//! - `preview`: an export as it would be written.
+//! - `tasks`: work in the background; `files`: what it reads and writes.
+//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
+//! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
 mod app;
 mod boundaries;

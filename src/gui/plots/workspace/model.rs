@@ -289,4 +289,25 @@ mod tests {
         assert_eq!(readable(250.0, &[0.05; 30]), 1000.0);
         assert_eq!(readable(250.0, &[f64::NAN, 0.0]), 1.0);
     }
+
+    #[test]
+    fn more_samples_than_can_be_drawn_are_thinned_evenly() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Simulate(crate::gui::simulate::Form {
+            step_deg: 0.01,
+            ..crate::gui::simulate::Form::default()
+        }));
+        workbench.receive();
+        assert_eq!(workbench.subject().len(), 36_002);
+        let scene = Scene::of(&workbench);
+        assert_eq!(scene.arrow_stride, 4);
+        assert!(scene.arrows.len() <= MOST_ARROWS);
+        assert!(
+            scene
+                .arrows
+                .windows(2)
+                .all(|pair| pair[1].sample - pair[0].sample == 4)
+        );
+        assert_eq!(scene.points.len(), 36_002);
+    }
 }
