@@ -6,7 +6,7 @@ use egui_plot::PlotTransform;
 use crate::gui::commands::Workbench;
 use crate::gui::plots::{marks, thinned};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::significant;
+use crate::gui::units::trimmed;
 
 use super::layout;
 use super::model::Scene;
@@ -44,9 +44,9 @@ pub(super) fn show(
     );
     painter.extend(shapes);
     let says = format!(
-        "{}  ·  vectors × {}",
-        units.length(mm),
-        significant(scene.magnification, 2)
+        "{} {}",
+        trimmed(units.length_value(mm), 6),
+        units.length_name()
     );
     painter.text(
         corner + vec2(long + 8.0, 0.0),
