@@ -345,3 +345,16 @@ proptest! {
         prop_assert!(off(best) <= off(best + rad_from_deg(by_deg)) + 1e-9);
     }
 }
+
+/// Such a session shows what is left; nothing compensates it a second time.
+#[test]
+fn no_table_is_made_from_what_another_table_left() {
+    let mut session = play(&column("", ""));
+    session.compensated_by = Some("0123abcd".to_owned());
+    let calibration = exact(&session, &["joint-zero-offset", "link-length"]);
+    let refused = JointTable::new(&calibration, 0, 1.0, Conditions::default()).unwrap_err();
+    assert!(refused.to_string().contains("0123abcd"), "{refused}");
+    let text = truepose::model::format_v1::write_model(&calibration);
+    let back = truepose::model::format_v1::read_model(&text).unwrap();
+    assert_eq!(back.compensated_by, calibration.compensated_by);
+}

@@ -376,9 +376,11 @@ fn in_words(answer: &Identification) -> String {
     for l in &answer.left_out {
         text += &format!("\nleft out: sample {}: {}", l.sample + 1, l.because.says());
     }
-    if !answer.quality.converged {
-        text += &format!("\nthe solver {}", answer.quality.stopped);
-    }
+    let quality = &answer.quality;
+    text += &format!(
+        "\nsolver: {}; {} of {} coefficients determined, condition {:.1}",
+        quality.stopped, quality.rank, quality.coefficients, quality.condition
+    );
     for note in &answer.notes {
         text += &format!("\nnote: {note}");
     }

@@ -31,6 +31,12 @@ const LEVER_MM: f64 = 1000.0;
 /// Why there is no table.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TableError {
+    /// The model says what another table leaves.
+    #[error(
+        "the model comes from a session that was measured with the table of model {0} active: it says \
+         what is left, and a table made from it would lack what that one does; measure without a table"
+    )]
+    AlreadyCompensated(String),
     /// A joint that the robot does not have.
     #[error("joint {joint}: the robot has {joints}")]
     NoSuchJoint {
@@ -95,6 +101,9 @@ impl JointTable {
         step_outer: f64,
         conditions: Conditions,
     ) -> Result<Self, TableError> {
+        if let Some(hash) = &calibration.compensated_by {
+            return Err(TableError::AlreadyCompensated(hash.clone()));
+        }
         let robot = &calibration.model.robot;
         let joints = robot.joints.len();
         let Some(axis) = robot.joints.get(joint) else {

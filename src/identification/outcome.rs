@@ -148,6 +148,7 @@ impl Identification {
             targets: session.targets.clone(),
             measured: measured_ranges(inputs),
             tolerance_mm: session.tolerance_mm,
+            compensated_by: session.compensated_by.clone(),
             history: vec![
                 step("nominal robot", |g| g.before),
                 step(&format!("{} identification", self.method), |g| g.after),

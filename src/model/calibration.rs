@@ -52,6 +52,9 @@ pub struct Calibration {
     pub measured: Vec<Range>,
     /// Tolerance of the session, mm.
     pub tolerance_mm: Option<f64>,
+    /// Hash of the model whose table was active while the session was measured. Such a calibration
+    /// says what is left, and no table is made from it: it would lack what the active one does.
+    pub compensated_by: Option<String>,
     /// The gap, step by step; the first is the nominal robot's.
     pub history: Vec<GapStep>,
     /// Hash of the samples that it came from.

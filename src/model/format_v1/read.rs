@@ -53,7 +53,7 @@ fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<Calibrati
     }
 }
 
-const KNOWN: [&str; 13] = [
+const KNOWN: [&str; 14] = [
     "format",
     "program_version",
     "session",
@@ -66,6 +66,7 @@ const KNOWN: [&str; 13] = [
     "regions",
     "measured",
     "tolerance_mm",
+    "compensated_by",
     "history",
 ];
 
@@ -114,6 +115,8 @@ fn document(
         let path = &path.key("tolerance_mm");
         positive(fields, node, path, "a length above 0 mm")
     });
+    let compensated_by = optional(members, "compensated_by")
+        .and_then(|node| fields.text(node, &path.key("compensated_by")));
     let history = each(fields, members, root.at, "history", step)?;
     Some(Calibration {
         session: session?,
@@ -126,6 +129,7 @@ fn document(
         targets,
         measured,
         tolerance_mm,
+        compensated_by,
         history,
         samples_hash: samples_hash?,
         program_version: program_version?,

@@ -28,6 +28,8 @@ struct ModelTwin<'a> {
     regions: Vec<RegionTwin<'a>>,
     measured: Vec<RangeTwin>,
     tolerance_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compensated_by: Option<&'a str>,
     history: Vec<StepTwin<'a>>,
 }
 
@@ -126,6 +128,7 @@ pub fn write_model(calibration: &Calibration) -> String {
         regions: calibration.regions.iter().map(RegionTwin::of).collect(),
         measured: calibration.measured.iter().map(RangeTwin::of).collect(),
         tolerance_mm: calibration.tolerance_mm,
+        compensated_by: calibration.compensated_by.as_deref(),
         history: calibration.history.iter().map(StepTwin::of).collect(),
     };
     let mut text = Vec::new();
