@@ -310,6 +310,27 @@ fn regions_can_be_given_as_a_number_or_as_boundaries() {
 }
 
 #[test]
+fn adaptive_regions_leave_no_more_than_as_many_uniform_ones() {
+    let session = bundled("lamp-commissioning.json");
+    let gap = |regions: &str| {
+        let answer = json(&truepose(&[
+            "identify",
+            &session,
+            "--method",
+            "regional",
+            "--regions",
+            regions,
+            "--json",
+        ]));
+        let number = answer["regions"].as_array().unwrap().len();
+        (number, answer["gap"]["after_mm"].as_f64().unwrap())
+    };
+    let (number, adaptive) = gap("adaptive");
+    assert!((7..30).contains(&number), "{number}");
+    assert!(adaptive < gap(&number.to_string()).1);
+}
+
+#[test]
 fn without_a_display_the_window_says_which_command_does_the_job() {
     let output = truepose(&[]);
     let message = String::from_utf8_lossy(&output.stderr);

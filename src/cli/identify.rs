@@ -25,7 +25,7 @@ pub(crate) struct Identify {
     /// Effects to fit, separated by commas [default: joint-zero-offset,link-length]
     #[arg(long, value_delimiter = ',', value_name = "ID")]
     effects: Vec<String>,
-    /// Number of uniform regions, or their boundaries in degrees: 6 | -90,-60,… [default: the session's, else 6]
+    /// Number of uniform regions, or their boundaries in degrees: 6 | -90,-60,… | adaptive [default: the session's, else 6]
     #[arg(long, allow_hyphen_values = true)]
     regions: Option<String>,
     /// Joint values to start from
@@ -105,9 +105,12 @@ impl Identify {
 fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
     let wrong = || {
         Failure::WrongInput(format!(
-            "--regions '{text}': expected a number of regions, or boundaries in degrees such as -90,-60,-30,0"
+            "--regions '{text}': expected a number of regions, boundaries in degrees such as -90,-60,-30,0, or adaptive"
         ))
     };
+    if text.trim() == "adaptive" {
+        return Ok(RegionChoice::Adaptive);
+    }
     if let Ok(number) = text.trim().parse::<usize>() {
         return Ok(RegionChoice::Uniform(number));
     }

@@ -11,6 +11,7 @@ pub mod scan;
 pub mod solver;
 pub mod uncertainty;
 
+mod adaptive;
 mod exact;
 mod outcome;
 mod plane;

@@ -86,6 +86,15 @@ pub fn identify_regional(
     };
     let gap = gap_over(&|i| problem.fit[i]).ok_or(IdentifyError::NothingToFit)?;
     let held_out = session.samples.held_out.as_deref();
+    let mut notes = notes(session, &regions, &sums, outside);
+    if *choice == RegionChoice::Adaptive {
+        notes.push(beside_uniform(
+            session,
+            regions.len(),
+            gap.after.rms_mm,
+            values,
+        )?);
+    }
     Ok(Identification {
         session: session.name.clone(),
         method: "regional",
@@ -107,7 +116,7 @@ pub fn identify_regional(
             rank: 2 * results.len(),
             condition: 1.0,
         },
-        notes: notes(session, &regions, &sums, outside),
+        notes,
         regions: results,
     })
 }
@@ -174,6 +183,21 @@ fn region_result(
         rms_before_mm: rms(before),
         rms_after_mm: rms(after),
     }
+}
+
+/// What as many uniform regions would leave.
+fn beside_uniform(
+    session: &Session,
+    number: usize,
+    adaptive_mm: f64,
+    values: JointValues,
+) -> Result<String, IdentifyError> {
+    let uniform = identify_regional(session, &RegionChoice::Uniform(number), values)?;
+    Ok(format!(
+        "{number} adaptive regions leave {adaptive_mm:.4} mm, {number} uniform ones {:.4} mm; an effect that \
+         explains the whole range is the better answer: try the exact method first",
+        uniform.gap.after.rms_mm
+    ))
 }
 
 fn notes(

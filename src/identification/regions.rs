@@ -20,6 +20,8 @@ pub enum RegionChoice {
     Boundaries(Vec<f64>),
     /// Exactly these.
     Given(Vec<Region>),
+    /// Where the samples ask for them.
+    Adaptive,
 }
 
 /// Why a division makes no sense.
@@ -60,6 +62,7 @@ impl RegionChoice {
             Self::Uniform(number) => uniform(session, *number),
             Self::Boundaries(boundaries) => between(boundaries),
             Self::Given(regions) => Ok(regions.clone()),
+            Self::Adaptive => super::adaptive::adaptive(session),
         }
     }
 }
@@ -88,7 +91,8 @@ pub fn range_to_divide(session: &Session) -> Option<Range> {
     (from < to).then_some(Range { from, to })
 }
 
-fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
+/// Regions between neighbouring boundaries, named 1…N upwards.
+pub(super) fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
     if boundaries.len() < 2 {
         return Err(RegionError::TooFewBoundaries(boundaries.len()));
     }
