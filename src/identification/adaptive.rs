@@ -186,7 +186,7 @@ fn best_cuts(cells: &[Cell], variance: f64, price: f64) -> Vec<usize> {
 fn noise_variance(session: &Session, samples: &[Sample]) -> f64 {
     let stated = match session.instrument.sigma_mm {
         Some(Sigma::Overall(sigma)) => sigma,
-        Some(Sigma::PerAxis(sigma)) => ((sigma[0] * sigma[0] + sigma[1] * sigma[1]) / 2.0).sqrt(),
+        Some(Sigma::PerAxis(sigma)) => f64::midpoint(sigma[0].powi(2), sigma[1].powi(2)).sqrt(),
         None => 0.0,
     };
     let pairs = samples.windows(2);
