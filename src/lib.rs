@@ -11,3 +11,5 @@ pub mod sessions;
 pub mod effects;
 pub mod identification;
 pub mod model;
+
+pub mod diagnosis;

@@ -173,7 +173,7 @@ fn name_on_joint(effect: &dyn Effect, joint: usize, session: &Session) -> String
 }
 
 /// One free measuring frame per setup, started from the best rigid fit.
-fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
+pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
     let Some(setups) = &session.samples.setups else {
         return Vec::new();
     };

@@ -15,6 +15,7 @@ mod exact;
 mod outcome;
 mod regional;
 
+pub(crate) use exact::free_frames;
 pub use exact::{DEFAULT_EFFECTS, fit_without_outliers, identify_exact, report, testable_effects};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,

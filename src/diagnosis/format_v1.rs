@@ -1,0 +1,1 @@
+//! `truepose-diagnosis/1`.
