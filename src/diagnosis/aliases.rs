@@ -49,6 +49,21 @@ fn name(term: &Term) -> (&'static str, usize) {
     (term.effect.about().id, term.joint)
 }
 
+/// Rivals without those that only add a name to another rival.
+pub(super) fn without_idle_names(rivals: Vec<&Rival>) -> Vec<&Rival> {
+    let names = |terms: &[Term]| -> Vec<(&'static str, usize)> { terms.iter().map(name).collect() };
+    let idle = |one: &Rival| {
+        let own = names(&one.instead);
+        rivals.iter().any(|other| {
+            let fewer = names(&other.instead);
+            names(&other.removed) == names(&one.removed)
+                && fewer.len() < own.len()
+                && fewer.iter().all(|n| own.contains(n))
+        })
+    };
+    rivals.iter().copied().filter(|r| !idle(r)).collect()
+}
+
 struct Trial {
     removed: Vec<Term>,
     rest: Fit,

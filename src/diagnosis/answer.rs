@@ -226,6 +226,11 @@ pub(super) fn answer(
     let session = &mended.session;
     let problem = &prepared.problem;
     let base = arena.fit(&arena.base, Vec::new());
+    // The model carries names only, as near to the samples as names can come; what no name
+    // explains is told apart.
+    let with_shapes = fit;
+    let names = arena.fit(&fit.model, Vec::new());
+    let fit = if with_shapes.shapes.is_empty() { with_shapes } else { &names };
     let final_model = on_all_samples(prepared, fit);
     let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
     let identified = deviations(problem, &on_all_samples(prepared, &base));
@@ -247,15 +252,16 @@ pub(super) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::rivals(arena, fit);
+    let rivals = aliases::rivals(arena, with_shapes);
     let equivalent: Vec<_> = rivals
         .iter()
-        .filter(|r| r.other_names() && r.fit.ln_evidence > fit.ln_evidence - UNDECIDED)
+        .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
         .collect();
+    let equivalent = aliases::without_idle_names(equivalent);
     go_on(Progress::Planning)?;
-    let next_poses = next_poses::separate(prepared, fit, &equivalent);
+    let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
     let covariance = covariance(arena, fit);
-    let found = found(prepared, fit, &steps, &floor, &covariance);
+    let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
     let unexplained = unexplained(prepared, &end, session);
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
@@ -290,10 +296,10 @@ pub(super) fn answer(
         held_out,
         identified: identified_parameters(arena, fit, &covariance),
         found,
-        equivalent: equivalents(&equivalent, fit, &next_poses),
+        equivalent: equivalents(&equivalent, with_shapes, &next_poses),
         unexplained,
         not_testable: not_testable(prepared, &base),
-        not_found: limits::limits(arena, fit),
+        not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses,
         noise: arena.noise.clone(),
@@ -568,6 +574,7 @@ fn identified_parameters(arena: &Arena, fit: &Fit, covariance: &DMatrix<f64>) ->
 fn found(
     prepared: &Prepared,
     fit: &Fit,
+    with_shapes: &Fit,
     steps: &[Step],
     floor: &Floor,
     covariance: &DMatrix<f64>,
@@ -578,9 +585,9 @@ fn found(
         let about = step.term.effect.about();
         let fitted = fit.model.terms().iter().find(|t| t.same_column(&step.term));
         let term = fitted.unwrap_or(&step.term);
-        let rest = arena.without_term(fit, term);
+        let rest = arena.without_term(with_shapes, term);
         let scores = arena.scan(&rest);
-        let own_odds = fit.ln_evidence - rest.ln_evidence;
+        let own_odds = with_shapes.ln_evidence - rest.ln_evidence;
         let mut own_surprise = 0.0_f64;
         let mut next: Option<(f64, String)> = None;
         for score in &scores {
@@ -597,7 +604,7 @@ fn found(
             }
         }
         let over = own_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
-        let p_family = arena.family_p(own_surprise, fit);
+        let p_family = arena.family_p(own_surprise, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let says = says(step, &p_family, odds, next.as_ref().map(|n| n.1.as_str()), floor);

@@ -247,7 +247,7 @@ impl<'a> Arena<'a> {
 
     /// The table's columns without what the fit explains.
     pub(super) fn projected(&self, basis: &Basis) -> DMatrix<f64> {
-        let along = basis.q.tr_mul(&self.white);
+        let along = basis.q.transpose() * &self.white;
         let mut projected = self.white.clone();
         projected.gemm(-1.0, &basis.q, &along, 1.0);
         projected

@@ -19,7 +19,7 @@ use crate::identification::problem::Problem;
 use crate::model::Model;
 use crate::sessions::Sigma;
 
-use super::linear::Basis;
+use super::linear::{Basis, small_cholesky};
 
 /// Which samples and axes have rows.
 #[derive(Debug, Clone)]
@@ -137,6 +137,8 @@ impl Noise {
             unequal: false,
             rho_evidence: 0.0,
         };
+        // The same span, well conditioned, whatever ρ and σ are.
+        let rich = &Basis::new(rich).q;
         if let Some(Sigma::PerAxis(sigma)) = problem.session.instrument.sigma_mm {
             noise.sigma_mm = sigma;
             noise.unequal = true;
@@ -215,20 +217,30 @@ impl Noise {
         }
     }
 
-    /// Variance that is left, and the restricted log-likelihood, up to a constant.
+    /// Variance that is left, and the restricted log-likelihood, up to a constant: from the
+    /// Cholesky factor of `[A r]ᵀ [A r]`, whose last pivot is what is left of the residual.
     fn restricted(
         &self,
         rows: &Rows,
         residual: &DVector<f64>,
         rich: &DMatrix<f64>,
     ) -> (f64, f64) {
-        let basis = Basis::new(&self.whitened(rows, rich));
-        let left = basis.reject(&self.whitened_vector(rows, residual));
-        let freedom = (rows.len() as f64 - basis.rank() as f64).max(1.0);
-        let s2 = left.norm_squared() / freedom;
+        let p = rich.ncols();
+        let mut all = rich.clone().insert_column(p, 0.0);
+        all.set_column(p, residual);
+        let white = self.whitened(rows, &all);
+        let gram = white.transpose() * &white;
+        let k = p + 1;
+        let mut factor: Vec<f64> = (0..k * k).map(|x| gram[(x / k, x % k)]).collect();
+        small_cholesky(&mut factor, k, &vec![0.0; k]);
+        let ln_determinant: f64 = (0..p)
+            .map(|i| 2.0 * factor[i * k + i].max(f64::MIN_POSITIVE).ln())
+            .sum();
+        let freedom = (rows.len() as f64 - p as f64).max(1.0);
+        let s2 = factor[k * k - 1].powi(2) / freedom;
         let log = s2.max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM).ln();
         let likelihood = -0.5
-            * (freedom * log + basis.ln_determinant() + self.ln_determinant_of_correlation(rows));
+            * (freedom * log + ln_determinant + self.ln_determinant_of_correlation(rows));
         (s2, likelihood)
     }
 

@@ -105,7 +105,7 @@ impl Arena<'_> {
         let m = self.rows.len();
         let count = self.simulations();
         let groups = self.orthonormal_groups(&fit.basis);
-        let q = fit.basis.q.map(|v| v as f32);
+        let q = fit.basis.q.map(|v| v as f32).transpose();
         let flip = m <= ROWS_TO_FLIP;
         // A residual is smaller than the noise where the fit follows it.
         let noise: DVector<f32> = DVector::from_fn(m, |row, _| {
@@ -121,13 +121,13 @@ impl Arena<'_> {
                 let normal: f32 = StandardNormal.sample(&mut random);
                 if flip { noise[row] * normal.signum() } else { normal }
             });
-            let inside = q.tr_mul(&z);
+            let inside = &q * &z;
             let totals: Vec<f32> = (0..width)
                 .map(|k| z.column(k).norm_squared() - inside.column(k).norm_squared())
                 .collect();
             let mut surprise = vec![0.0_f64; width];
             for group in &groups {
-                let along = group.columns.tr_mul(&z);
+                let along = &group.rows * &z;
                 for k in 0..width {
                     let column = along.column(k);
                     let mut best = 0.0_f32;
@@ -190,7 +190,8 @@ impl Arena<'_> {
                 rank,
                 weight,
                 test: Significance::new(rank, freedom - rank as f64),
-                columns: DMatrix::from_vec(m, values.len() / m.max(1), values),
+                // A product of matrices is quick, one of a transposed is not.
+                rows: DMatrix::from_vec(m, values.len() / m.max(1), values).transpose(),
             })
             .collect()
     }
@@ -200,5 +201,5 @@ struct Group {
     rank: usize,
     weight: f64,
     test: Significance,
-    columns: DMatrix<f32>,
+    rows: DMatrix<f32>,
 }

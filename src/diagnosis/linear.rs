@@ -9,19 +9,19 @@ const DEPENDENT: f64 = 1e-6;
 
 /// `A = Q R` on the columns that are independent.
 #[derive(Debug, Clone)]
-pub struct Basis {
+pub(super) struct Basis {
     /// Orthonormal columns.
-    pub q: DMatrix<f64>,
+    pub(super) q: DMatrix<f64>,
     /// Upper triangular, one column for each kept column of `A`.
     r: DMatrix<f64>,
     /// Which columns of `A` were kept, in order.
-    pub kept: Vec<usize>,
+    pub(super) kept: Vec<usize>,
     columns: usize,
 }
 
 impl Basis {
     /// Takes a matrix apart.
-    pub fn new(a: &DMatrix<f64>) -> Self {
+    pub(super) fn new(a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
         let mut q = DMatrix::zeros(m, p);
         let mut r = DMatrix::zeros(p, p);
@@ -56,25 +56,25 @@ impl Basis {
     }
 
     /// Number of independent columns.
-    pub fn rank(&self) -> usize {
+    pub(super) fn rank(&self) -> usize {
         self.kept.len()
     }
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
-    pub fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
         let mut x = self.q.tr_mul(y);
         self.back_substitute(&mut x);
         self.spread(&x)
     }
 
     /// `y` without its part in the span.
-    pub fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
+    pub(super) fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
         let along = self.q.tr_mul(y);
         y - &self.q * along
     }
 
     /// `(Aᵀ A)⁻¹` on the kept columns; zero elsewhere.
-    pub fn inverse_gram(&self) -> DMatrix<f64> {
+    pub(super) fn inverse_gram(&self) -> DMatrix<f64> {
         let rank = self.rank();
         let mut inverse_r = DMatrix::identity(rank, rank);
         for k in 0..rank {
@@ -93,7 +93,7 @@ impl Basis {
     }
 
     /// Share of row `i` that the fit explains by itself.
-    pub fn leverage(&self, row: usize) -> f64 {
+    pub(super) fn leverage(&self, row: usize) -> f64 {
         self.q.row(row).norm_squared()
     }
 
@@ -110,11 +110,6 @@ impl Basis {
             all[*column] = *value;
         }
         all
-    }
-
-    /// `ln |Rᵀ R|`.
-    pub fn ln_determinant(&self) -> f64 {
-        (0..self.rank()).map(|k| 2.0 * self.r[(k, k)].ln()).sum()
     }
 }
 
