@@ -8,7 +8,7 @@ use crate::effects::{Setting, Term};
 
 use super::arena::{Arena, Fit, Score};
 use super::linear::{small_cholesky, small_gain};
-use super::search::compatible;
+use super::search::{by_odds, compatible};
 
 /// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
 pub const UNDECIDED: f64 = 3.0;
@@ -129,7 +129,7 @@ fn try_without(arena: &Arena, fit: &Fit, removed: Vec<Term>, trials: &mut Vec<Tr
             ln_evidence: rest.ln_evidence + ln_odds,
         });
     };
-    scores.sort_by(|a, b| b.ln_odds.total_cmp(&a.ln_odds));
+    by_odds(&mut scores);
     for score in scores.iter().filter(|s| s.ln_odds > enough).take(6) {
         push(vec![score.candidate], score.ln_odds);
     }

@@ -8,7 +8,7 @@
 //! its tail falls like C·exp(−s), with C from the largest simulated ones.
 
 use nalgebra::{DMatrix, DVector};
-use rand::SeedableRng;
+use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
@@ -27,8 +27,26 @@ const ROWS_TO_FLIP: usize = 2400;
 /// Largest surprises of simulated residuals, kept for each size of model.
 #[derive(Debug, Default)]
 pub(super) struct Familywise {
-    null: Vec<(usize, Vec<f64>)>,
+    null: Vec<Null>,
 }
+
+/// What noise alone did to the search beside one model, so far.
+#[derive(Debug)]
+struct Null {
+    rank: usize,
+    groups: Vec<Group>,
+    /// The fit's orthonormal columns, as rows.
+    inside: DMatrix<f32>,
+    noise: DVector<f32>,
+    chunks: u64,
+    /// Largest first.
+    largest: Vec<f64>,
+}
+
+/// Simulations that are made at once; more follow while the answer is close.
+const CHUNK: usize = 250;
+/// Chances between these are worth more simulations.
+const CLOSE: [f64; 2] = [4e-4, 0.04];
 
 /// The chance that noise alone surprises the search as much.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,39 +73,30 @@ impl Arena<'_> {
         if surprise < 2.0 {
             return FamilyP { p: 1.0, bound: false };
         }
-        let key = fit.basis.rank();
-        let known = self
-            .familywise
-            .borrow()
-            .null
-            .iter()
-            .position(|n| n.0 == key);
-        let at = known.unwrap_or_else(|| {
-            let null = self.simulate(fit);
-            let mut familywise = self.familywise.borrow_mut();
-            familywise.null.push((key, null));
-            familywise.null.len() - 1
-        });
-        let familywise = self.familywise.borrow();
-        let null = &familywise.null[at].1;
-        let above = null.iter().filter(|s| **s >= surprise).count();
-        // The tail from the largest fiftieth: chance(s) = share · exp(−(s − quantile)).
-        let rank = (null.len() / 50).max(1);
-        let from_tail = rank as f64 / null.len() as f64 * (null[rank - 1] - surprise).exp();
-        let counted = above as f64 / null.len() as f64;
-        let p = if above > rank { counted } else { from_tail.max(counted.min(from_tail * 3.0)) };
-        FamilyP {
-            p: p.clamp(smallest, 1.0),
-            bound: p < smallest,
+        let at = self.null_beside(fit);
+        let mut familywise = self.familywise.borrow_mut();
+        let null = &mut familywise.null[at];
+        loop {
+            let p = null.chance(surprise);
+            let close = p > CLOSE[0] && p < CLOSE[1];
+            if !close || null.largest.len() >= self.simulations() {
+                return FamilyP {
+                    p: p.clamp(smallest, 1.0),
+                    bound: p < smallest,
+                };
+            }
+            null.simulate(self.seed);
         }
     }
 
     /// The surprise that noise alone reaches with this chance.
     pub(super) fn surprise_for(&self, chance: f64, fit: &Fit) -> f64 {
+        let at = self.null_beside(fit);
+        let null = &self.familywise.borrow().null[at];
         let (mut low, mut high) = (2.0, (self.table.candidates.len() as f64).ln() + 14.0);
         for _ in 0..40 {
             let middle = 0.5 * (low + high);
-            if self.family_p(middle, fit).p > chance {
+            if null.chance(middle) > chance {
                 low = middle;
             } else {
                 high = middle;
@@ -100,50 +109,31 @@ impl Arena<'_> {
         (MOST * ROWS / self.rows.len().max(1)).clamp(FEWEST, MOST)
     }
 
-    /// Largest surprises of simulated residuals, largest first.
-    fn simulate(&self, fit: &Fit) -> Vec<f64> {
+    /// Place of the simulations beside a fit; the first are made here.
+    fn null_beside(&self, fit: &Fit) -> usize {
+        let rank = fit.basis.rank();
+        let mut familywise = self.familywise.borrow_mut();
+        if let Some(at) = familywise.null.iter().position(|n| n.rank == rank) {
+            return at;
+        }
         let m = self.rows.len();
-        let count = self.simulations();
-        let groups = self.orthonormal_groups(&fit.basis);
-        let q = fit.basis.q.map(|v| v as f32).transpose();
         let flip = m <= ROWS_TO_FLIP;
         // A residual is smaller than the noise where the fit follows it.
-        let noise: DVector<f32> = DVector::from_fn(m, |row, _| {
+        let noise = DVector::from_fn(m, |row, _| {
             let kept = (1.0 - fit.basis.leverage(row)).max(0.05);
-            (fit.residual[row] / kept.sqrt()) as f32
+            if flip { (fit.residual[row] / kept.sqrt()) as f32 } else { 0.0 }
         });
-        let mut random = ChaCha8Rng::seed_from_u64(self.seed ^ 0x5eed_0f_7e57);
-        let mut largest = Vec::with_capacity(count);
-        let chunk = 250;
-        for start in (0..count).step_by(chunk) {
-            let width = chunk.min(count - start);
-            let z = DMatrix::<f32>::from_fn(m, width, |row, _| {
-                let normal: f32 = StandardNormal.sample(&mut random);
-                if flip { noise[row] * normal.signum() } else { normal }
-            });
-            let inside = &q * &z;
-            let totals: Vec<f32> = (0..width)
-                .map(|k| z.column(k).norm_squared() - inside.column(k).norm_squared())
-                .collect();
-            let mut surprise = vec![0.0_f64; width];
-            for group in &groups {
-                let along = &group.rows * &z;
-                for k in 0..width {
-                    let column = along.column(k);
-                    let mut best = 0.0_f32;
-                    let values = column.as_slice();
-                    for own in values.chunks_exact(group.rank) {
-                        let gain: f32 = own.iter().map(|v| v * v).sum();
-                        best = best.max(gain);
-                    }
-                    let s = group.test.of(f64::from(best / totals[k])) - group.weight;
-                    surprise[k] = surprise[k].max(s);
-                }
-            }
-            largest.extend(surprise);
-        }
-        largest.sort_by(|a, b| b.total_cmp(a));
-        largest
+        let mut null = Null {
+            rank,
+            groups: self.orthonormal_groups(&fit.basis),
+            inside: fit.basis.q.map(|v| v as f32).transpose(),
+            noise,
+            chunks: 0,
+            largest: Vec::new(),
+        };
+        null.simulate(self.seed);
+        familywise.null.push(null);
+        familywise.null.len() - 1
     }
 
     /// Orthonormal columns of all candidates beside a basis, those of one rank and weight together.
@@ -197,6 +187,60 @@ impl Arena<'_> {
     }
 }
 
+impl Null {
+    /// The chance of a surprise as large: counted, and beyond the largest fiftieth by the tail
+    /// chance(s) = share · exp(−(s − quantile)).
+    fn chance(&self, surprise: f64) -> f64 {
+        let count = self.largest.len();
+        let above = self.largest.partition_point(|s| *s >= surprise);
+        let rank = (count / 50).max(1);
+        let counted = above as f64 / count as f64;
+        if above > rank {
+            return counted;
+        }
+        let share = rank as f64 / count as f64;
+        let from_tail = share * (self.largest[rank - 1] - surprise).exp();
+        from_tail.max(counted.min(3.0 * from_tail))
+    }
+
+    /// Sends one chunk more of simulated residuals through the search.
+    fn simulate(&mut self, seed: u64) {
+        let m = self.noise.len();
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        random.set_stream(self.chunks);
+        self.chunks += 1;
+        let flip = self.noise.iter().any(|v| *v != 0.0);
+        let z = DMatrix::<f32>::from_fn(m, CHUNK, |row, _| {
+            if flip {
+                let sign = random.next_u32() & (1 << 31);
+                f32::from_bits(self.noise[row].to_bits() ^ sign)
+            } else {
+                StandardNormal.sample(&mut random)
+            }
+        });
+        let inside = &self.inside * &z;
+        let totals: Vec<f32> = (0..CHUNK)
+            .map(|k| z.column(k).norm_squared() - inside.column(k).norm_squared())
+            .collect();
+        let mut surprise = vec![0.0_f64; CHUNK];
+        for group in &self.groups {
+            let along = &group.rows * &z;
+            for (k, surprise) in surprise.iter_mut().enumerate() {
+                let mut best = 0.0_f32;
+                for own in along.column(k).as_slice().chunks_exact(group.rank) {
+                    let gain: f32 = own.iter().map(|v| v * v).sum();
+                    best = best.max(gain);
+                }
+                let s = group.test.of(f64::from(best / totals[k])) - group.weight;
+                *surprise = surprise.max(s);
+            }
+        }
+        self.largest.extend(surprise);
+        self.largest.sort_by(|a, b| b.total_cmp(a));
+    }
+}
+
+#[derive(Debug)]
 struct Group {
     rank: usize,
     weight: f64,

@@ -102,7 +102,7 @@ impl Search<'_, '_> {
     fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
         let mut scores = self.arena.scan(fit);
         scores.retain(|s| self.may_join(fit, s, allow));
-        scores.sort_by(|a, b| b.ln_odds.total_cmp(&a.ln_odds));
+        by_odds(&mut scores);
         let unseen = self.folds.rms(self.arena, fit);
         // Nearly equal candidates: the first few are looked at closely.
         for score in scores.iter().take(4) {
@@ -182,7 +182,7 @@ impl Search<'_, '_> {
     fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
         let mut scores = self.arena.scan(rest);
         scores.retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
-        scores.sort_by(|a, b| b.ln_odds.total_cmp(&a.ln_odds));
+        by_odds(&mut scores);
         let mut best: Option<Fit> = None;
         for score in scores.iter().take(3) {
             let what = self.refined(rest, score.candidate);
@@ -320,6 +320,12 @@ fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
     own.gemm(-1.0, &fit.basis.q, &along, 1.0);
     let basis = Basis::new(&own);
     basis.q.tr_mul(&fit.residual).norm_squared()
+}
+
+/// Likeliest first; what is equally likely stays in the order of the catalogue.
+pub(super) fn by_odds(scores: &mut [Score]) {
+    let key = |s: &Score| (s.ln_odds * 1e5).round();
+    scores.sort_by(|a, b| key(b).total_cmp(&key(a)).then(a.candidate.cmp(&b.candidate)));
 }
 
 /// Whether a name may stand beside those that are there: lost motion is backlash with a setting,
