@@ -77,6 +77,10 @@ impl<'a> Prepared<'a> {
         Ok(search.run()?)
     }
 
+    pub(super) fn options(&self) -> &Options {
+        &self.options
+    }
+
     /// Looks again at outliers and noise with what was found; whether the search has to be done
     /// again.
     pub(super) fn reconsider(&mut self, found: &Found) -> bool {
