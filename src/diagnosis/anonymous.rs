@@ -48,11 +48,11 @@ pub enum Direction {
 pub enum Profile {
     /// 1.
     Constant,
-    /// The variable itself, measured from its middle.
+    /// The variable itself, measured from its origin (see [`Variable::origin`]).
     Ramp,
-    /// Its absolute value, from its middle.
+    /// Its absolute value, from its origin.
     Absolute,
-    /// Its square, from its middle.
+    /// Its square, from its origin.
     Square,
     /// `exp(−((v − centre)/width)²/2)`.
     Bump {
@@ -123,14 +123,14 @@ impl Profile {
         }
     }
 
-    /// Its values at one sample: `v` the variable, `middle` of its range, `angle` of the first
-    /// joint.
-    pub fn values(&self, v: f64, middle: f64, angle: f64) -> Vec<f64> {
+    /// Its values at one sample: `v` the variable, `origin` where it does nothing,
+    /// `angle` of the first joint.
+    pub fn values(&self, v: f64, origin: f64, angle: f64) -> Vec<f64> {
         match *self {
             Self::Constant => vec![1.0],
-            Self::Ramp => vec![v - middle],
-            Self::Absolute => vec![(v - middle).abs()],
-            Self::Square => vec![(v - middle) * (v - middle)],
+            Self::Ramp => vec![v - origin],
+            Self::Absolute => vec![(v - origin).abs()],
+            Self::Square => vec![(v - origin) * (v - origin)],
             Self::Bump { centre, width } => {
                 let z = (v - centre) / width;
                 vec![(-0.5 * z * z).exp()]
@@ -151,9 +151,18 @@ impl Profile {
 }
 
 impl Variable {
+    /// Where a slope over it starts: joints in the middle of the measured range, time at the
+    /// first sample, conditions where they do nothing.
+    pub fn origin(self, range: (f64, f64)) -> f64 {
+        match self {
+            Self::Joint(_) => 0.5 * (range.0 + range.1),
+            Self::Time => range.0,
+            _ => 0.0,
+        }
+    }
+
     /// Name of the column in the file.
-    pub fn column(self, joints: usize, prismatic: impl Fn(usize) -> bool) -> String {
-        let _ = joints;
+    pub fn column(self, prismatic: impl Fn(usize) -> bool) -> String {
         let unit = |joint: usize| if prismatic(joint) { "mm" } else { "deg" };
         match self {
             Self::Joint(j) => format!("q{}_{}", j + 1, unit(j)),
@@ -177,9 +186,18 @@ impl Variable {
 }
 
 impl Shape {
+    /// Settings that are fitted finely after the scan.
+    pub fn refined(&self) -> usize {
+        match self.profile {
+            Profile::Bump { .. } | Profile::Plateau { .. } => 2,
+            Profile::Periodic { .. } => 1,
+            _ => 0,
+        }
+    }
+
     /// Where it is; `range` is the variable's in the data.
     pub fn place(&self, range: (f64, f64), prismatic: impl Fn(usize) -> bool + Copy) -> Where {
-        let variable = self.variable.column(0, prismatic);
+        let variable = self.variable.column(prismatic);
         let between = |from: f64, to: f64| Where::Range {
             variable: variable.clone(),
             from: self.variable.shown(from.max(range.0), prismatic),

@@ -23,8 +23,15 @@ use super::familywise::Familywise;
 use super::linear::{Basis, small_cholesky, small_gain};
 use super::significance::Significance;
 
-/// A shape has to be this much likelier than names to be preferred, as a logarithm.
-pub(super) const PRICE_OF_A_SHAPE: f64 = 3.0;
+/// A shape has to be this much likelier than names to be preferred, as a logarithm …
+const PRICE_OF_A_SHAPE: f64 = 3.5;
+/// … and this much more for each setting that is fitted finely.
+const PRICE_OF_A_SETTING: f64 = 1.5;
+
+fn price_of(shape: &Shape) -> f64 {
+    PRICE_OF_A_SHAPE + PRICE_OF_A_SETTING * shape.refined() as f64
+}
+
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
 
@@ -170,7 +177,7 @@ impl<'a> Arena<'a> {
         let names = model.terms().iter().map(|t| self.price_of_term(t));
         let anonymous = shapes
             .iter()
-            .map(|s| s.shape.tried.max(1.0).ln() + PRICE_OF_A_SHAPE);
+            .map(|s| s.shape.tried.max(1.0).ln() + price_of(&s.shape));
         -0.5 * m * self.rounded(rss).ln()
             - 0.5 * rank as f64 * m.ln()
             - names.sum::<f64>()
@@ -239,7 +246,10 @@ impl<'a> Arena<'a> {
                 ln_odds: -0.5 * m * (-r2).ln_1p()
                     - 0.5 * rank as f64 * m.ln()
                     - candidate.tried.max(1.0).ln()
-                    - if candidate.named() { 0.0 } else { PRICE_OF_A_SHAPE },
+                    - match &candidate.what {
+                        What::Named(_) => 0.0,
+                        What::Anonymous(shape) => price_of(shape),
+                    },
             });
         }
         scores

@@ -146,15 +146,14 @@ impl Ground {
                 all
             }
         };
-        let (low, high) = self.range(shape.variable);
-        let middle = 0.5 * (low + high);
+        let origin = shape.variable.origin(self.range(shape.variable));
         let constant = vec![0.0; self.samples];
         let values = self.values(shape.variable).unwrap_or(&constant);
         let count = shape.profile.count();
         let rows = self.samples * self.axes.len();
         let mut columns = DMatrix::zeros(rows, count * directions.len());
         for sample in 0..self.samples {
-            let of_sample = shape.profile.values(values[sample], middle, self.angle[sample]);
+            let of_sample = shape.profile.values(values[sample], origin, self.angle[sample]);
             for (k, value) in of_sample.into_iter().enumerate() {
                 for (d, direction) in directions.iter().enumerate() {
                     for axis in 0..self.axes.len() {
@@ -235,7 +234,8 @@ impl Table {
             }
         }
         table.ground.tangential = tangential;
-        for shape in shapes(&table.ground, survey, rows) {
+        let waves = !names.iter().any(|c| c.0.effect.about().id == GEAR);
+        for shape in shapes(&table.ground, survey, rows, waves) {
             let own = table.ground.columns(&shape);
             push(&mut table, What::Anonymous(shape), shape.tried, own);
         }
@@ -391,17 +391,20 @@ fn across_the_axis(
     (seen(radial), seen(axial))
 }
 
+const GEAR: &str = "gear-transmission-error";
+const HIGHEST_ORDER: u32 = 360;
 /// A shape must act on at least so many samples.
 const FEWEST: usize = 4;
 
-fn shapes(ground: &Ground, survey: &Survey, rows: &Rows) -> Vec<Shape> {
+/// `waves` asks for waves of every order: without the gear's name nothing else looks for them.
+fn shapes(ground: &Ground, survey: &Survey, rows: &Rows, waves: bool) -> Vec<Shape> {
     let mut all = Vec::new();
     if rows.samples.len() < 2 * FEWEST {
         return all;
     }
     for joint in 0..survey.joints.len() {
         if survey.joints[joint].values >= 6 {
-            over_angle(ground, joint, &mut all);
+            over_angle(ground, joint, waves, &mut all);
         }
     }
     if ground.values(Variable::Time).is_some() {
@@ -411,7 +414,7 @@ fn shapes(ground: &Ground, survey: &Survey, rows: &Rows) -> Vec<Shape> {
     all
 }
 
-fn over_angle(ground: &Ground, joint: usize, all: &mut Vec<Shape>) {
+fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) {
     let variable = Variable::Joint(joint);
     let (low, high) = ground.range(variable);
     let span = high - low;
@@ -438,6 +441,18 @@ fn over_angle(ground: &Ground, joint: usize, all: &mut Vec<Shape>) {
                 tried: fundamentals.len() as f64,
             });
         }
+    }
+    if waves {
+        let from = highest.ceil().max(1.0) as u32;
+        all.extend((from..=HIGHEST_ORDER).map(|order| Shape {
+            variable,
+            direction: tangential,
+            profile: Profile::Periodic {
+                cycles: f64::from(order),
+                harmonics: 1,
+            },
+            tried: f64::from(HIGHEST_ORDER),
+        }));
     }
     let mut smooth = vec![(tangential, Profile::Ramp), (tangential, Profile::Square)];
     let directions = [Direction::Tangential(joint), Direction::Radial, Direction::Axial];
