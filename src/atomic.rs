@@ -50,25 +50,27 @@ impl WriteError {
     }
 }
 
-/// Refuses outputs that would replace an input, whatever names the two go by.
+/// Refuses an output that would replace an input, whatever names the two go by.
 ///
 /// # Errors
-/// [`WriteError::ReplacesInput`] for the first such pair, [`WriteError::SameName`] when two outputs
-/// are one file.
-pub fn refuse_to_replace_inputs(outputs: &[&Path], inputs: &[&Path]) -> Result<(), WriteError> {
-    for (index, &output) in outputs.iter().enumerate() {
-        if let Some(&input) = inputs.iter().find(|&&input| same_file(output, input)) {
-            return Err(WriteError::ReplacesInput {
-                output: output.to_path_buf(),
-                input: input.to_path_buf(),
-            });
-        }
-        if outputs[..index]
-            .iter()
-            .any(|&other| same_file(output, other))
-        {
-            return Err(WriteError::SameName(output.to_path_buf()));
-        }
+/// [`WriteError::ReplacesInput`] for the first such input.
+pub fn refuse_to_replace_inputs(output: &Path, inputs: &[&Path]) -> Result<(), WriteError> {
+    match inputs.iter().find(|&&input| same_file(output, input)) {
+        Some(input) => Err(WriteError::ReplacesInput {
+            output: output.to_path_buf(),
+            input: input.to_path_buf(),
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses two outputs of one command that are the same file.
+///
+/// # Errors
+/// [`WriteError::SameName`].
+pub fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteError> {
+    if same_file(first, second) {
+        return Err(WriteError::SameName(second.to_path_buf()));
     }
     Ok(())
 }
@@ -348,16 +350,16 @@ mod tests {
         fs::hard_link(&input, &hard).unwrap();
         let roundabout = folder.path().join(".").join("in.json");
         for output in [&input, &link, &hard, &roundabout] {
-            let refused = refuse_to_replace_inputs(&[output], &[&input]);
+            let refused = refuse_to_replace_inputs(output, &[&input]);
             assert!(
                 matches!(refused, Err(WriteError::ReplacesInput { .. })),
                 "{output:?}"
             );
         }
         let new = folder.path().join("new.json");
-        assert!(refuse_to_replace_inputs(&[&new], &[&input]).is_ok());
+        assert!(refuse_to_replace_inputs(&new, &[&input]).is_ok());
         assert!(matches!(
-            refuse_to_replace_inputs(&[&new, &new], &[]),
+            refuse_one_file_for_two(&new, &folder.path().join("./new.json")),
             Err(WriteError::SameName(_))
         ));
     }

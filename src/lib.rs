@@ -1,15 +1,59 @@
-//! truepose: calibration of robots at commissioning.
+//! truepose calibrates robots at commissioning.
+//!
+//! A controller believes in a robot that nobody has built: every joint at its zero, every link as
+//! long as drawn, no play, no sag. A technician commands poses, an instrument says where the tool
+//! really went, and this library finds the robot that would have gone there:
+//!
+//! 1. [`sessions`] reads what was measured, and names every problem with its place.
+//! 2. [`effects`] holds the physics: one file for each way in which a real robot differs from its
+//!    drawing. [`model`] strings them along the robot's [`kinematics`], with exact derivatives.
+//! 3. [`identification`] finds how large the effects are, and how sure that is.
+//! 4. [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
+//! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
+//!    where it was meant to, and what no joint can remove.
+//! 6. [`export`] writes the table that the controller reads, and reads it back to see what it does.
+//!
+//! [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
+//!
+//! ```
+//! use truepose::pipeline::{Method, calibrate};
+//!
+//! let csv = truepose::export::find("csv").expect("the neutral format is always there");
+//! let session = std::path::Path::new("sessions/paper-30.json");
+//! let done = calibrate(session, &Method::default(), csv, "table.csv")?;
+//! let offset = &done.identification.parameters[0];
+//! assert_eq!((offset.effect, offset.name), ("joint-zero-offset", "offset_deg"));
+//! assert!((offset.value + 3.0).abs() < 1e-9, "the robot stands 3° behind its command");
+//! assert!(done.identification.gap.after.rms_mm < 1e-9);
+//! # Ok::<(), truepose::pipeline::PipelineError>(())
+//! ```
+//!
+//! Inside, lengths are in mm, angles in rad, times in s, masses in kg, temperatures in °C. A
+//! deviation is measured − simulated; a correction is what to add, the deviation's negative.
 
 pub mod atomic;
 pub mod diagnostic;
 pub mod lanes;
+pub mod sincos;
 pub mod units;
+pub mod wide;
 
 pub mod kinematics;
 pub mod sessions;
 
 pub mod effects;
-pub mod identification;
+
 pub mod model;
 
+pub mod identification;
+pub mod simulation;
+
 pub mod diagnosis;
+
+pub mod compensation;
+
+pub mod export;
+pub mod pipeline;
+
+#[cfg(feature = "gui")]
+pub mod gui;

@@ -56,18 +56,20 @@ struct Case {
 }
 
 fn references() -> Vec<Reference> {
-    serde_json::from_str(include_str!("reference/kinematics.json")).unwrap()
+    serde_json::from_str(include_str!("reference/kinematics.json"))
+        .expect("the script writes this shape")
 }
 
 fn robot(reference: &Reference) -> Robot {
     let mut robot = if let Some(text) = &reference.urdf {
         let file = Path::new("reference.urdf");
-        robot_from_urdf(text, file, &reference.base, &reference.tip).unwrap()
+        robot_from_urdf(text, file, &reference.base, &reference.tip)
+            .expect("the reference is sound URDF")
     } else if let Some(home) = reference.home {
         robot_from_screws(reference, home)
     } else {
         let rows: Vec<DhRow> = reference.dh.iter().map(dh_row).collect();
-        robot_from_dh(&*reference.name, &rows).unwrap()
+        robot_from_dh(&*reference.name, &rows).expect("the rows are finite")
     };
     robot.gravity_m_s2 = reference.gravity_m_s2.map(Vector3::from);
     robot
@@ -79,7 +81,8 @@ fn robot_from_screws(reference: &Reference, home: [[f64; 4]; 4]) -> Robot {
             "revolute" => JointKind::Revolute,
             _ => JointKind::Prismatic,
         };
-        let axis = Axis::through(given.axis.into(), given.point_mm.into()).unwrap();
+        let axis = Axis::through(given.axis.into(), given.point_mm.into())
+            .expect("the axes have directions");
         Joint::new("joint", kind, axis)
     };
     let home = Matrix4::from_fn(|row, column| home[row][column]);

@@ -5,6 +5,8 @@
 //! six regions of 30°. The samples are made here from the paper's equation (3), not by the
 //! program.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
 use nalgebra::{Point3, Unit, Vector3};
 use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;

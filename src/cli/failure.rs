@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::process::ExitCode;
 
+use truepose::atomic::WriteError;
 use truepose::diagnostic::Rejected;
 use truepose::identification::IdentifyError;
 
@@ -43,6 +44,16 @@ impl From<Rejected> for Failure {
 impl From<IdentifyError> for Failure {
     fn from(error: IdentifyError) -> Self {
         Self::WrongInput(error.to_string())
+    }
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        if error.is_refusal() {
+            Self::WrongInput(error.to_string())
+        } else {
+            Self::Failed(error.into())
+        }
     }
 }
 

@@ -5,11 +5,10 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use truepose::effects::{Inputs, JointValues};
+use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
-use truepose::identification::{
-    DEFAULT_EFFECTS, Gap, Identification, identify_exact, identify_regional,
-};
+use truepose::identification::{Gap, Identification};
+use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
@@ -61,7 +60,8 @@ enum Values {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        output::one_use_of_standard_output(self.json, self.out.as_deref())?;
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
         let values = match self.joint_values {
             Values::Commanded => JointValues::Commanded,
             Values::Read => JointValues::Read,
@@ -77,30 +77,24 @@ impl Identify {
             ));
         }
         let loaded = truepose::sessions::load(&self.session)?;
-        output::findings(&loaded.findings);
-        let session = loaded.session;
-        let answer = match self.method {
-            Method::Exact => {
-                let defaults = || DEFAULT_EFFECTS.map(str::to_owned).to_vec();
-                let effects = if self.effects.is_empty() { defaults() } else { self.effects };
-                identify_exact(&session, &effects, values)?
-            }
-            Method::Regional => {
-                let choice = match &self.regions {
-                    None => RegionChoice::FromSession,
-                    Some(text) => parse_regions(text)?,
-                };
-                identify_regional(&session, &choice, values)?
-            }
+        output::messages(&loaded.findings);
+        let session = &loaded.session;
+        let method = match (self.method, &self.regions) {
+            (Method::Exact, _) if self.effects.is_empty() => pipeline::Method::default(),
+            (Method::Exact, _) => pipeline::Method::Exact {
+                effects: self.effects,
+            },
+            (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
+            (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
         };
+        let (answer, calibration) = pipeline::identify(session, &method, values)?;
         if let Some(out) = &self.out {
-            let calibration = answer.calibration(&session, &Inputs::new(&session, values));
             let text = truepose::model::format_v1::write_model(&calibration);
-            output::document(out, text.as_bytes(), self.force, &[&self.session])?;
+            output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
             output::json(&Answer::new(&answer))
-        } else if self.out.as_ref().is_some_and(|out| out.as_os_str() == "-") {
+        } else if to_stdout {
             Ok(())
         } else {
             output::text(&in_words(&answer))
@@ -119,7 +113,11 @@ fn parse_regions(text: &str) -> Result<RegionChoice, Failure> {
     }
     let boundary = |part: &str| {
         let degrees: f64 = part.trim().parse().map_err(|_| wrong())?;
-        if degrees.is_finite() { Ok(rad_from_deg(degrees)) } else { Err(wrong()) }
+        if degrees.is_finite() {
+            Ok(rad_from_deg(degrees))
+        } else {
+            Err(wrong())
+        }
     };
     let boundaries: Result<Vec<f64>, Failure> = text.split(',').map(boundary).collect();
     Ok(RegionChoice::Boundaries(boundaries?))
@@ -175,6 +173,8 @@ struct Intervals {
 struct ParameterRow {
     effect: &'static str,
     joint: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setup: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -239,6 +239,7 @@ impl<'a> Answer<'a> {
         let parameters = answer.parameters.iter().map(|p| ParameterRow {
             effect: p.effect,
             joint: p.joint,
+            setup: p.setup.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,
@@ -323,12 +324,24 @@ fn in_words(answer: &Identification) -> String {
         );
     }
     if !answer.parameters.is_empty() {
-        text += &format!("\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n", "effect", "joint", "parameter", "value");
+        text += &format!(
+            "\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n",
+            "effect", "joint", "parameter", "value"
+        );
     }
     for p in &answer.parameters {
-        let joint = p.joint.map_or("-".to_owned(), |j| j.to_string());
-        let interval = p.ci95.map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));
-        text += &format!("{:<24} {joint:>5}  {:<22} {:>14.6}   {interval}\n", p.effect, p.name, p.value);
+        let joint = match (&p.setup, p.joint) {
+            (Some(setup), _) => setup.clone(),
+            (None, Some(joint)) => joint.to_string(),
+            (None, None) => "-".to_owned(),
+        };
+        let interval = p
+            .ci95
+            .map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));
+        text += &format!(
+            "{:<24} {joint:>5}  {:<22} {:>14.6}   {interval}\n",
+            p.effect, p.name, p.value
+        );
     }
     if !answer.regions.is_empty() {
         text += &format!(
@@ -354,7 +367,11 @@ fn in_words(answer: &Identification) -> String {
         text += &format!("\nnot identifiable: {}: {}", n.combination, n.because);
     }
     for o in &answer.outliers {
-        text += &format!("\nsuspected outlier: sample {}, {:.4} mm from the model", o.sample + 1, o.deviation_mm);
+        text += &format!(
+            "\nsuspected outlier: sample {}, {:.4} mm from the model",
+            o.sample + 1,
+            o.deviation_mm
+        );
     }
     for l in &answer.left_out {
         text += &format!("\nleft out: sample {}: {}", l.sample + 1, l.because.says());

@@ -18,8 +18,6 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use failure::Failure;
-
 /// Calibrates a robot: finds where measurement and simulation disagree, and writes the table
 /// that the controller reads
 #[derive(Debug, Parser)]
@@ -54,9 +52,9 @@ pub(crate) fn run() -> ExitCode {
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
-        Some(Command::Identify(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
+        Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
     };
     match done {

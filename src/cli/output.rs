@@ -1,12 +1,12 @@
 //! Standard output: one JSON document, or text.
 
 use std::io::{ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Context;
 use serde::Serialize;
 
-use truepose::diagnostic::Diagnostic;
+use truepose::atomic::WriteError;
 
 use super::failure::Failure;
 
@@ -20,28 +20,48 @@ pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
 /// Prints text. A reader that has had enough (`| head`) is no failure.
 pub(crate) fn text(text: &str) -> Result<(), Failure> {
     let mut stdout = std::io::stdout().lock();
-    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    let written = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other.context("cannot write to standard output")?),
     }
 }
 
-/// Tells the user what was noticed while reading.
-pub(crate) fn findings(findings: &[Diagnostic]) {
+/// Tells the user something beside the answer.
+pub(crate) fn messages<T: std::fmt::Display>(messages: &[T]) {
     let mut stderr = std::io::stderr().lock();
-    for finding in findings {
+    for message in messages {
         // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {finding}");
+        let _ = writeln!(stderr, "truepose: {message}");
     }
 }
 
 /// Refuses to mix two documents on standard output.
-pub(crate) fn one_use_of_standard_output(json: bool, out: Option<&Path>) -> Result<(), Failure> {
-    if json && out.is_some_and(|out| out.as_os_str() == "-") {
-        return Err(Failure::WrongInput(
-            "--json and --out - both want standard output; give the output a file name".to_owned(),
-        ));
+pub(crate) fn one_use_of_standard_output(
+    first: bool,
+    second: bool,
+    first_name: &str,
+    second_name: &str,
+) -> Result<(), Failure> {
+    if first && second {
+        return Err(Failure::WrongInput(format!(
+            "{first_name} and {second_name} both want standard output; give one of them a file name"
+        )));
+    }
+    Ok(())
+}
+
+/// Whether an output is standard output.
+pub(crate) fn is_standard_output(out: Option<&Path>) -> bool {
+    out.is_some_and(|out| out.as_os_str() == "-")
+}
+
+/// Refuses a file that exists and may not be replaced, before anything else is written.
+pub(crate) fn can_be_written(out: &Path, force: bool) -> Result<(), Failure> {
+    if out.exists() && !force {
+        return Err(WriteError::Exists(out.to_path_buf()).into());
     }
     Ok(())
 }
@@ -51,13 +71,20 @@ pub(crate) fn document(
     out: &Path,
     bytes: &[u8],
     force: bool,
-    inputs: &[&Path],
+    inputs: &[PathBuf],
 ) -> Result<(), Failure> {
     if out.as_os_str() == "-" {
         let mut stdout = std::io::stdout().lock();
         let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
         return Ok(written.context("cannot write to standard output")?);
     }
-    truepose::atomic::refuse_to_replace_inputs(out, inputs)?;
-    Ok(truepose::atomic::write_atomically(out, force, |file| file.write_all(bytes))?)
+    truepose::atomic::refuse_to_replace_inputs(out, &paths(inputs))?;
+    Ok(truepose::atomic::write_atomically(out, force, |file| {
+        file.write_all(bytes)
+    })?)
+}
+
+/// Paths by reference.
+pub(crate) fn paths(owned: &[PathBuf]) -> Vec<&Path> {
+    owned.iter().map(PathBuf::as_path).collect()
 }

@@ -1,1 +1,40 @@
-//! Under construction.
+//! From a model to the commands that make the real robot go where the nominal one would.
+//!
+//! For a pose q the joints are told q + c instead, with c such that
+//!
+//! ```text
+//! Σ over reflectors | model(q + c) − nominal(q) |²  → least
+//! ```
+//!
+//! What is left then is what no joint can remove: a link that is too short stays too short however
+//! the joint turns. It is stated as a number, and in words ([`remainder`]).
+//!
+//! - [`conditions`]: under which a correction holds; the reference is standstill, 20 °C, no load.
+//! - [`inverse`]: the minimisation above, for any model and any number of joints.
+//! - [`regional`]: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
+//!   comes closest to it.
+//! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
+//! - [`table`]: the correction of one joint over its limits; [`interpolation`]: reading it fast.
+//! - [`remainder`]: what stays, and which data of the controller would remove it.
+//! - [`verification`]: how well all this does on another session.
+//!
+//! Signs: a correction is what to add to the command, minus the deviation to first order.
+//!
+//! What the instrument does (its scale, a frame that drifts or was bumped) is no error of the
+//! robot; it is left out of the model before the model is inverted.
+
+pub mod conditions;
+pub mod interpolation;
+pub mod inverse;
+pub mod plan;
+pub mod regional;
+pub mod remainder;
+pub mod table;
+pub mod verification;
+
+pub use conditions::{Conditions, Side};
+pub use interpolation::{SortedTable, UniformTable};
+pub use plan::Compensation;
+pub use remainder::{Remainder, Share};
+pub use table::{JointTable, TableError};
+pub use verification::{Compensated, Verification, WithinTolerance, verify};

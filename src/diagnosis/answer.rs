@@ -537,7 +537,8 @@ fn parameters_of(arena: &Arena, fit: &Fit, covariance: &DMatrix<f64>, term: &Ter
     let own = covariance.view((first, first), (size, size)).into_owned();
     let thinning = thinning(arena);
     let factor = half_width_factor(freedom) * thinning;
-    let mut all = estimates(term, (freedom > 0).then_some(&own), factor, &undetermined);
+    let kind = fit.model.robot.joints[term.joint].kind;
+    let mut all = estimates(term, (freedom > 0).then_some(&own), factor, &undetermined, kind);
     if term.effect.about().setting == Setting::Time
         && let Some(time) = all.first_mut()
     {

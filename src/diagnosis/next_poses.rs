@@ -330,7 +330,7 @@ fn inputs_of(extended: &Session, choices: &[Choice], prepared: &Prepared) -> Inp
     };
     let all: Vec<usize> = (0..choices.len()).collect();
     let mut inputs = Inputs::new(&session, super::prepare::values(prepared.options())).select(&all);
-    inputs.start_s = prepared.problem.inputs.start_s;
+    inputs.start_s = Some(prepared.problem.inputs.start_s());
     // Approaches are long, and short ones where lost motion has to be told from backlash.
     for (travel, q) in inputs.travel.iter_mut().zip(&inputs.q) {
         if let Some(travel) = travel {

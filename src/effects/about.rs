@@ -1,6 +1,8 @@
 //! What is written about an effect: its name, its equation, its parameters, and the words that a
 //! technician reads.
 
+use crate::kinematics::JointKind;
+
 /// Where in the flow from command to measured point an effect acts. Effects of one stage act in
 /// the order of the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -25,6 +27,28 @@ pub struct Quantity {
     /// Inner units (mm, rad, s, kg, °C, N·m) in one of the parameter's.
     pub inner: f64,
 }
+
+impl Quantity {
+    /// The quantity on a joint of this kind: where a joint slides, its degrees are millimetres.
+    #[must_use]
+    pub fn on(self, kind: JointKind) -> Self {
+        match kind {
+            JointKind::Revolute => self,
+            JointKind::Prismatic => SLIDING
+                .iter()
+                .find(|(turning, _)| *turning == self.name)
+                .map_or(self, |(_, name)| Self { name, inner: 1.0 }),
+        }
+    }
+}
+
+/// Names of a joint's own quantities, where it turns and where it slides.
+const SLIDING: [(&str, &str); 4] = [
+    ("offset_deg", "offset_mm"),
+    ("width_deg", "width_mm"),
+    ("fade_deg", "fade_mm"),
+    ("deg_per_degc", "mm_per_degc"),
+];
 
 /// A parameter that does not enter linearly: it is scanned, not solved for.
 #[derive(Debug, Clone, Copy, PartialEq)]

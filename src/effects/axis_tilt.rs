@@ -8,7 +8,8 @@ use super::about::{About, Form, MILLIRADIAN, Quantity, Setting, Stage};
 use super::axis_wobble::axial_measurement_needed;
 use super::block::Block;
 use super::{Effect, Placed, Survey};
-use crate::lanes::{add_scaled, cross, minus, sin_cos, turned};
+use crate::lanes::{add_scaled, cross, minus, turned};
+use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
 pub(super) struct AxisTilt;

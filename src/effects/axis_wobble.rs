@@ -5,7 +5,8 @@
 use super::about::{About, Form, MILLIRADIAN, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
-use crate::lanes::{add_scaled, dot, minus, scaled, sin_cos};
+use crate::lanes::{add_scaled, dot, minus, scaled};
+use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
 pub(super) struct AxisWobble;

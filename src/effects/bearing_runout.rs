@@ -6,7 +6,8 @@
 use super::about::{About, Form, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
-use crate::lanes::{add_scaled, scaled, sin_cos};
+use crate::lanes::{add_scaled, scaled};
+use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
 pub(super) struct BearingRunout;

@@ -9,7 +9,9 @@
 //! All points are in the base frame, at home behind the joints that have not acted yet, mm.
 
 use crate::kinematics::{JointKind, Robot};
-use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, sin_cos, times, turned};
+use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, times, turned};
+use crate::sincos::sin_cos_small as sin_cos;
+use crate::wide::{Loop, wide};
 
 use super::inputs::Inputs;
 use super::term::Placed;
@@ -44,6 +46,33 @@ pub struct Turned<const N: usize> {
     pub carry: f64,
     /// Derivatives with respect to the effect's coefficients.
     pub by: [f64; N],
+}
+
+/// [`Turned`] for every sample of a block.
+struct TurnedLanes<const N: usize> {
+    to: Lanes,
+    carry: Lanes,
+    by: [Lanes; N],
+}
+
+impl<const N: usize> TurnedLanes<N> {
+    #[inline]
+    fn of(f: impl Fn(usize) -> Turned<N>) -> Self {
+        let mut lanes = Self {
+            to: [0.0; LANES],
+            carry: [0.0; LANES],
+            by: [[0.0; LANES]; N],
+        };
+        for i in 0..LANES {
+            let turned = f(i);
+            lanes.to[i] = turned.to;
+            lanes.carry[i] = turned.carry;
+            for (by, value) in lanes.by.iter_mut().zip(turned.by) {
+                by[i] = value;
+            }
+        }
+        lanes
+    }
 }
 
 /// A derivative of a joint's value with respect to one coefficient.
@@ -175,8 +204,8 @@ impl<'a> Block<'a> {
     #[inline]
     pub fn turn<const N: usize>(&mut self, me: &Placed, f: impl Fn(f64, Lane) -> Turned<N>) {
         let joint = me.joint;
-        let lanes: [Lane; LANES] = std::array::from_fn(|i| self.lane(joint, i));
-        self.turn_by_index(me, |theta, i| f(theta, lanes[i]));
+        let turned = TurnedLanes::of(|i| f(self.theta[joint][i], self.lane(joint, i)));
+        self.take_turn(me, &turned);
     }
 
     /// Like [`Block::turn`], for an effect that has worked something out for each sample.
@@ -186,30 +215,26 @@ impl<'a> Block<'a> {
         me: &Placed,
         f: impl Fn(f64, usize) -> Turned<N>,
     ) {
+        let turned = TurnedLanes::of(|i| f(self.theta[me.joint][i], i));
+        self.take_turn(me, &turned);
+    }
+
+    fn take_turn<const N: usize>(&mut self, me: &Placed, turned: &TurnedLanes<N>) {
         let joint = me.joint;
-        let mut by = [[0.0; LANES]; N];
-        let mut carry = [1.0; LANES];
-        for i in 0..LANES {
-            let turned = f(self.theta[joint][i], i);
-            self.theta[joint][i] = turned.to;
-            carry[i] = turned.carry;
-            for (lanes, value) in by.iter_mut().zip(turned.by) {
-                lanes[i] = value;
-            }
-        }
+        self.theta[joint] = turned.to;
         if !self.differentiate {
             return;
         }
         for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
-            for (value, carry) in tangent.lanes.iter_mut().zip(&carry) {
+            for (value, carry) in tangent.lanes.iter_mut().zip(&turned.carry) {
                 *value *= carry;
             }
         }
-        for (k, lanes) in by.into_iter().enumerate() {
+        for (k, lanes) in turned.by.iter().enumerate() {
             self.tangents.push(JointTangent {
                 column: me.first_column + k,
                 joint,
-                lanes,
+                lanes: *lanes,
             });
         }
     }
@@ -280,6 +305,12 @@ impl<'a> Block<'a> {
     /// Lets a joint move everything behind it, and turns its tangents into columns:
     /// ∂x/∂θ = ω × (x − c) for a revolute joint, ω for a prismatic one.
     pub fn move_joint(&mut self, index: usize) {
+        wide(Moving { block: self, index });
+    }
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
+    fn move_behind(&mut self, index: usize) {
         let joint = &self.robot.joints[index];
         let axis: [f64; 3] = joint.axis.direction.into_inner().into();
         let origin: [f64; 3] = joint.axis.point_mm.coords.into();
@@ -293,27 +324,38 @@ impl<'a> Block<'a> {
                 }
             }
         }
+        if self.tangents.iter().all(|t| t.joint != index) {
+            return;
+        }
+        let mut direction = [[0.0; LANES]; 3];
+        for i in 0..LANES {
+            let along = match joint.kind {
+                JointKind::Revolute => {
+                    let x = [self.point[0][i], self.point[1][i], self.point[2][i]];
+                    cross(axis, minus(x, origin))
+                }
+                JointKind::Prismatic => axis,
+            };
+            for k in 0..3 {
+                direction[k][i] = along[k];
+            }
+        }
         for tangent in self.tangents.iter().filter(|t| t.joint == index) {
             let column = &mut self.columns[tangent.column];
             if !self.live[tangent.column] {
                 *column = [[0.0; LANES]; 3];
                 self.live[tangent.column] = true;
             }
-            for i in 0..LANES {
-                let direction = match joint.kind {
-                    JointKind::Revolute => {
-                        let x = [self.point[0][i], self.point[1][i], self.point[2][i]];
-                        cross(axis, minus(x, origin))
-                    }
-                    JointKind::Prismatic => axis,
-                };
-                for k in 0..3 {
-                    column[k][i] += direction[k] * tangent.lanes[i];
+            for (axis, direction) in column.iter_mut().zip(&direction) {
+                for i in 0..LANES {
+                    axis[i] += direction[i] * tangent.lanes[i];
                 }
             }
         }
     }
 
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
     fn rotate(&mut self, index: usize, axis: [f64; 3], origin: [f64; 3]) {
         let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
@@ -337,5 +379,21 @@ impl<'a> Block<'a> {
         for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {
             *column = [[0.0; LANES]; 3];
         }
+    }
+}
+
+/// The loop of [`Block::move_joint`].
+struct Moving<'b, 'a> {
+    block: &'b mut Block<'a>,
+    index: usize,
+}
+
+impl Loop for Moving<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        self.block.move_behind(self.index);
     }
 }

@@ -5,7 +5,7 @@
 use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
-use crate::lanes::sin_cos;
+use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
 pub(super) struct GearTransmissionError;

@@ -42,8 +42,8 @@ pub struct Inputs<'a> {
     pub target: Option<Cow<'a, [u32]>>,
     /// Reflectors at home, base frame, mm; at least one.
     pub reflectors_at_home: Vec<[f64; 3]>,
-    /// Time of the session's first sample, s: drifts count from it.
-    pub start_s: f64,
+    /// Time from which drifts count, s, where it is not that of the first sample.
+    pub start_s: Option<f64>,
     len: usize,
 }
 
@@ -56,17 +56,24 @@ impl<'a> Inputs<'a> {
         let samples = &session.samples;
         let q = (0..samples.q.len()).map(|joint| joint_values(samples, joint, values));
         let q: Vec<_> = q.collect();
-        let dir: Vec<_> = samples.dir.iter().map(|c| or_fill(c, 0.0)).collect();
+        let dir: Vec<_> = samples
+            .dir
+            .iter()
+            .map(|c| or_fill(c.as_ref(), 0.0))
+            .collect();
         let travel = q.iter().zip(&dir);
-        let time_s = samples.time_s.as_ref().map(|t| with_gaps_bridged(t));
         let travel = travel.map(|(q, dir)| dir.as_ref().map(|dir| travel_since_reversal(q, dir)));
         Self {
             travel: travel.collect(),
-            speed: samples.speed.iter().map(|c| or_fill(c, 0.0)).collect(),
-            load_kg: or_fill(&samples.load_kg, 0.0),
+            speed: samples
+                .speed
+                .iter()
+                .map(|c| or_fill(c.as_ref(), 0.0))
+                .collect(),
+            load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
             warmth_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
-            start_s: time_s.as_ref().and_then(|t| t.first().copied()).unwrap_or(0.0),
-            time_s,
+            time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
+            start_s: None,
             setup: samples
                 .setups
                 .as_ref()
@@ -104,9 +111,35 @@ impl<'a> Inputs<'a> {
                 .as_deref()
                 .map(|t| Cow::Owned(samples.iter().map(|i| t[*i]).collect())),
             reflectors_at_home: self.reflectors_at_home.clone(),
-            start_s: self.start_s,
+            start_s: Some(self.start_s()),
             len: samples.len(),
         }
+    }
+
+    /// Poses that nobody has measured: at standstill, at 20 °C, without load, approached from
+    /// neither side. The columns are public: set what differs.
+    pub fn at_poses(q: Vec<Vec<f64>>, reflectors_at_home: Vec<[f64; 3]>) -> Self {
+        let joints = q.len();
+        Self {
+            len: q.first().map_or(0, Vec::len),
+            q: q.into_iter().map(Cow::Owned).collect(),
+            dir: vec![None; joints],
+            speed: vec![None; joints],
+            travel: vec![None; joints],
+            load_kg: None,
+            warmth_c: None,
+            time_s: None,
+            setup: None,
+            target: None,
+            reflectors_at_home,
+            start_s: None,
+        }
+    }
+
+    /// Time from which drifts count, s: that of the session's first sample.
+    pub fn start_s(&self) -> f64 {
+        let first = || self.time_s.as_ref().and_then(|t| t.first().copied());
+        self.start_s.or_else(first).unwrap_or(0.0)
     }
 
     /// Number of samples.
@@ -147,8 +180,8 @@ fn filled(column: &[f64], with: f64) -> Cow<'_, [f64]> {
     }
 }
 
-fn or_fill(column: &Option<Vec<f64>>, with: f64) -> Option<Cow<'_, [f64]>> {
-    column.as_ref().map(|column| filled(column, with))
+fn or_fill(column: Option<&Vec<f64>>, with: f64) -> Option<Cow<'_, [f64]>> {
+    column.map(|column| filled(column, with))
 }
 
 fn warmth(temperature_c: &[f64]) -> Vec<f64> {

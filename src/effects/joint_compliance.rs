@@ -13,7 +13,8 @@ use super::about::{About, Form, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 use crate::kinematics::{Joint, JointKind};
-use crate::lanes::{LANES, add_scaled, cross, dot, minus, sin_cos, turned};
+use crate::lanes::{LANES, add_scaled, cross, dot, minus, turned};
+use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
 pub(super) struct JointCompliance;
@@ -169,5 +170,68 @@ fn moved(joint: &Joint, x: [f64; 3], value: f64) -> [f64; 3] {
             )
         }
         JointKind::Prismatic => add_scaled(x, direction(joint), value),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::{Inputs, JointValues};
+    use crate::kinematics::testing::robot_and_pose;
+    use crate::sessions::{Instrument, Samples, Session, Target};
+    use proptest::prelude::*;
+
+    /// A session with one sample.
+    fn session(robot: crate::kinematics::Robot, q: &[f64], load_kg: f64) -> Session {
+        let joints = q.len();
+        Session {
+            name: String::new(),
+            note: String::new(),
+            robot,
+            targets: vec![Target {
+                name: "tool".to_owned(),
+                position_mm: nalgebra::Point3::origin(),
+            }],
+            instrument: Instrument::default(),
+            tolerance_mm: None,
+            regions: Vec::new(),
+            compensated_by: None,
+            samples: Samples {
+                q: q.iter().map(|q| vec![*q]).collect(),
+                q_read: vec![None; joints],
+                x_mm: vec![0.0],
+                y_mm: vec![0.0],
+                dir: vec![None; joints],
+                speed: vec![None; joints],
+                load_kg: Some(vec![load_kg]),
+                ..Samples::default()
+            },
+            path: None,
+        }
+    }
+
+    proptest! {
+        /// The kinematics find the torque by virtual power, from twists; here it is a first
+        /// moment that turns with the joint.
+        #[test]
+        fn the_torque_agrees_with_the_one_of_the_kinematics(
+            (robot, q) in robot_and_pose(), load_kg in 0.0..20.0_f64
+        ) {
+            let session = session(robot.clone(), &q, load_kg);
+            let inputs = Inputs::new(&session, JointValues::Commanded);
+            let mut block = Block::new(&robot, 0, false);
+            block.load(&inputs, 0);
+            for (joint, angle) in q.iter().enumerate() {
+                if robot.joints[joint].kind == JointKind::Prismatic {
+                    continue;
+                }
+                let (torque, slope) = Torque::of(&block, joint, 0).at(*angle);
+                let expected = robot.gravity_torque_nm(&q, load_kg, joint).unwrap();
+                let scale = 1.0 + expected.abs();
+                prop_assert!((torque - expected).abs() < 1e-9 * scale, "{torque} {expected}");
+                let gradient = robot.gravity_torque_gradient(&q, load_kg, joint).unwrap();
+                prop_assert!((slope - gradient[joint]).abs() < 1e-9 * (1.0 + slope.abs()));
+            }
+        }
     }
 }

@@ -98,3 +98,42 @@ pub fn rank(effect: &dyn Effect) -> usize {
     let place = CATALOGUE.iter().position(|e| e.about().id == id);
     place.unwrap_or(CATALOGUE.len())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn every_effect_that_has_a_file_is_in_the_catalogue() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/effects");
+        let mut unlisted = Vec::new();
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let text = std::fs::read_to_string(&path).unwrap();
+            let stem = path.file_stem().unwrap().to_str().unwrap();
+            let is_effect = text.contains("\nimpl Effect for ");
+            if is_effect && stem != "measuring_frame" && find(&stem.replace('_', "-")).is_none() {
+                unlisted.push(stem.to_owned());
+            }
+        }
+        assert!(unlisted.is_empty(), "not in CATALOGUE: {unlisted:?}");
+    }
+
+    #[test]
+    fn names_are_unique_and_every_effect_says_what_it_is() {
+        for (k, effect) in CATALOGUE.iter().enumerate() {
+            let about = effect.about();
+            assert_eq!(rank(*effect), k, "{}", about.id);
+            for text in [
+                about.title,
+                about.equation,
+                about.source,
+                about.cause,
+                about.check,
+            ] {
+                assert!(!text.is_empty(), "{}", about.id);
+            }
+        }
+    }
+}

@@ -1,9 +1,9 @@
 //! An effect in a model: which joint, which setting, how large.
 
-use crate::kinematics::{Range, Robot};
+use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
-use super::about::{Form, Setting};
+use super::about::{DEGREE, Form, Quantity, Setting};
 use super::{Effect, find};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
@@ -88,6 +88,10 @@ impl Term {
 
     /// From an effect's name, a joint counted from 1 and parameters in the user's units. A
     /// parameter that is left out is zero, a setting has to be there.
+    ///
+    /// # Errors
+    /// An unknown effect or parameter, a joint that is not there, a setting that is missing or
+    /// out of range.
     pub fn from_parameters(
         id: &str,
         joint: usize,
@@ -99,29 +103,39 @@ impl Term {
         if joint == 0 || joint > joints {
             return Err(TermError::NoSuchJoint { joint, joints });
         }
-        let known = parameter_names(effect);
-        if let Some((name, _)) = given.iter().find(|(name, _)| !known.contains(name)) {
+        let known = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(effect, k));
+        let is_known = |name: &str| known.iter().any(|names| names.contains(&name));
+        if let Some((name, _)) = given.iter().find(|(name, _)| !is_known(name)) {
             return Err(TermError::UnknownParameter {
                 effect: about.id,
                 name: (*name).to_owned(),
-                known: known.join(", "),
+                known: known[0].join(", "),
             });
         }
+        // A quantity of a sliding joint goes by its own name.
+        let inner_value = |quantity: Quantity| {
+            let turning = given.iter().find(|g| g.0 == quantity.name);
+            let on_slide = quantity.on(JointKind::Prismatic);
+            let sliding = given.iter().find(|g| g.0 == on_slide.name);
+            let inner = |g: &(&str, f64), q: Quantity| g.1 * q.inner;
+            turning
+                .map(|g| inner(g, quantity))
+                .or_else(|| sliding.map(|g| inner(g, on_slide)))
+        };
         let value = |name: &str| given.iter().find(|g| g.0 == name).map(|g| g.1);
         let mut term = Self::absent(effect, joint - 1, 0.0);
-        if let Some((name, inner)) = setting_quantity(about.setting) {
+        if let Some(quantity) = setting_quantity(about.setting) {
             let missing = TermError::Missing {
                 effect: about.id,
-                name,
+                name: quantity.name,
             };
-            let given = value(name).ok_or(missing)?;
-            term.setting = given * inner;
-            check_setting(effect, name, given)?;
+            term.setting = inner_value(quantity).ok_or(missing)?;
+            check_setting(effect, quantity.name, term.setting / quantity.inner)?;
         }
         match about.form {
             Form::Plain(quantities) => {
                 for (coefficient, quantity) in term.coefficients.iter_mut().zip(quantities) {
-                    *coefficient = value(quantity.name).unwrap_or(0.0) * quantity.inner;
+                    *coefficient = inner_value(*quantity).unwrap_or(0.0);
                 }
             }
             Form::Harmonic(quantity) => {
@@ -133,17 +147,24 @@ impl Term {
         Ok(term)
     }
 
-    /// The parameters as the user reads them.
+    /// The parameters as the user reads them, on a joint that turns.
     pub fn parameters(&self) -> Vec<Parameter> {
+        self.parameters_on(JointKind::Revolute)
+    }
+
+    /// The parameters as the user reads them, on a joint of this kind.
+    pub fn parameters_on(&self, kind: JointKind) -> Vec<Parameter> {
         let about = self.effect.about();
         let mut parameters = Vec::new();
-        if let Some((name, inner)) = setting_quantity(about.setting) {
+        if let Some(quantity) = setting_quantity(about.setting) {
+            let Quantity { name, inner } = quantity.on(kind);
             let value = self.setting / inner;
             parameters.push(Parameter { name, value });
         }
         match about.form {
             Form::Plain(quantities) => {
                 for (coefficient, quantity) in self.coefficients.iter().zip(quantities) {
+                    let quantity = quantity.on(kind);
                     parameters.push(Parameter {
                         name: quantity.name,
                         value: coefficient / quantity.inner,
@@ -191,24 +212,28 @@ impl PartialEq for Term {
 }
 
 /// Name and inner size of the scanned parameter, where the user sees one.
-pub fn setting_quantity(setting: Setting) -> Option<(&'static str, f64)> {
+pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
+    let quantity = |name, inner| Some(Quantity { name, inner });
     match setting {
         Setting::None | Setting::Setup => None,
-        Setting::Order { .. } => Some(("order", 1.0)),
-        Setting::Time => Some(("time_s", 1.0)),
-        Setting::Fade => Some(("fade_deg", super::about::DEGREE)),
+        Setting::Order { .. } => quantity("order", 1.0),
+        Setting::Time => quantity("time_s", 1.0),
+        Setting::Fade => quantity("fade_deg", DEGREE),
     }
 }
 
 /// Names of an effect's parameters in the order in which they are shown.
 pub fn parameter_names(effect: &dyn Effect) -> Vec<&'static str> {
+    names_on(effect, JointKind::Revolute)
+}
+
+/// The same on a joint of this kind.
+pub fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
     let about = effect.about();
-    let mut names: Vec<_> = setting_quantity(about.setting)
-        .map(|s| s.0)
-        .into_iter()
-        .collect();
+    let setting = setting_quantity(about.setting);
+    let mut names: Vec<_> = setting.map(|s| s.on(kind).name).into_iter().collect();
     match about.form {
-        Form::Plain(quantities) => names.extend(quantities.iter().map(|q| q.name)),
+        Form::Plain(quantities) => names.extend(quantities.iter().map(|q| q.on(kind).name)),
         Form::Harmonic(quantity) => names.extend([quantity.name, "phase_deg"]),
     }
     names
@@ -323,4 +348,25 @@ pub fn travel_of(robot: &Robot, joint: usize, q: &[f64]) -> Range {
         });
         Range { from, to }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sliding_joints_offset_is_in_millimetres() {
+        let term = Term::from_parameters("joint-zero-offset", 3, &[("offset_mm", 0.5)], 3).unwrap();
+        assert_eq!(term.coefficients, [0.5]);
+        let read = term.parameters_on(JointKind::Prismatic);
+        assert_eq!((read[0].name, read[0].value), ("offset_mm", 0.5));
+        let turning = Term::from_parameters("backlash", 1, &[("width_deg", 1.0)], 1).unwrap();
+        assert_eq!(turning.coefficients, [DEGREE]);
+    }
+
+    #[test]
+    fn an_unknown_parameter_is_refused_with_the_known_ones() {
+        let wrong = Term::from_parameters("backlash", 1, &[("width_mrad", 1.0)], 1).unwrap_err();
+        assert!(wrong.to_string().contains("width_deg"), "{wrong}");
+    }
 }

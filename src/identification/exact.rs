@@ -19,6 +19,7 @@ use super::problem::{Problem, unusable};
 use super::robust::suspects;
 use super::solver::{Solution, Stopped, solve};
 use super::uncertainty::{estimates, half_width_factor};
+use super::unidentifiable::{name_on_joint, setup_name, undetermined_combinations};
 use super::{alignment, scan};
 
 /// The effects that every calibration identifies.
@@ -28,6 +29,9 @@ pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
 const MOST_ROUNDS: usize = 10;
 
 /// Fits the named effects, each on every joint where it can be tested.
+///
+/// # Errors
+/// An unknown effect, or no sample to fit.
 pub fn identify_exact(
     session: &Session,
     effects: &[String],
@@ -42,7 +46,15 @@ pub fn identify_exact(
     let mut terms = Vec::new();
     for id in effects {
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;
-        for (joint, obstacle) in places(effect, &survey) {
+        let places = places(effect, &survey);
+        if let Some(because) = same_everywhere(&places) {
+            not_identifiable.push(NotIdentifiable {
+                combination: id.clone(),
+                because,
+            });
+            continue;
+        }
+        for (joint, obstacle) in places {
             match obstacle {
                 Some(because) => not_identifiable.push(NotIdentifiable {
                     combination: name_on_joint(effect, joint, session),
@@ -88,13 +100,12 @@ pub fn report(
     } else {
         1.96
     };
-    let names = coefficient_names(&solution.model, session);
-    not_identifiable.extend(null_combinations(&solution, &names));
+    not_identifiable.extend(undetermined_combinations(&solution, session));
     Identification {
         session: session.name.clone(),
         method: "exact",
         samples: session.samples.len(),
-        parameters: parameters(&solution, covariance.as_ref(), factor),
+        parameters: parameters(&solution, covariance.as_ref(), factor, problem),
         regions: Vec::new(),
         not_identifiable,
         gap: gap_over(&|i| problem.fit[i]).unwrap_or(Gap {
@@ -139,12 +150,12 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
             .map(|(f, s)| *f && !*s)
             .collect();
         let weights = balanced_weights(problem, &after, solution.spectrum.rank());
-        let settled = used == problem.used && (weights == problem.axis_weights || round >= 2);
-        if settled {
+        let reweigh = round < 2 && differ(weights, problem.axis_weights);
+        if used == problem.used && !reweigh {
             break;
         }
         problem.used = used;
-        if round < 2 {
+        if reweigh {
             problem.axis_weights = weights;
         }
         solution = solve(problem, &solution.model);
@@ -163,13 +174,13 @@ fn places(effect: &dyn Effect, survey: &Survey) -> Vec<(usize, Option<String>)> 
         .collect()
 }
 
-fn name_on_joint(effect: &dyn Effect, joint: usize, session: &Session) -> String {
-    let id = effect.about().id;
-    if effect.about().per_joint && session.robot.joints.len() > 1 {
-        format!("{id} of joint {}", joint + 1)
-    } else {
-        id.to_owned()
-    }
+/// The one reason that stands against an effect on every joint, if there is such a reason.
+fn same_everywhere(places: &[(usize, Option<String>)]) -> Option<String> {
+    let first = places.first()?.1.clone()?;
+    places
+        .iter()
+        .all(|(_, obstacle)| obstacle.as_ref() == Some(&first))
+        .then_some(first)
 }
 
 /// One free measuring frame per setup, started from the best rigid fit.
@@ -220,6 +231,16 @@ fn balanced_weights(problem: &Problem, after: &Deviations, rank: usize) -> [f64;
     })
 }
 
+/// Whether weights differ by more than their own uncertainty could matter for: a twentieth.
+fn differ(a: [f64; 3], b: [f64; 3]) -> bool {
+    let relative = |w: [f64; 3]| {
+        let sum: f64 = w.iter().sum();
+        w.map(|w| w / sum)
+    };
+    let (a, b) = (relative(a), relative(b));
+    (0..3).any(|k| (a[k] - b[k]).abs() > 0.05 * b[k])
+}
+
 const MOST_UNEQUAL: f64 = 10.0;
 const FEWEST_TO_BALANCE: usize = 30;
 
@@ -252,6 +273,7 @@ fn parameters(
     solution: &Solution,
     covariance: Option<&DMatrix<f64>>,
     factor: f64,
+    problem: &Problem,
 ) -> Vec<Estimate> {
     let mut first = 0;
     let mut all = Vec::new();
@@ -261,57 +283,32 @@ fn parameters(
         let undetermined: Vec<bool> = (first..first + size)
             .map(|k| solution.spectrum.undetermined_share(k) > 1e-6)
             .collect();
-        all.extend(estimates(term, own.as_ref(), factor, &undetermined));
+        let kind = solution.model.robot.joints[term.joint].kind;
+        let mut own = estimates(term, own.as_ref(), factor, &undetermined, kind);
+        for estimate in &mut own {
+            match term.effect.about().setting {
+                Setting::Setup => estimate.setup = setup_name(problem.session, term.setting),
+                Setting::Time if estimate.name == "time_s" => {
+                    estimate.ci95 = times_around(problem, term.setting);
+                }
+                _ => {}
+            }
+        }
+        all.extend(own);
         first += size;
     }
     all
 }
 
-/// `effect.parameter` for every coefficient; an amplitude and its phase stand as their two parts.
-fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
-    let names = model.terms().iter().flat_map(|term| {
-        let about = term.effect.about();
-        let place = match about.setting {
-            Setting::Setup => {
-                let setups = session.samples.setups.as_ref();
-                let name = setups.and_then(|s| s.names.get(term.setting as usize));
-                format!("{} of setup {}", about.id, name.map_or("?", String::as_str))
-            }
-            _ => name_on_joint(term.effect, term.joint, session),
-        };
-        let names = crate::effects::term::parameter_names(term.effect);
-        let skip = names.len().saturating_sub(term.coefficients.len());
-        names
-            .into_iter()
-            .skip(skip)
-            .map(move |name| format!("{place}: {name}"))
-            .collect::<Vec<_>>()
-    });
-    names.collect()
-}
-
-fn null_combinations(solution: &Solution, names: &[String]) -> Vec<NotIdentifiable> {
-    let directions = solution.spectrum.null_directions();
-    let directions = directions.iter().map(|direction| {
-        let size = |k: usize| direction.components[k].abs();
-        let scaled = |k: usize| solution.spectrum.scaled_component(&direction.components, k);
-        let largest = (0..names.len()).map(scaled).fold(0.0, f64::max);
-        let mut involved: Vec<usize> = (0..names.len())
-            .filter(|k| size(*k) > 0.0 && scaled(*k) > 0.02 * largest)
-            .collect();
-        involved.sort_by(|a, b| scaled(*b).total_cmp(&scaled(*a)));
-        let listed: Vec<&str> = involved.iter().map(|k| names[*k].as_str()).collect();
-        let because = if listed.len() == 1 {
-            "the samples do not depend on it"
-        } else {
-            "the samples show only their sum: a change of one can be undone by the others"
-        };
-        NotIdentifiable {
-            combination: listed.join(" with "),
-            because: because.to_owned(),
-        }
-    });
-    directions.collect()
+/// The times of the samples around a step: it can have been anywhere between them.
+fn times_around(problem: &Problem, step_s: f64) -> Option<[f64; 2]> {
+    let time_s = problem.inputs.time_s.as_deref()?;
+    let before = time_s.iter().copied().filter(|t| *t < step_s);
+    let after = time_s.iter().copied().filter(|t| *t >= step_s);
+    Some([
+        before.max_by(f64::total_cmp)?,
+        after.min_by(f64::total_cmp)?,
+    ])
 }
 
 fn gap(

@@ -13,14 +13,17 @@ pub mod uncertainty;
 
 mod exact;
 mod outcome;
+mod plane;
 mod regional;
+mod unidentifiable;
 
 pub(crate) use exact::free_frames;
 pub use exact::{DEFAULT_EFFECTS, fit_without_outliers, identify_exact, report, testable_effects};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
 };
-pub use regional::{RegionSums, identify_regional, sum_by_region};
+pub use plane::{RegionSums, sum_by_region};
+pub use regional::identify_regional;
 
 /// Why an identification could not be made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::block::Block;
 use crate::lanes::{LANES, Lanes};
+use crate::wide::{Loop, wide};
 
 use super::problem::Problem;
 
@@ -46,6 +47,18 @@ impl Normal {
 
     /// Adds one block of samples.
     pub fn add(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
+        wide(Adding {
+            normal: self,
+            problem,
+            start,
+            block,
+            sums,
+        });
+    }
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
+    fn add_block(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
         let p = self.gradient.len();
         let mask = problem.mask(start, block.len);
         for axis in 0..3 {
@@ -80,8 +93,29 @@ impl Normal {
     }
 }
 
+/// The loop of [`Normal::add`].
+struct Adding<'a, 'p> {
+    normal: &'a mut Normal,
+    problem: &'a Problem<'p>,
+    start: usize,
+    block: &'a Block<'a>,
+    sums: Sums,
+}
+
+impl Loop for Adding<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        self.normal
+            .add_block(self.problem, self.start, self.block, self.sums);
+    }
+}
+
 /// Scalar product over the lanes, in eight running sums so that it can be vectorised.
-#[inline]
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a part of a wide loop")]
 pub fn dot(a: &Lanes, b: &Lanes) -> f64 {
     let mut sums = [0.0; 8];
     for i in 0..LANES / 8 {

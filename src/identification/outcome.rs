@@ -17,6 +17,8 @@ pub struct Estimate {
     pub effect: &'static str,
     /// Joint, counted from 1; `None` where the effect belongs to none.
     pub joint: Option<usize>,
+    /// Name of the setup that a measuring frame belongs to.
+    pub setup: Option<String>,
     /// The parameter's name with its unit.
     pub name: &'static str,
     /// Its value.

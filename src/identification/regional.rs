@@ -13,10 +13,8 @@
 //! [`identify_exact`](super::identify_exact) is the one to use.
 
 use crate::effects::JointValues;
-use crate::effects::inputs::reflectors_at_home;
-use crate::effects::term::JointFrame;
 use crate::kinematics::JointKind;
-use crate::lanes::{LANES, add_scaled, dot, minus, sin_cos};
+use crate::lanes::dot;
 use crate::model::{Model, RegionalCorrection};
 use crate::sessions::{Region, Session};
 
@@ -24,135 +22,16 @@ use super::IdentifyError;
 use super::exact::{left_out, outliers};
 use super::gap::{Deviations, Spread};
 use super::outcome::{Gap, Identification, Quality, RegionResult};
+use super::plane::{Plane, RegionSums, sum_by_region};
 use super::problem::Problem;
 use super::regions::{Assignment, RegionChoice};
 use super::robust::suspects;
 use super::uncertainty::half_width_factor;
 
-/// Sums of one region, from which its least squares follow.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct RegionSums {
-    /// Number of samples.
-    pub samples: usize,
-    /// Σ ΔPx, mm.
-    pub dx: f64,
-    /// Σ l1·ΔPy, mm².
-    pub l1_dy: f64,
-    /// Σ l1², mm².
-    pub l1_l1: f64,
-    /// Σ ΔPx² + ΔPy², mm².
-    pub square: f64,
-}
-
-impl RegionSums {
-    /// Δθ in rad and Δl1 in mm, by (7).
-    pub fn correction(&self) -> (f64, f64) {
-        let theta = if self.l1_l1 > 0.0 {
-            self.l1_dy / self.l1_l1
-        } else {
-            0.0
-        };
-        (theta, self.dx / self.samples as f64)
-    }
-}
-
-/// Sums over all samples that count, one for each region, and the number of samples in none.
-pub fn sum_by_region(problem: &Problem, regions: &[Region]) -> (Vec<RegionSums>, usize) {
-    let plane = Plane::new(problem.session);
-    let assignment = Assignment::new(regions);
-    let mut sums = vec![RegionSums::default(); regions.len()];
-    let mut outside = 0;
-    plane.each_sample(problem, |i, dx, dy, l1| {
-        if !problem.used[i] {
-            return;
-        }
-        match assignment.region_of(problem.inputs.q[0][i]) {
-            None => outside += 1,
-            Some(region) => {
-                let sums = &mut sums[region];
-                sums.samples += 1;
-                sums.dx += dx;
-                sums.l1_dy += l1 * dy;
-                sums.l1_l1 += l1 * l1;
-                sums.square += dx * dx + dy * dy;
-            }
-        }
-    });
-    (sums, outside)
-}
-
-/// The plane in which a single axis moves a reflector.
-struct Plane {
-    origin: [f64; 3],
-    x: [f64; 3],
-    y: [f64; 3],
-    /// In-plane coordinates of every reflector at home, and its distance from the axis.
-    homes: Vec<(f64, f64, f64)>,
-}
-
-impl Plane {
-    fn new(session: &Session) -> Self {
-        let frame = JointFrame::new(&session.robot, 0);
-        // A tool on the axis has no radius; any direction across the axis will do.
-        let (x, y) = if frame.radius_mm > 0.0 {
-            (frame.radial, frame.tangential)
-        } else {
-            (frame.across_1, frame.across_2)
-        };
-        let homes = reflectors_at_home(session).into_iter().map(|home| {
-            let arm = minus(home, frame.origin_mm);
-            let (a, b) = (dot(arm, x), dot(arm, y));
-            (a, b, a.hypot(b))
-        });
-        Self {
-            origin: frame.origin_mm,
-            x,
-            y,
-            homes: homes.collect(),
-        }
-    }
-
-    /// Calls `see` with (sample, ΔPx, ΔPy, l1) for every usable sample.
-    fn each_sample(&self, problem: &Problem, mut see: impl FnMut(usize, f64, f64, f64)) {
-        let samples = &problem.session.samples;
-        let q = &problem.inputs.q[0];
-        let target = problem.inputs.target.as_deref();
-        let flat = self.x == [1.0, 0.0, 0.0] && self.y == [0.0, 1.0, 0.0];
-        let n = q.len();
-        let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
-        for start in (0..n).step_by(LANES) {
-            let len = (n - start).min(LANES);
-            for i in 0..len {
-                (sin[i], cos[i]) = sin_cos(q[start + i]);
-            }
-            for lane in 0..len {
-                let i = start + lane;
-                if !problem.usable[i] {
-                    continue;
-                }
-                let (a, b, l1) = self.homes[target.map_or(0, |t| t[i] as usize)];
-                let nominal_x = a * cos[lane] - b * sin[lane];
-                let nominal_y = a * sin[lane] + b * cos[lane];
-                let (x, y) = (samples.x_mm[i], samples.y_mm[i]);
-                let (measured_x, measured_y) = if flat {
-                    (x - self.origin[0], y - self.origin[1])
-                } else {
-                    let z = samples.z_mm.as_ref().map_or(self.origin[2], |z| z[i]);
-                    let arm = minus([x, y, z], self.origin);
-                    (dot(arm, self.x), dot(arm, self.y))
-                };
-                see(i, nominal_x - measured_x, nominal_y - measured_y, l1);
-            }
-        }
-    }
-
-    /// A deviation in the plane as a vector in the measuring frame: −ΔP.
-    fn deviation(&self, dx: f64, dy: f64) -> [f64; 3] {
-        add_scaled(self.x.map(|v| -v * dx), self.y, -dy)
-    }
-}
-
 /// The paper's identification of a session with a single revolute joint.
+///
+/// # Errors
+/// Another robot, regions that make no sense, or no sample to fit.
 pub fn identify_regional(
     session: &Session,
     choice: &RegionChoice,
@@ -169,13 +48,13 @@ pub fn identify_regional(
     let corrections: Vec<(f64, f64)> = sums.iter().map(RegionSums::correction).collect();
 
     let assignment = Assignment::new(&regions);
-    let plane = Plane::new(session);
+    let plane = Plane::new(&problem);
     let blank = || Deviations {
         axes_mm: std::array::from_fn(|_| vec![f64::NAN; session.samples.len()]),
         length_mm: vec![f64::NAN; session.samples.len()],
     };
     let (mut before, mut after) = (blank(), blank());
-    plane.each_sample(&problem, |i, dx, dy, l1| {
+    plane.each_sample(&problem.usable, |i, dx, dy, l1| {
         if let Some(region) = assignment.region_of(problem.inputs.q[0][i]) {
             // (8): the corrected position is q + M Δρ.
             let (theta, l1_mm) = corrections[region];

@@ -4,6 +4,7 @@
 //! and 0 itself to the first region listed that touches it.
 
 use crate::kinematics::Range;
+use crate::lanes::{LANES, Lanes};
 use crate::sessions::{Region, Session};
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -49,6 +50,9 @@ const ON_BOUNDARY: f64 = 1e-9;
 
 impl RegionChoice {
     /// The regions for a session with one joint.
+    ///
+    /// # Errors
+    /// [`RegionError`] where the choice makes no sense for the session.
     pub fn resolve(&self, session: &Session) -> Result<Vec<Region>, RegionError> {
         match self {
             Self::FromSession if session.regions.is_empty() => uniform(session, DEFAULT_REGIONS),
@@ -108,58 +112,72 @@ fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
         .collect()
 }
 
-/// Finds the region of an angle. Regions that follow each other are searched by halving.
+/// Finds the region of an angle.
 #[derive(Debug, Clone)]
 pub struct Assignment<'a> {
     regions: &'a [Region],
-    /// Regions in ascending order with their place in the list; `None` where they overlap and
-    /// have to be tried one by one.
-    sorted: Option<Vec<(f64, f64, usize)>>,
+    /// Where regions do not overlap: the angle's place between the thresholds tells its region.
+    slots: Option<Slots>,
 }
+
+/// The line of angles cut at thresholds; slot k lies above k of them. Who owns a boundary has
+/// gone into the thresholds, so that finding a slot is nothing but counting.
+#[derive(Debug, Clone)]
+struct Slots {
+    thresholds: Vec<f64>,
+    /// Place in the list of the region of each slot, or [`NO_REGION`].
+    owners: Vec<usize>,
+}
+
+/// Stands for angles outside all regions.
+const NO_REGION: usize = usize::MAX;
+/// Counting beats halving up to about so many thresholds.
+const FEW_THRESHOLDS: usize = 24;
 
 impl<'a> Assignment<'a> {
     /// Prepares the search.
     pub fn new(regions: &'a [Region]) -> Self {
-        let mut sorted: Vec<(f64, f64, usize)> = regions
-            .iter()
-            .enumerate()
-            .map(|(k, r)| (r.from_rad, r.to_rad, k))
-            .collect();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut sorted: Vec<usize> = (0..regions.len()).collect();
+        sorted.sort_by(|a, b| regions[*a].from_rad.total_cmp(&regions[*b].from_rad));
         let apart = sorted
             .windows(2)
-            .all(|pair| pair[0].1 <= pair[1].0 + ON_BOUNDARY);
+            .all(|pair| regions[pair[0]].to_rad <= regions[pair[1]].from_rad + ON_BOUNDARY);
         Self {
             regions,
-            sorted: apart.then_some(sorted),
+            slots: apart.then(|| Slots::new(regions, &sorted)),
         }
     }
 
     /// Place in the list of the region that owns an angle in rad; `None` outside all regions.
     pub fn region_of(&self, q: f64) -> Option<usize> {
-        let Some(sorted) = &self.sorted else {
+        let Some(slots) = &self.slots else {
             return self.one_by_one(q);
         };
-        // The first region that ends at or after q, and the one after it: q may be on the
-        // boundary between the two.
-        let first = sorted.partition_point(|(_, to, _)| *to < q - ON_BOUNDARY);
-        let here = |k: usize| {
-            let (from, _, place) = sorted.get(k)?;
-            (*from <= q + ON_BOUNDARY).then_some(*place)
-        };
-        match (here(first), here(first + 1)) {
-            (Some(below), Some(above)) => Some(self.on_zeros_side(q, below, above)),
-            (only, None) | (None, only) => only,
-        }
+        let owner = slots.owners[slots.thresholds.partition_point(|t| q > *t)];
+        (owner != NO_REGION).then_some(owner)
     }
 
-    fn on_zeros_side(&self, q: f64, below: usize, above: usize) -> usize {
-        if q.abs() <= ON_BOUNDARY {
-            below.min(above)
-        } else if q > 0.0 {
-            below
-        } else {
-            above
+    /// The regions of a block of angles; the number of regions stands for none.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
+    pub fn regions_of(&self, q: &Lanes, to: &mut [usize; LANES]) {
+        match &self.slots {
+            Some(slots) if slots.thresholds.len() <= FEW_THRESHOLDS => {
+                let mut above = [0_usize; LANES];
+                for threshold in &slots.thresholds {
+                    for (count, q) in above.iter_mut().zip(q) {
+                        *count += usize::from(*q > *threshold);
+                    }
+                }
+                for (to, count) in to.iter_mut().zip(above) {
+                    *to = slots.owners[count].min(self.regions.len());
+                }
+            }
+            _ => {
+                for (to, q) in to.iter_mut().zip(q) {
+                    *to = self.region_of(*q).unwrap_or(self.regions.len());
+                }
+            }
         }
     }
 
@@ -169,19 +187,56 @@ impl<'a> Assignment<'a> {
         let inner = |r: &Region| r.from_rad + ON_BOUNDARY < q && q < r.to_rad - ON_BOUNDARY;
         let touches = |r: &Region| r.from_rad - ON_BOUNDARY <= q && q <= r.to_rad + ON_BOUNDARY;
         let at_zero = q.abs() <= ON_BOUNDARY;
-        let towards_zero = |r: &Region| {
-            touches(r)
-                && (at_zero
-                    || if q > 0.0 {
-                        r.from_rad < q - ON_BOUNDARY
-                    } else {
-                        r.to_rad > q + ON_BOUNDARY
-                    })
+        let reaches_to_zero = |r: &Region| {
+            let inwards = if q > 0.0 {
+                r.from_rad < q - ON_BOUNDARY
+            } else {
+                r.to_rad > q + ON_BOUNDARY
+            };
+            touches(r) && (at_zero || inwards)
         };
         let find = |test: &dyn Fn(&Region) -> bool| self.regions.iter().position(test);
         find(&inner)
-            .or_else(|| find(&towards_zero))
+            .or_else(|| find(&reaches_to_zero))
             .or_else(|| find(&touches))
+    }
+}
+
+impl Slots {
+    fn new(regions: &[Region], sorted: &[usize]) -> Self {
+        let mut thresholds = Vec::new();
+        let mut owners = vec![NO_REGION];
+        let mut cut = |threshold: f64, owner: usize| {
+            thresholds.push(threshold);
+            owners.push(owner);
+        };
+        for (k, &place) in sorted.iter().enumerate() {
+            let region = &regions[place];
+            let next = sorted.get(k + 1).copied();
+            let joined = next.filter(|n| regions[*n].from_rad <= region.to_rad + ON_BOUNDARY);
+            let follows = k > 0 && regions[sorted[k - 1]].to_rad + ON_BOUNDARY >= region.from_rad;
+            if !follows {
+                cut(region.from_rad - ON_BOUNDARY, place);
+            }
+            match joined {
+                None => cut(region.to_rad + ON_BOUNDARY, NO_REGION),
+                Some(next) => {
+                    let boundary = region.to_rad;
+                    let below_owns = if boundary.abs() <= ON_BOUNDARY {
+                        place < next
+                    } else {
+                        boundary > 0.0
+                    };
+                    let side = if below_owns {
+                        ON_BOUNDARY
+                    } else {
+                        -ON_BOUNDARY
+                    };
+                    cut(boundary + side, next);
+                }
+            }
+        }
+        Self { thresholds, owners }
     }
 }
 
@@ -198,8 +253,14 @@ mod tests {
         degrees.iter().enumerate().map(make).collect()
     }
 
+    /// Asked one by one and by the block, which have to agree.
     fn owner(regions: &[Region], deg: f64) -> Option<usize> {
-        Assignment::new(regions).region_of(rad_from_deg(deg))
+        let assignment = Assignment::new(regions);
+        let alone = assignment.region_of(rad_from_deg(deg));
+        let mut of_block = [0; LANES];
+        assignment.regions_of(&[rad_from_deg(deg); LANES], &mut of_block);
+        assert_eq!(of_block[7], alone.unwrap_or(regions.len()));
+        alone
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! The scale is the median length of the deviations, which half the samples would have to be
 //! wrong to move. For Gaussian noise on three axes the length has a median of 1.54 σ, and the
-//! limit of [`LIMIT`] medians lies near 7.7 σ: clean noise does not reach it, heavy tails seldom.
+//! limit of five medians lies near 7.7 σ: clean noise does not reach it, heavy tails seldom.
 
 use super::gap::Deviations;
 use super::problem::Problem;

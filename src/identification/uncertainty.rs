@@ -9,6 +9,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::effects::term::setting_quantity;
 use crate::effects::{Form, Term};
+use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
 use super::outcome::Estimate;
@@ -29,10 +30,11 @@ pub fn estimates(
     covariance: Option<&DMatrix<f64>>,
     factor: f64,
     undetermined: &[bool],
+    kind: JointKind,
 ) -> Vec<Estimate> {
     let about = term.effect.about();
-    let values = term.parameters();
-    let half_widths = half_widths(term, covariance, factor, undetermined);
+    let values = term.parameters_on(kind);
+    let half_widths = half_widths(term, covariance, factor, undetermined, kind);
     let settings = usize::from(setting_quantity(about.setting).is_some());
     values
         .into_iter()
@@ -50,6 +52,7 @@ pub fn estimates(
             Estimate {
                 effect: about.id,
                 joint: about.per_joint.then_some(term.joint + 1),
+                setup: None,
                 name: parameter.name,
                 value,
                 ci95: match (parameter.name, ci95) {
@@ -68,6 +71,7 @@ fn half_widths(
     covariance: Option<&DMatrix<f64>>,
     factor: f64,
     undetermined: &[bool],
+    kind: JointKind,
 ) -> Vec<Option<f64>> {
     let Some(covariance) = covariance else {
         return vec![None; term.coefficients.len()];
@@ -77,7 +81,8 @@ fn half_widths(
             .iter()
             .enumerate()
             .map(|(k, quantity)| {
-                (!undetermined[k]).then(|| factor * covariance[(k, k)].sqrt() / quantity.inner)
+                (!undetermined[k])
+                    .then(|| factor * covariance[(k, k)].sqrt() / quantity.on(kind).inner)
             })
             .collect(),
         Form::Harmonic(quantity) => {

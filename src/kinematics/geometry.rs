@@ -10,7 +10,7 @@
 //! T′(q) = exp δ_base · Π exp(Ad(exp δi) [ξi] qi) · M · exp δ_tool
 //! ```
 //!
-//! First-order motion of the tool as a space twist, with `A_i` = exp([ξ1] q1) … exp([ξi] qi):
+//! First-order motion of the tool as a space twist, with `A_i = exp([ξ1] q1) … exp([ξi] qi)`:
 //!
 //! ```text
 //! base:  δ_base       joint i:  (Ad(A_{i−1}) − Ad(A_i)) δi       tool:  Ad(T) δ_tool

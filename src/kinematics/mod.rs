@@ -13,13 +13,13 @@
 //!
 //! A tour, from the ground up:
 //!
-//! - [`robot`]: what a robot is, and [`Robot::problems`], everything that can be wrong with one.
+//! - [`robot`]: what a robot is; [`Robot::problems`]: everything that can be wrong with one.
 //! - [`quaternion`]: rotation vectors to unit quaternions and back, near 0, near π, on both covers.
 //! - [`screw`]: [`Twist`]s, their exponential and logarithm, the adjoint, the motion of one joint.
 //! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
 //!   ([`Robot::point_in_base`]).
 //! - [`point_map`]: the point alone for many poses, with everything constant computed beforehand,
-//!   on [`sincos`], sines and cosines of several joints at once.
+//!   on [`crate::sincos`], sines and cosines of several joints at once.
 //! - [`jacobian`]: derivatives by joint values; [`geometry`]: small screws of base, joint axes and
 //!   tool, what they do to a robot, and derivatives by them.
 //! - [`gravity`]: gravity's torque about a joint and its gradient.
@@ -50,15 +50,15 @@ pub mod gravity;
 pub mod half_angle;
 pub mod jacobian;
 pub mod point_map;
+mod problems;
 pub mod quaternion;
 pub mod robot;
 pub mod screw;
-pub mod sincos;
 pub mod urdf;
 mod urdf_document;
 
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 
 pub use dh::{DhConvention, DhRow, robot_from_dh};
 pub use geometry::GeometryDelta;

@@ -1,11 +1,9 @@
-//! The robot as a list of joint axes and a tool, and what can be wrong with one.
+//! The robot as a list of joint axes and a tool.
 //!
 //! Everything stands at the home pose (every joint value zero) and in the base frame. Lengths in
 //! mm, angles in rad, masses in kg, gravity in m/s².
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
-
-use crate::diagnostic::{Diagnostic, Place};
 
 /// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
 pub type Pose = Isometry3<f64>;
@@ -98,17 +96,6 @@ impl Axis {
             point_mm: motion * self.point_mm,
         }
     }
-
-    /// Whether both are the same line in space, whichever way each points.
-    fn is_same_line_as(&self, other: &Self) -> bool {
-        let between_mm = other.point_mm - self.point_mm;
-        let off_line_mm = self.direction.cross(&between_mm).norm();
-        self.is_parallel_to(other) && off_line_mm < 1e-9 * (1.0 + between_mm.norm())
-    }
-
-    fn is_parallel_to(&self, other: &Self) -> bool {
-        self.direction.cross(&other.direction).norm() < 1e-9
-    }
 }
 
 /// A pose from a position in mm and a quaternion (w, x, y, z), which need not be of unit length.
@@ -185,14 +172,6 @@ impl Joint {
             link: None,
         }
     }
-
-    fn moves_like(&self, other: &Self) -> bool {
-        match (self.kind, other.kind) {
-            (JointKind::Revolute, JointKind::Revolute) => self.axis.is_same_line_as(&other.axis),
-            (JointKind::Prismatic, JointKind::Prismatic) => self.axis.is_parallel_to(&other.axis),
-            _ => false,
-        }
-    }
 }
 
 /// A serial chain from base to tool, at home.
@@ -232,127 +211,11 @@ impl Robot {
             }),
         }
     }
-
-    /// Everything that makes the robot unusable (errors) or suspicious (warnings), each at `place`
-    /// with the path of the field.
-    ///
-    /// Two neighbouring joints on one line are an error: they move the tool alike in every pose,
-    /// so no measurement can tell their zero offsets apart.
-    pub fn problems(&self, place: &Place) -> Vec<Diagnostic> {
-        let mut problems = Vec::new();
-        if self.joints.is_empty() {
-            problems.push(Diagnostic::error(
-                place.clone().in_field("robot.joints"),
-                "no joints",
-                "at least one joint",
-            ));
-            return problems;
-        }
-        if !is_finite_pose(&self.base_from_tool) {
-            problems.push(Diagnostic::error(
-                place.clone().in_field("robot.tool"),
-                "a number that is not finite",
-                "a finite position and orientation",
-            ));
-        }
-        if self
-            .gravity_m_s2
-            .is_some_and(|g| !g.iter().all(|x| x.is_finite()))
-        {
-            problems.push(Diagnostic::error(
-                place.clone().in_field("robot.gravity_m_s2"),
-                "a number that is not finite",
-                "three finite numbers in m/s²",
-            ));
-        }
-        for (index, joint) in self.joints.iter().enumerate() {
-            let at = place.clone().in_field(format!("robot.joints[{index}]"));
-            problems.extend(joint_problems(joint, &at));
-        }
-        for (index, pair) in self.joints.windows(2).enumerate() {
-            if pair[0].moves_like(&pair[1]) {
-                let at = place
-                    .clone()
-                    .in_field(format!("robot.joints[{}]", index + 1));
-                problems.push(Diagnostic::error(
-                    at,
-                    format!(
-                        "joints {} and {} move along the same line",
-                        index + 1,
-                        index + 2
-                    ),
-                    "neighbouring joints with different axes; these two cannot be told apart",
-                ));
-            }
-        }
-        if problems.is_empty() && self.joints.len() <= 6 {
-            let mobility = self.mobility();
-            if mobility < self.joints.len() {
-                problems.push(Diagnostic::warning(
-                    place.clone().in_field("robot.joints"),
-                    format!(
-                        "{} joints that move the tool in only {mobility} independent ways",
-                        self.joints.len()
-                    ),
-                    "as many ways as joints; some joints stand in for each other",
-                ));
-            }
-        }
-        problems
-    }
-}
-
-fn is_finite_pose(pose: &Pose) -> bool {
-    pose.translation.vector.iter().all(|x| x.is_finite())
-        && pose.rotation.coords.iter().all(|x| x.is_finite())
-}
-
-fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
-    let mut problems = Vec::new();
-    let axis = &joint.axis;
-    if !axis.direction.iter().all(|x| x.is_finite())
-        || !axis.point_mm.iter().all(|x| x.is_finite())
-        || (axis.direction.norm() - 1.0).abs() > 1e-9
-    {
-        problems.push(Diagnostic::error(
-            place.clone(),
-            "an axis that is not a line",
-            "a finite point and a direction of non-zero length",
-        ));
-    }
-    if let Some(limits) = joint.limits
-        // Written so that a NaN is refused too.
-        && !(limits.from < limits.to && limits.from.is_finite() && limits.to.is_finite())
-    {
-        problems.push(Diagnostic::error(
-            place.clone(),
-            format!("limits from {} to {}", limits.from, limits.to),
-            "finite limits, the smaller value first",
-        ));
-    }
-    if let Some(link) = joint.link {
-        if !(link.mass_kg.is_finite() && link.mass_kg >= 0.0) {
-            problems.push(Diagnostic::error(
-                place.clone(),
-                format!("a link of {} kg", link.mass_kg),
-                "a finite mass of at least 0 kg",
-            ));
-        }
-        if !link.centre_mm.iter().all(|x| x.is_finite()) {
-            problems.push(Diagnostic::error(
-                place.clone(),
-                "a centre of mass that is not finite",
-                "three finite numbers in mm",
-            ));
-        }
-    }
-    problems
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnostic::Severity;
 
     fn z_axis_at(x_mm: f64) -> Axis {
         Axis::through(Vector3::z(), Point3::new(x_mm, 0.0, 0.0)).unwrap()
@@ -402,45 +265,5 @@ mod tests {
         );
         assert!(robot.check_joint_values(&[f64::NAN]).is_err());
         assert!(robot.check_joint_values(&[0.5]).is_ok());
-    }
-
-    #[test]
-    fn two_neighbouring_joints_on_one_line_are_an_error() {
-        let mut second = z_axis_at(0.0);
-        second.point_mm.z = 120.0;
-        second.direction = -second.direction;
-        let twin = robot(vec![revolute(z_axis_at(0.0)), revolute(second)]);
-        let problems = twin.problems(&Place::default());
-        assert_eq!(problems[0].severity, Severity::Error);
-        assert!(problems[0].found.contains("joints 1 and 2"));
-        let apart = robot(vec![revolute(z_axis_at(0.0)), revolute(z_axis_at(1.0))]);
-        assert_eq!(apart.problems(&Place::default()), vec![]);
-    }
-
-    #[test]
-    fn four_parallel_axes_are_worth_a_warning() {
-        let planar = robot(
-            [0.0, 100.0, 210.0, 290.0]
-                .map(|x| revolute(z_axis_at(x)))
-                .to_vec(),
-        );
-        let problems = planar.problems(&Place::default());
-        assert_eq!(problems.len(), 1);
-        assert_eq!(problems[0].severity, Severity::Warning);
-        assert!(problems[0].found.contains("only 3 independent ways"));
-    }
-
-    #[test]
-    fn every_broken_number_is_reported_and_not_only_the_first() {
-        let mut joint = revolute(z_axis_at(0.0));
-        joint.limits = Some(Range { from: 1.0, to: 1.0 });
-        joint.link = Some(LinkMass {
-            mass_kg: -2.0,
-            centre_mm: Point3::new(f64::NAN, 0.0, 0.0),
-        });
-        let mut robot = robot(vec![joint]);
-        robot.gravity_m_s2 = Some(Vector3::new(0.0, f64::INFINITY, 0.0));
-        robot.base_from_tool.translation.vector.x = f64::NAN;
-        assert_eq!(robot.problems(&Place::default()).len(), 5);
     }
 }

@@ -116,7 +116,7 @@ pub fn log(motion: &Pose) -> Twist {
     Twist::new(angular, p - turned * 0.5 + angular.cross(&turned) * c)
 }
 
-/// The motion of a joint from home to `value` (rad or mm): exp([ξ] value), without the detour over ξ.
+/// The motion of a joint from home to `value` (rad or mm): `exp([ξ] value)`, without the detour over ξ.
 pub fn joint_motion(axis: &Axis, kind: JointKind, value: f64) -> Pose {
     match kind {
         JointKind::Revolute => {

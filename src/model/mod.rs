@@ -186,7 +186,7 @@ impl Model {
                 first_column,
                 frame: JointFrame::new(&self.robot, term.joint),
                 down,
-                start_s: inputs.start_s,
+                start_s: inputs.start_s(),
             };
             first_column += term.coefficients.len();
             placed

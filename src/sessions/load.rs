@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::{JointKind, Robot};
@@ -20,6 +20,9 @@ pub struct Loaded {
     pub session: Session,
     /// Notes and warnings, in the order of the input; no errors.
     pub findings: Vec<Diagnostic>,
+    /// Every file that was read: the document, its samples, the robot's URDF. No output may replace
+    /// them.
+    pub files: Vec<PathBuf>,
 }
 
 /// A robot and the notes and warnings that came up on the way.
@@ -59,6 +62,7 @@ pub fn load(path: impl AsRef<Path>) -> Result<Loaded, Rejected> {
     let bytes = files::read_document(path)?;
     let mut loaded = read_session(Some(path), &bytes, Beside::Folder(files::folder_of(path)))?;
     loaded.session.path = Some(path.to_path_buf());
+    loaded.files.insert(0, path.to_path_buf());
     Ok(loaded)
 }
 
@@ -162,14 +166,13 @@ fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result
         }
         Some(SamplesAt::File(name, at)) => {
             let place = fields.place(at, &JsonPath::Root.key("samples").key("file"));
-            let findings = &mut fields.findings;
             samples_file(
                 &name,
                 &place,
                 beside,
                 kinds.as_deref(),
                 &head.targets,
-                findings,
+                &mut fields,
             )
         }
     };
@@ -197,7 +200,11 @@ fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result
             .extend(validation::findings(&session, &place));
     }
     let findings = accept(fields.findings)?;
-    Ok(Loaded { session, findings })
+    Ok(Loaded {
+        session,
+        findings,
+        files: fields.also_read,
+    })
 }
 
 /// Reads the samples that the document at `place` calls `name`.
@@ -207,8 +214,9 @@ fn samples_file(
     beside: Beside<'_>,
     kinds: Option<&[JointKind]>,
     targets: &[crate::sessions::Target],
-    findings: &mut Vec<Diagnostic>,
+    fields: &mut Fields<'_>,
 ) -> Option<Samples> {
+    let findings = &mut fields.findings;
     let opened = match beside {
         Beside::Csv(bytes) => {
             return samples_from(bytes, None, &Place::file(name), kinds, targets, findings);
@@ -230,6 +238,7 @@ fn samples_file(
             return None;
         }
     };
+    fields.also_read.push(path.clone());
     samples_from(
         file,
         Some(length),

@@ -5,17 +5,17 @@
 //! [`save`] writes it back, whole or not at all, so that loading gives the same session to the last
 //! bit.
 //!
-//! The way in: bytes → [`json`] (a tree that knows places) → [`format_v1`] (units, ranges, the
-//! robot) → [`csv`] or inline columns → [`columns`] (what headings mean) → [`assemble`] (samples in
-//! inner units) → [`validation`] (what spans fields). The types that the program thinks in are in
-//! [`domain`]; they know nothing of files.
+//! The way in: bytes → `json` (a tree that knows places) → `format_v1` (units, ranges, the
+//! robot) → `csv` or inline columns → `columns` (what headings mean) → `assemble` (samples in
+//! inner units) → `validation` (what spans fields). The types that the program thinks in are in
+//! `domain`; they know nothing of files.
 
 mod assemble;
 mod columns;
 mod csv;
 mod domain;
-mod files;
-mod format_v1;
+pub(crate) mod files;
+pub(crate) mod format_v1;
 mod hash;
 pub(crate) mod json;
 mod load;
@@ -23,7 +23,7 @@ pub(crate) mod number;
 mod save;
 mod saved_columns;
 mod table;
-mod validation;
+pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
 pub use hash::hash_of_samples;

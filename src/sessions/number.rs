@@ -42,9 +42,14 @@ pub(crate) fn word_at(bytes: &[u8], at: usize) -> Option<u64> {
 /// How many bytes at the start of a word (already less the digit zero) are digits.
 #[inline]
 fn leading_digits(values: u64) -> usize {
+    (not_digits(values).trailing_zeros() / 8) as usize
+}
+
+/// Marks the bytes that are no digit values; behind the first one, others may be marked too.
+#[inline]
+fn not_digits(values: u64) -> u64 {
     // A carry out of a byte that is no digit only spoils the bytes after it.
-    let not_digits = (values.wrapping_add(0x7676_7676_7676_7676) | values) & HIGH_BITS;
-    (not_digits.trailing_zeros() / 8) as usize
+    (values.wrapping_add(0x7676_7676_7676_7676) | values) & HIGH_BITS
 }
 
 /// The whole number that eight digit values spell, the first one lowest in the word.
@@ -112,14 +117,94 @@ pub(crate) fn plain_decimal(bytes: &[u8], at: usize) -> Option<(f64, usize)> {
     ))
 }
 
-/// The double of a whole number up to 2^53 with this sign; −0 stays −0.
+/// Powers of ten to divide by, and the same with a minus: m / −10^k is −(m / 10^k), and 0 becomes −0.
+const SIGNED_TEN: [[f64; 16]; 2] = {
+    let mut table = [[0.0; 16]; 2];
+    let mut i = 0;
+    while i < 16 {
+        table[0][i] = TEN_F64[i];
+        table[1][i] = -TEN_F64[i];
+        i += 1;
+    }
+    table
+};
+
+/// Length of the cell that starts at `at`, if it is shorter than sixteen bytes: the distance to the
+/// first byte below '-', which is what ends a cell (comma, line feed, carriage return) or makes it
+/// a case for the general way (quotes, spaces, plus signs). That is quickly found, and it is all
+/// that the next cell has to wait for.
+#[inline]
+pub(crate) fn short_cell(bytes: &[u8], at: usize) -> Option<usize> {
+    const FIRST_CONTENT: u64 = 0x2d2d_2d2d_2d2d_2d2d;
+    // A borrow only spoils the bytes after the first that is below.
+    let below = |word: u64| word.wrapping_sub(FIRST_CONTENT) & !word & HIGH_BITS;
+    let [low, high] = two_words(bytes, at)?;
+    let (low, high) = (below(low), below(high));
+    let length = if low == 0 {
+        8 + high.trailing_zeros() / 8
+    } else {
+        low.trailing_zeros() / 8
+    };
+    (length < 16).then_some(length as usize)
+}
+
+/// The sixteen bytes from `at`, the first one lowest in the first word.
+#[inline]
+fn two_words(bytes: &[u8], at: usize) -> Option<[u64; 2]> {
+    let (low, high) = bytes.get(at..)?.first_chunk::<16>()?.split_at(8);
+    Some([
+        u64::from_le_bytes(*low.first_chunk()?),
+        u64::from_le_bytes(*high.first_chunk()?),
+    ])
+}
+
+/// The value of the cell `bytes[at..at + length]`, if it is `[-]digits[.digits]` with one to seven
+/// digits before the point and one to eight behind it. `None` is no verdict.
+#[inline]
+pub(crate) fn short_decimal(bytes: &[u8], at: usize, length: usize) -> Option<f64> {
+    let negative = usize::from(*bytes.get(at)? == b'-');
+    let [low, high] = two_words(bytes, at + negative)?;
+    let bits = 8 * (length - negative);
+    let values = low ^ ZEROS;
+    let whole_bits = (not_digits(values).trailing_zeros() & !7) as usize;
+    if whole_bits == 0 || whole_bits == 64 {
+        return None;
+    }
+    let whole = eight_digits(values << (64 - whole_bits));
+    if bits == whole_bits {
+        return Some(exact(whole) / SIGNED_TEN[negative][0]);
+    }
+    // At most seven bytes before the point: nothing of what stands behind is shifted out.
+    let from_point = low >> whole_bits;
+    let behind = (from_point >> 8) | (high << (56 - whole_bits));
+    let digit_bits = bits.wrapping_sub(whole_bits + 8);
+    if from_point & 0xff != u64::from(b'.') || digit_bits.wrapping_sub(1) > 63 {
+        return None;
+    }
+    let values = (behind ^ ZEROS) << (64 - digit_bits);
+    if not_digits(values) != 0 {
+        return None;
+    }
+    // At most 7 + 8 digits: below 2^53.
+    let digits = (digit_bits / 8) & 15;
+    let mantissa = whole * TEN_U64[digits] + eight_digits(values);
+    Some(exact(mantissa) / SIGNED_TEN[negative][digits])
+}
+
+/// The double of a whole number up to 2^53.
 #[inline]
 #[expect(
     clippy::cast_possible_wrap,
     reason = "below 2^53; the signed conversion is one instruction"
 )]
+fn exact(mantissa: u64) -> f64 {
+    (mantissa as i64) as f64
+}
+
+/// The double of a whole number up to 2^53 with this sign; −0 stays −0.
+#[inline]
 fn signed(mantissa: u64, negative: u64) -> f64 {
-    f64::from_bits(((mantissa as i64) as f64).to_bits() | (negative << 63))
+    f64::from_bits(exact(mantissa).to_bits() | (negative << 63))
 }
 
 /// Why a text is not a number.
@@ -181,8 +266,19 @@ mod tests {
         plain_decimal(&padded, 0)
     }
 
+    fn short(text: &str) -> Option<f64> {
+        let mut padded = text.as_bytes().to_vec();
+        padded.push(b',');
+        padded.resize(padded.len() + PADDING, 0);
+        let length = short_cell(&padded, 0)?;
+        (length == text.len()).then(|| short_decimal(&padded, 0, length))?
+    }
+
     fn assert_same_bits(text: &str) {
         let expected: f64 = text.parse().expect("the test writes numbers");
+        if let Some(value) = short(text) {
+            assert_eq!(value.to_bits(), expected.to_bits(), "{text}");
+        }
         if let Some((value, end)) = fast(text)
             && end == text.len()
         {
@@ -200,11 +296,13 @@ mod tests {
             "-249.895665",
             "0.05",
             "18.9718316",
-            "123.4567890123",
+            "123.4567890123456",
         ] {
             let (value, end) = fast(text).expect(text);
             assert_eq!(value.to_bits(), text.parse::<f64>().unwrap().to_bits());
             assert_eq!(end, text.len());
+            let is_short = text.len() < 15;
+            assert!(!is_short || short(text).is_some(), "{text}");
         }
     }
 
@@ -228,6 +326,13 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        #[test]
+        fn short_cells_are_read_right_or_not_at_all(text in "[-0-9.eE]{0,15}") {
+            if let Some(value) = short(&text) {
+                prop_assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()), "{}", text);
+            }
+        }
 
         #[test]
         fn decimals_equal_the_standard_library_to_the_last_bit(

@@ -14,7 +14,9 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use crate::atomic::{Prepared, WriteError, commit_both, refuse_to_replace_inputs};
+use crate::atomic::{
+    Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
+};
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::domain::Session;
 use crate::sessions::format_v1::layout::write_document;
@@ -47,7 +49,9 @@ pub fn save(
     replacing: Replacing<'_>,
 ) -> Result<PathBuf, WriteError> {
     let csv = samples_path(path);
-    refuse_to_replace_inputs(&[path, &csv], replacing.inputs)?;
+    refuse_one_file_for_two(path, &csv)?;
+    refuse_to_replace_inputs(path, replacing.inputs)?;
+    refuse_to_replace_inputs(&csv, replacing.inputs)?;
     let Some(csv_name) = csv.file_name().and_then(|name| name.to_str()) else {
         return Err(WriteError::Io {
             path: path.to_path_buf(),

@@ -1,1 +1,166 @@
-//! Under construction.
+//! Sessions of a robot whose errors are known: for trying out a plan before the machine is there,
+//! for practice, and to check the program against itself.
+//!
+//! A [`Scenario`] says which robot, which poses, which effects, how it is measured; [`simulate`]
+//! makes the session that a technician would have brought home, and the [`Truth`] that nobody
+//! would. The points come from [`Model::predict`]: the exact equations, not the linearised ones
+//! that a search may use.
+//!
+//! - [`scenario`]: what a scenario is; [`format_v1`]: its file, `truepose-scenario/1`.
+//! - [`motion`]: from a sweep or a list to stops, each with the side from which it was reached.
+//! - [`circumstances`]: speeds, loads and temperatures of the stops.
+//! - [`noise`]: what the instrument adds.
+//! - [`truth`]: what was in it.
+//!
+//! Everything random comes from one seed, in separate streams for order, conditions, noise and
+//! outliers: another noise does not change the poses. The same scenario and seed give the same
+//! session to the last bit.
+
+pub mod circumstances;
+pub mod format_v1;
+pub mod motion;
+pub mod noise;
+pub mod scenario;
+pub mod truth;
+
+use std::ops::ControlFlow;
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+pub use format_v1::{LoadedScenario, load_scenario, parse_scenario};
+pub use scenario::{
+    Circumstances, Noise, NoiseKind, Order, Outliers, Poses, Scenario, Stop, Sweep, Temperature,
+};
+pub use truth::Truth;
+
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::effects::{Inputs, JointValues};
+use crate::lanes::LANES;
+use crate::model::{Model, Positions};
+use crate::sessions::{Samples, Session};
+
+/// Why there is no session.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum SimulateError {
+    /// The scenario makes no sense.
+    #[error("{0}")]
+    Rejected(#[from] Rejected),
+    /// Whoever watched wanted no more.
+    #[error("the simulation was stopped")]
+    Stopped,
+}
+
+/// Which stream of the seed something random comes from.
+#[derive(Debug, Clone, Copy)]
+enum Stream {
+    Order = 1,
+    Circumstances = 2,
+    Noise = 3,
+    Outliers = 4,
+}
+
+fn random(seed: u64, stream: Stream) -> ChaCha8Rng {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(stream as u64);
+    random
+}
+
+/// Blocks between two looks at whoever watches.
+const BLOCKS_AT_ONCE: usize = 256;
+
+/// Plays a scenario with this seed. `watch` hears now and then which part is done (0 to 1), and
+/// may break it off.
+///
+/// # Errors
+/// See [`SimulateError`].
+pub fn simulate(
+    scenario: &Scenario,
+    seed: u64,
+    mut watch: impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<(Session, Truth), SimulateError> {
+    let problems = scenario.problems();
+    if problems.iter().any(|p| p.severity == Severity::Error) {
+        return Err(Rejected {
+            diagnostics: problems,
+        }
+        .into());
+    }
+    let stops = motion::stops(scenario, &mut random(seed, Stream::Order));
+    let mut samples =
+        circumstances::samples(scenario, &stops, &mut random(seed, Stream::Circumstances));
+    let mut session = session_of(scenario, std::mem::take(&mut samples));
+    let model = Model::new(scenario.robot.clone(), scenario.effects.clone());
+    let exact = predict(&model, &session, &mut watch)?;
+    let columns = [&exact.x_mm, &exact.y_mm, &exact.z_mm];
+    if columns.into_iter().flatten().any(|v| !v.is_finite()) {
+        let found = "a point lies farther out than numbers reach";
+        let place = Place::default().in_field("effects");
+        let expected = "smaller lengths and effects";
+        return Err(Rejected::because(Diagnostic::error(place, found, expected)).into());
+    }
+    let (measured, outliers) = noise::measured(scenario, &exact, seed);
+    let resolved = noise::resolved(scenario.resolution_mm, measured);
+    session.samples.x_mm = resolved.x_mm;
+    session.samples.y_mm = resolved.y_mm;
+    session.samples.z_mm = (!scenario.planar).then_some(resolved.z_mm);
+    let truth = Truth {
+        name: session.name.clone(),
+        seed,
+        effects: model.terms().to_vec(),
+        noise: scenario.noise,
+        outliers,
+        exact,
+    };
+    match watch(1.0) {
+        ControlFlow::Continue(()) => Ok((session, truth)),
+        ControlFlow::Break(()) => Err(SimulateError::Stopped),
+    }
+}
+
+fn session_of(scenario: &Scenario, samples: Samples) -> Session {
+    Session {
+        name: scenario.name.clone(),
+        note: scenario.note.clone(),
+        robot: scenario.robot.clone(),
+        targets: scenario.targets.clone(),
+        instrument: scenario.instrument.clone(),
+        tolerance_mm: scenario.tolerance_mm,
+        regions: scenario.regions.clone(),
+        compensated_by: None,
+        samples,
+        path: None,
+    }
+}
+
+/// Where the reflectors really are.
+fn predict(
+    model: &Model,
+    session: &Session,
+    watch: &mut impl FnMut(f64) -> ControlFlow<()>,
+) -> Result<Positions, SimulateError> {
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let n = inputs.len();
+    let mut exact = Positions::default();
+    let starts: Vec<usize> = (0..n).step_by(LANES).collect();
+    for some in starts.chunks(BLOCKS_AT_ONCE) {
+        model.visit_blocks(&inputs, false, some.iter().copied(), |_, block| {
+            let [x, y, z] = &block.point;
+            exact.x_mm.extend_from_slice(&x[..block.len]);
+            exact.y_mm.extend_from_slice(&y[..block.len]);
+            exact.z_mm.extend_from_slice(&z[..block.len]);
+        });
+        if watch(0.9 * exact.x_mm.len() as f64 / n as f64).is_break() {
+            return Err(SimulateError::Stopped);
+        }
+    }
+    Ok(exact)
+}
+
+/// Goes on to the end.
+pub fn unwatched(_: f64) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+#[cfg(test)]
+mod tests;

@@ -21,7 +21,7 @@ use crate::kinematics::JointKind;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
-use crate::sessions::number::plain_decimal;
+use crate::sessions::number::{plain_decimal, short_cell, short_decimal};
 use crate::sessions::table::{Cells, Table};
 
 /// Complaints that are worth printing; the rest is counted.
@@ -135,29 +135,18 @@ impl Rows<'_> {
                 }
                 break;
             }
+            let expected = if index + 1 < count { b',' } else { b'\n' };
             if let Cells::Numbers(values) = column
-                && let Some((value, after)) = plain_decimal(bytes, at)
+                && let Some((value, after)) = number_cell(bytes, at, expected)
             {
-                match bytes.get(after) {
-                    Some(b',') => {
-                        values.push(value);
-                        at = after + 1;
-                        continue;
-                    }
-                    Some(b'\n') => {
-                        values.push(value);
-                        at = after + 1;
-                        stop = Stop::Line;
-                        continue;
-                    }
-                    Some(b'\r') if bytes.get(after + 1) == Some(&b'\n') => {
-                        values.push(value);
-                        at = after + 2;
-                        stop = Stop::Line;
-                        continue;
-                    }
-                    _ => {}
-                }
+                values.push(value);
+                at = after;
+                stop = if expected == b',' {
+                    Stop::Comma
+                } else {
+                    Stop::Line
+                };
+                continue;
             }
             let cell = Cell::read(bytes, at, end);
             if cell.unclosed && !last {
@@ -181,6 +170,22 @@ impl Rows<'_> {
         self.line.push(first_line);
         self.next_line += 1;
         Some(at)
+    }
+}
+
+/// A plain number that is ended as expected, and where the next cell starts. `None` is no verdict.
+#[inline]
+fn number_cell(bytes: &[u8], at: usize, expected: u8) -> Option<(f64, usize)> {
+    let (value, end) = match short_cell(bytes, at) {
+        Some(length) => (short_decimal(bytes, at, length)?, at + length),
+        None => plain_decimal(bytes, at)?,
+    };
+    match bytes.get(end) {
+        Some(&byte) if byte == expected => Some((value, end + 1)),
+        Some(b'\r') if expected == b'\n' && bytes.get(end + 1) == Some(&b'\n') => {
+            Some((value, end + 2))
+        }
+        _ => None,
     }
 }
 

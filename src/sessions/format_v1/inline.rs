@@ -130,7 +130,10 @@ fn column(fields: &mut Fields<'_>, node: Node, path: &Path<'_>, kind: CellKind) 
                 .filter(|cell| {
                     !matches!(
                         (&cell.value, kind),
-                        (Value::Null, _) | (_, CellKind::Text) | (Value::Text(_), CellKind::Name)
+                        (Value::Null, _)
+                            | (_, CellKind::Text)
+                            | (Value::Text(_), CellKind::Name)
+                            | (Value::Number(_), CellKind::Number)
                     )
                 })
                 .collect();

@@ -131,7 +131,12 @@ fn format_tag(fields: &mut Fields<'_>, members: &[Member], at: usize) -> Option<
     None
 }
 
-fn positive(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, expected: &str) -> Option<f64> {
+pub(crate) fn positive(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+    expected: &str,
+) -> Option<f64> {
     match node.value {
         Value::Number(value) if value.is_finite() && value > 0.0 => Some(value),
         _ => {
@@ -141,7 +146,11 @@ fn positive(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, expected: &st
     }
 }
 
-fn targets(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<Target>> {
+pub(crate) fn targets(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+) -> Option<Vec<Target>> {
     let members = fields.object(node, path, "an object with a position for each name")?;
     let mut targets = Vec::new();
     for member in members {
@@ -181,7 +190,11 @@ fn targets(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<
     Some(targets)
 }
 
-fn instrument(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Instrument> {
+pub(crate) fn instrument(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+) -> Option<Instrument> {
     const SIGMA: &str = "a positive number, or an array of 3 positive numbers";
     let members = fields.object(node, path, "an object with name and sigma_mm")?;
     fields.unknown_keys(members, path, &["name", "sigma_mm"]);
@@ -208,7 +221,11 @@ fn instrument(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<I
     Some(Instrument { name, sigma_mm })
 }
 
-fn regions(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<Region>> {
+pub(crate) fn regions(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+) -> Option<Vec<Region>> {
     let Value::List(list) = &node.value else {
         fields.mismatch(node, path, "an array of regions");
         return None;

@@ -79,7 +79,9 @@ pub(super) fn from_urdf(
         fields.error(node.at, path, found, "a robot that needs no other file");
         return None;
     };
-    match robot_from_urdf_file(&folder.join(&file), &base, &tip) {
+    let urdf = folder.join(&file);
+    fields.also_read.push(urdf.clone());
+    match robot_from_urdf_file(&urdf, &base, &tip) {
         Ok(robot) => Some((robot.joints, robot.base_from_tool)),
         Err(rejected) => {
             let found = format!("the file {} cannot be used", quoted(&file));

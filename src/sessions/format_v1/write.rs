@@ -71,7 +71,7 @@ struct ToolTwin {
 }
 
 #[derive(Debug)]
-struct TargetsTwin<'a>(&'a [Target]);
+pub(crate) struct TargetsTwin<'a>(pub(crate) &'a [Target]);
 
 impl Serialize for TargetsTwin<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

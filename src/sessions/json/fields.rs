@@ -3,6 +3,8 @@
 //! A wrong field yields a diagnostic and `None`; its siblings are still read, so that a file is
 //! mended once and not ten times.
 
+use std::path::PathBuf;
+
 use std::fmt;
 
 use super::{Member, Node, Source, Value, element_offset};
@@ -42,6 +44,8 @@ impl fmt::Display for Path<'_> {
 pub(crate) struct Fields<'a> {
     pub(crate) source: Source<'a>,
     pub(crate) findings: Vec<Diagnostic>,
+    /// Other files that were read on the way: no output may replace them.
+    pub(crate) also_read: Vec<PathBuf>,
 }
 
 impl<'a> Fields<'a> {
@@ -49,6 +53,7 @@ impl<'a> Fields<'a> {
         Self {
             source,
             findings: Vec::new(),
+            also_read: Vec::new(),
         }
     }
 

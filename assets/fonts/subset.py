@@ -1,0 +1,71 @@
+"""Cuts Inter (SIL Open Font License 1.1) down to what the window writes.
+
+    pip install fonttools
+    python3 subset.py FOLDER      # FOLDER holds Inter's static Regular and SemiBold as .ttf
+
+Keeps Latin, Greek, arrows, mathematics and simple shapes, without hinting, which egui does not
+use. Digits and signs take their tabular forms for good, because egui asks for no OpenType
+features: numbers in a column must stand under each other.
+"""
+
+import sys
+from pathlib import Path
+
+from fontTools import subset
+from fontTools.ttLib import TTFont
+
+KEPT = [
+    (0x20, 0x7E),
+    (0xA0, 0x17F),
+    (0x370, 0x3FF),
+    (0x2010, 0x2027),
+    (0x2030, 0x203A),
+    (0x2070, 0x209C),
+    (0x2190, 0x2199),
+    (0x2200, 0x22FF),
+    (0x25A0, 0x25FF),
+    (0x2713, 0x2717),
+]
+
+
+def tabular(font):
+    """Maps every character to its tabular form."""
+    table = font["GSUB"].table
+    lookups = [
+        index
+        for record in table.FeatureList.FeatureRecord
+        if record.FeatureTag == "tnum"
+        for index in record.Feature.LookupListIndex
+    ]
+    swap = {}
+    for index in lookups:
+        for sub in table.LookupList.Lookup[index].SubTable:
+            sub = getattr(sub, "ExtSubTable", sub)
+            swap.update(getattr(sub, "mapping", {}))
+    for cmap in font["cmap"].tables:
+        for code, glyph in list(cmap.cmap.items()):
+            if chr(code).isdigit() or chr(code) in "+−.,":
+                cmap.cmap[code] = swap.get(glyph, glyph)
+
+
+def cut(source, target):
+    """Writes the part of `source` that is kept."""
+    font = TTFont(source)
+    tabular(font)
+    options = subset.Options(layout_features=["kern", "mark"], hinting=False, notdef_outline=True)
+    options.name_IDs = [0, 1, 2, 4, 5, 6, 13, 14]
+    cutter = subset.Subsetter(options)
+    cutter.populate(unicodes=[code for a, b in KEPT for code in range(a, b + 1)])
+    cutter.subset(font)
+    font.save(target)
+
+
+def main():
+    folder = Path(sys.argv[1])
+    here = Path(__file__).parent
+    for weight in ("Regular", "SemiBold"):
+        source = next(p for p in folder.rglob(f"*{weight}.ttf"))
+        cut(source, here / f"Inter-{weight}.ttf")
+
+
+main()

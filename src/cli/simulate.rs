@@ -1,0 +1,75 @@
+//! `truepose simulate`: from a scenario to a session.
+
+use std::path::PathBuf;
+
+use anyhow::Context;
+use clap::Args;
+
+use truepose::sessions::{Replacing, samples_path, save, write_inline};
+use truepose::simulation::{SimulateError, load_scenario, simulate, unwatched};
+
+use super::failure::Failure;
+use super::output;
+
+/// Make a session by simulation from a scenario
+#[derive(Debug, Args)]
+pub(crate) struct Simulate {
+    /// Scenario to play
+    scenario: PathBuf,
+    /// Write the session to this file, its samples to a CSV file beside it; - is standard output
+    #[arg(long, value_name = "SESSION")]
+    out: PathBuf,
+    /// Seed of everything random [default: the scenario's]
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Write what was hidden in the session to this file
+    #[arg(long, value_name = "TRUTH")]
+    truth: Option<PathBuf>,
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+impl Simulate {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let to_stdout = self.out.as_os_str() == "-";
+        let truth_to_stdout = self.truth.as_ref().is_some_and(|t| t.as_os_str() == "-");
+        output::one_use_of_standard_output(to_stdout, truth_to_stdout, "--out -", "--truth -")?;
+        let loaded = load_scenario(&self.scenario)?;
+        output::messages(&loaded.findings);
+        let scenario = loaded.scenario;
+        let seed = self.seed.unwrap_or(scenario.seed);
+        let (session, truth) = match simulate(&scenario, seed, unwatched) {
+            Ok(made) => made,
+            Err(SimulateError::Rejected(rejected)) => return Err(rejected.into()),
+            Err(error @ SimulateError::Stopped) => return Err(Failure::Failed(error.into())),
+        };
+        let inputs = output::paths(&loaded.files);
+        if let Some(path) = &self.truth {
+            // Nothing may be written when something cannot be.
+            if !to_stdout {
+                let samples = samples_path(&self.out);
+                for other in [self.out.as_path(), samples.as_path()] {
+                    truepose::atomic::refuse_one_file_for_two(path, other)?;
+                }
+            }
+            if !truth_to_stdout {
+                output::can_be_written(path, self.force)?;
+            }
+        }
+        if to_stdout {
+            let mut stdout = std::io::stdout().lock();
+            write_inline(&session, &mut stdout).context("cannot write to standard output")?;
+        } else {
+            let replacing = Replacing {
+                force: self.force,
+                inputs: &inputs,
+            };
+            save(&session, &self.out, replacing)?;
+        }
+        if let Some(path) = &self.truth {
+            output::document(path, truth.to_json().as_bytes(), self.force, &loaded.files)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,19 @@
+//! `truepose [FILE]`: the window.
+
+use std::path::PathBuf;
+
+use super::failure::Failure;
+
+/// Opens the window, on a file or on the bundled session.
+#[cfg(feature = "gui")]
+pub(crate) fn open(file: Option<PathBuf>) -> Result<(), Failure> {
+    Ok(truepose::gui::run(file)?)
+}
+
+/// Says what there is instead.
+#[cfg(not(feature = "gui"))]
+pub(crate) fn open(_: Option<PathBuf>) -> Result<(), Failure> {
+    Err(Failure::Failed(anyhow::anyhow!(
+        "this build has no window; the main job in the terminal is: truepose identify SESSION --json"
+    )))
+}

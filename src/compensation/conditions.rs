@@ -1,0 +1,88 @@
+//! Under which conditions a correction holds.
+//!
+//! A table knows only the command and the direction of travel, so it is made for one set of
+//! conditions: the reference is standstill, 20 °C and no load, long after the last reversal (lost
+//! motion has fully built up).
+
+use std::borrow::Cow;
+
+use crate::effects::Inputs;
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
+
+/// Side from which the joint comes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Moving towards larger values.
+    Forward,
+    /// Moving towards smaller values.
+    Reverse,
+    /// Not known: effects of the side are left out.
+    Unknown,
+}
+
+impl Side {
+    /// +1, −1 or 0.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Forward => 1.0,
+            Self::Reverse => -1.0,
+            Self::Unknown => 0.0,
+        }
+    }
+}
+
+/// See the module.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conditions {
+    /// Speed of every joint while it passes, without sign, rad/s or mm/s.
+    pub speed: f64,
+    /// Load at the tool's origin, kg.
+    pub load_kg: f64,
+    /// Temperature, °C.
+    pub temperature_c: f64,
+}
+
+impl Default for Conditions {
+    fn default() -> Self {
+        Self {
+            speed: 0.0,
+            load_kg: 0.0,
+            temperature_c: REFERENCE_TEMPERATURE_C,
+        }
+    }
+}
+
+impl Conditions {
+    /// Poses under these conditions, every joint approached from the same side.
+    pub fn inputs(
+        &self,
+        q: Vec<Vec<f64>>,
+        side: Side,
+        reflectors_at_home: Vec<[f64; 3]>,
+    ) -> Inputs<'static> {
+        let mut inputs = Inputs::at_poses(q, reflectors_at_home);
+        let n = inputs.len();
+        let constant = |value: f64| Some(Cow::Owned(vec![value; n]));
+        inputs.dir.fill(constant(side.sign()));
+        inputs.speed.fill(constant(side.sign() * self.speed));
+        inputs.load_kg = constant(self.load_kg);
+        inputs.warmth_c = Some(vec![self.temperature_c - REFERENCE_TEMPERATURE_C; n]);
+        inputs
+    }
+
+    /// The poses of a session as a table sees them: their own commands and sides, and otherwise
+    /// these conditions.
+    pub fn impose_on(&self, inputs: &Inputs) -> Inputs<'static> {
+        let own = |column: &Cow<[f64]>| column.clone().into_owned();
+        let q = inputs.q.iter().map(own).collect();
+        let mut imposed = self.inputs(q, Side::Unknown, inputs.reflectors_at_home.clone());
+        for (joint, dir) in inputs.dir.iter().enumerate() {
+            if let Some(dir) = dir {
+                let speed = dir.iter().map(|side| side * self.speed).collect();
+                imposed.speed[joint] = Some(Cow::Owned(speed));
+                imposed.dir[joint] = Some(Cow::Owned(own(dir)));
+            }
+        }
+        imposed
+    }
+}

@@ -1,0 +1,347 @@
+//! The correction of one joint as a table over its limits, one column for each side.
+//!
+//! The table holds the whole correction, zero offset included. Outside the range that was measured
+//! nothing is known: there the correction at the end of the range is held. The steps are equal; a
+//! step that does not divide the travel is made smaller until it does. Between entries the value
+//! is interpolated linearly.
+//!
+//! A robot with several joints gets a table that depends on one joint only: it cancels what the
+//! effects of this joint do to its own angle (zero offset, scale, eccentricity, backlash …), so
+//! that it stands where it is told. Errors of the geometry depend on all joints at once and have no
+//! place in such a table; they belong into the controller's kinematic data. Where the joint's
+//! wind-up depends on the other joints (compliance), they stand at home, and the table says so.
+
+use crate::effects::Stage;
+use crate::effects::term::JointFrame;
+use crate::kinematics::{JointKind, Range};
+use crate::lanes::add_scaled;
+use crate::model::{Calibration, Model};
+use crate::units::{deg_from_rad, rad_from_deg};
+
+use super::conditions::{Conditions, Side};
+use super::interpolation::UniformTable;
+use super::inverse::{closest_commands, places};
+use super::plan::Compensation;
+
+/// More entries than this are a slip of the keyboard.
+pub const MOST_ENTRIES: usize = 1_000_000;
+/// Lever of the point that stands for the angle of a joint of an arm, mm.
+const LEVER_MM: f64 = 1000.0;
+
+/// Why there is no table.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TableError {
+    /// A joint that the robot does not have.
+    #[error("joint {joint}: the robot has {joints}")]
+    NoSuchJoint {
+        /// The joint, counted from 1.
+        joint: usize,
+        /// How many there are.
+        joints: usize,
+    },
+    /// A step that is not a positive number.
+    #[error("a step of {0}; expected a positive number")]
+    Step(f64),
+    /// A step so small that the table gets too long.
+    #[error("a step of {step} makes {entries} entries; expected at most {most}")]
+    TooMany {
+        /// The step as it was given.
+        step: f64,
+        /// How many entries it makes.
+        entries: f64,
+        /// How many there may be.
+        most: usize,
+    },
+    /// No limits, and all samples at one place.
+    #[error(
+        "the joint has no limits and was measured at a single value: there is no range for a table"
+    )]
+    NoRange,
+}
+
+/// See the module. Values are in inner units; [`JointTable::outer`] gives those of the user.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointTable {
+    /// Joint, counted from 0.
+    pub joint: usize,
+    /// Its name.
+    pub name: String,
+    /// Revolute or prismatic.
+    pub kind: JointKind,
+    /// Commanded values in the user's unit: degrees or mm.
+    pub commanded_outer: Vec<f64>,
+    /// The step between them, in the user's unit.
+    pub step_outer: f64,
+    /// What to add when the joint moves to larger values, rad or mm.
+    pub forward: Vec<f64>,
+    /// What to add when it moves to smaller values, rad or mm.
+    pub reverse: Vec<f64>,
+    /// Range of the samples; outside it the end values are held. rad or mm.
+    pub measured: Range,
+    /// The conditions that it is made for.
+    pub conditions: Conditions,
+    /// What else there is to know about it.
+    pub notes: Vec<String>,
+}
+
+impl JointTable {
+    /// The table of a joint (counted from 0) with a step in degrees or mm.
+    ///
+    /// # Errors
+    /// See [`TableError`].
+    pub fn new(
+        calibration: &Calibration,
+        joint: usize,
+        step_outer: f64,
+        conditions: Conditions,
+    ) -> Result<Self, TableError> {
+        let robot = &calibration.model.robot;
+        let joints = robot.joints.len();
+        let Some(axis) = robot.joints.get(joint) else {
+            return Err(TableError::NoSuchJoint {
+                joint: joint + 1,
+                joints,
+            });
+        };
+        let mut notes = Vec::new();
+        let measured = *calibration.measured.get(joint).ok_or(TableError::NoRange)?;
+        let travel = axis.limits.unwrap_or(measured);
+        if axis.limits.is_none() {
+            notes.push("the joint has no limits: the table covers the measured range".to_owned());
+        }
+        let grid = Grid::new(axis.kind, travel, step_outer)?;
+        notes.extend(grid.note(step_outer));
+        let held: Vec<f64> = grid
+            .inner(axis.kind)
+            .iter()
+            .map(|q| q.max(measured.from).min(measured.to))
+            .collect();
+        let column = |side| {
+            if joints == 1 {
+                whole_correction(calibration, &held, side, &conditions)
+            } else {
+                own_correction(calibration, joint, &held, side, &conditions)
+            }
+        };
+        let (forward, reverse) = (column(Side::Forward), column(Side::Reverse));
+        let mut table = Self {
+            joint,
+            name: axis.name.clone(),
+            kind: axis.kind,
+            commanded_outer: grid.commanded,
+            step_outer: grid.step,
+            forward,
+            reverse,
+            measured,
+            conditions,
+            notes,
+        };
+        table.describe(calibration, travel);
+        Ok(table)
+    }
+
+    /// Unit of the joint as names and texts carry it.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            JointKind::Revolute => "deg",
+            JointKind::Prismatic => "mm",
+        }
+    }
+
+    /// A value of the joint in the user's unit.
+    pub fn outer(&self, inner: f64) -> f64 {
+        match self.kind {
+            JointKind::Revolute => deg_from_rad(inner),
+            JointKind::Prismatic => inner,
+        }
+    }
+
+    /// The column of a side (in inner units, over commands in inner units), to look values up in.
+    pub fn lookup(&self, side: Side) -> UniformTable {
+        let inner = |outer: f64| match self.kind {
+            JointKind::Revolute => rad_from_deg(outer),
+            JointKind::Prismatic => outer,
+        };
+        let values: Vec<f64> = match side {
+            Side::Forward => self.forward.clone(),
+            Side::Reverse => self.reverse.clone(),
+            Side::Unknown => {
+                let both = self.forward.iter().zip(&self.reverse);
+                both.map(|(f, r)| 0.5 * (f + r)).collect()
+            }
+        };
+        let (from, step) = (inner(self.commanded_outer[0]), inner(self.step_outer));
+        UniformTable::new(from, step, &values)
+    }
+
+    /// Whether the two columns differ.
+    pub fn has_sides(&self) -> bool {
+        self.forward != self.reverse
+    }
+
+    fn describe(&mut self, calibration: &Calibration, travel: Range) {
+        let (unit, outer) = (self.unit(), |v: f64| self.outer(v));
+        let mut notes = Vec::new();
+        let measured = self.measured;
+        if travel.from < measured.from || travel.to > measured.to {
+            notes.push(format!(
+                "measured from {:.3} to {:.3} {unit}; outside, the correction at the end of that \
+                 range is held",
+                outer(measured.from),
+                outer(measured.to),
+            ));
+        }
+        let joints = calibration.model.robot.joints.len();
+        if joints > 1 {
+            notes.push(format!(
+                "the table cancels what joint {} does to its own {}; errors of the geometry depend \
+                 on all joints and belong into the controller's kinematic data",
+                self.joint + 1,
+                if self.kind == JointKind::Revolute {
+                    "angle"
+                } else {
+                    "travel"
+                },
+            ));
+            let winds_up = |t: &crate::effects::Term| {
+                t.joint == self.joint && t.effect.about().id == "joint-compliance"
+            };
+            if calibration.model.terms().iter().any(winds_up) {
+                notes.push(
+                    "the wind-up of this joint depends on the other joints: they stand at home \
+                     here"
+                        .to_owned(),
+                );
+            }
+        }
+        if !calibration.regions.is_empty() {
+            notes.push(
+                "the correction jumps at the boundaries of the regions; between two entries the \
+                 table makes a ramp of it"
+                    .to_owned(),
+            );
+        }
+        self.notes.extend(notes);
+    }
+}
+
+/// Equal steps over the travel, in the user's unit.
+struct Grid {
+    commanded: Vec<f64>,
+    step: f64,
+}
+
+impl Grid {
+    fn new(kind: JointKind, travel: Range, step: f64) -> Result<Self, TableError> {
+        if !(step.is_finite() && step > 0.0) {
+            return Err(TableError::Step(step));
+        }
+        let outer = |v: f64| match kind {
+            // Whole degrees come out whole.
+            JointKind::Revolute => tidy(deg_from_rad(v)),
+            JointKind::Prismatic => v,
+        };
+        let (from, to) = (outer(travel.from), outer(travel.to));
+        let span = to - from;
+        if !(span.is_finite() && span > 0.0) {
+            return Err(TableError::NoRange);
+        }
+        // A step that divides the travel up to rounding divides it.
+        let steps = (span / step - 1e-9).ceil().max(1.0);
+        if steps + 1.0 > MOST_ENTRIES as f64 {
+            return Err(TableError::TooMany {
+                step,
+                entries: steps + 1.0,
+                most: MOST_ENTRIES,
+            });
+        }
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 1 and the most entries"
+        )]
+        let count = steps as usize;
+        let at = |k: usize| {
+            if k == count {
+                to
+            } else {
+                tidy(from + span * k as f64 / steps)
+            }
+        };
+        Ok(Self {
+            commanded: (0..=count).map(at).collect(),
+            step: span / steps,
+        })
+    }
+
+    fn inner(&self, kind: JointKind) -> Vec<f64> {
+        let inner = |outer: &f64| match kind {
+            JointKind::Revolute => rad_from_deg(*outer),
+            JointKind::Prismatic => *outer,
+        };
+        self.commanded.iter().map(inner).collect()
+    }
+
+    fn note(&self, asked: f64) -> Option<String> {
+        let differs = (self.step - asked).abs() > 1e-9 * asked;
+        differs.then(|| {
+            format!(
+                "a step of {asked} does not divide the travel: the steps are {}",
+                tidy(self.step)
+            )
+        })
+    }
+}
+
+/// A number without the last bits that a conversion left behind: 90.00000000000001 becomes 90.
+fn tidy(value: f64) -> f64 {
+    let rounded = (value * 1e9).round() / 1e9;
+    if (value - rounded).abs() <= 1e-12 * value.abs().max(1.0) {
+        rounded
+    } else {
+        value
+    }
+}
+
+/// Everything that the single joint can correct.
+fn whole_correction(
+    calibration: &Calibration,
+    q: &[f64],
+    side: Side,
+    conditions: &Conditions,
+) -> Vec<f64> {
+    let compensation = Compensation::new(calibration);
+    let homes = compensation.reflectors_at_home.clone();
+    let inputs = conditions.inputs(vec![q.to_vec()], side, homes);
+    let mut corrections = compensation.joint_corrections(&inputs);
+    corrections.swap_remove(0)
+}
+
+/// What a joint of an arm can correct of its own value: its effects alone, seen at a point with a
+/// long lever about it.
+fn own_correction(
+    calibration: &Calibration,
+    joint: usize,
+    q: &[f64],
+    side: Side,
+    conditions: &Conditions,
+) -> Vec<f64> {
+    let robot = &calibration.model.robot;
+    let own = calibration
+        .model
+        .without(|term| term.joint != joint || term.effect.about().stage != Stage::Joint);
+    let frame = JointFrame::new(robot, joint);
+    let columns = (0..robot.joints.len()).map(|j| {
+        if j == joint {
+            q.to_vec()
+        } else {
+            vec![0.0; q.len()]
+        }
+    });
+    let seen_at = vec![add_scaled(frame.origin_mm, frame.across_1, LEVER_MM)];
+    let inputs = conditions.inputs(columns.collect(), side, seen_at);
+    let wanted = places(&Model::nominal(robot.clone()), &inputs);
+    let commands = closest_commands(&own, &inputs, &wanted, &[joint]);
+    let commands = commands[joint].iter().zip(q);
+    commands.map(|(command, q)| command - q).collect()
+}

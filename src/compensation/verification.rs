@@ -1,0 +1,328 @@
+//! How well a calibration does on a session: its own, or another one of the same robot.
+//!
+//! - *nominal*: measured − nominal robot. *model*: measured − model.
+//! - *within tolerance*: poses whose deviation is at most the tolerance, before (nominal) and after
+//!   (model); the tolerance is the session's, else the calibration's.
+//! - *compensated*: what would be measured with the table active, measured − model + what the model
+//!   says stays: noise and everything unknown are in it. The table is for the reference conditions,
+//!   so what load, warmth and speed do at the sample stays in as well.
+//! - *cannot be removed by joints*: what stays of the model when each command is corrected for its
+//!   own conditions; root mean square over the poses.
+//!
+//! A session that was measured with a table active (`compensated_by`) is not compensated a second
+//! time. If it was this model's table, the model predicts where the corrected commands lead.
+//!
+//! Frames of another session (a bump of the tripod, its drift, its setups) are none of this one's:
+//! they count only where the samples are the ones that the calibration came from. A session with
+//! setups gets a frame of its own for each, fitted to the model.
+//!
+//! Suspected outliers count in the largest values and not in the root mean squares. For the
+//! paper's method everything is in the plane of motion; z is not used.
+
+use crate::effects::{Inputs, JointValues, MeasuringFrame, Term};
+use crate::identification::alignment::best_rigid_motion;
+use crate::identification::gap::{Deviations, Spread};
+use crate::identification::problem::Problem;
+use crate::identification::robust::suspects;
+use crate::lanes::{add_scaled, minus};
+use crate::model::format_v1::model_hash;
+use crate::model::{Calibration, Model, Positions};
+use crate::sessions::{Session, hash_of_samples};
+
+use super::conditions::Conditions;
+use super::plan::Compensation;
+use super::remainder::left_over;
+
+/// Numbers of poses within the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WithinTolerance {
+    /// With the nominal robot.
+    pub before: usize,
+    /// With the model.
+    pub after: usize,
+    /// Of so many.
+    pub of: usize,
+}
+
+/// The robot with its commands corrected.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Compensated {
+    /// The gap to the nominal robot, mm.
+    pub gap: Spread,
+    /// What no joint can remove, root mean square, mm.
+    pub cannot_be_removed_by_joints_mm: f64,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verification {
+    /// Name of the session.
+    pub session: String,
+    /// Number of samples that could be used.
+    pub samples: usize,
+    /// Gap to the nominal robot.
+    pub nominal: Spread,
+    /// Gap to the model.
+    pub model: Spread,
+    /// `None` without a tolerance.
+    pub within_tolerance: Option<WithinTolerance>,
+    /// `None` for a session that was compensated already.
+    pub compensated: Option<Compensated>,
+    /// Suspected outliers, counted from 0.
+    pub outliers: Vec<usize>,
+    /// What else there is to say.
+    pub notes: Vec<String>,
+}
+
+/// Why a session cannot be compared with a model.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum VerifyError {
+    /// Another number or kind of joints.
+    #[error("the session's robot has {session} and the model's {model}: they are different robots")]
+    DifferentRobots {
+        /// Joints of the session's robot.
+        session: String,
+        /// Joints of the model's robot.
+        model: String,
+    },
+    /// No sample is complete.
+    #[error("no sample can be used: every one lacks a joint value or a coordinate")]
+    NothingToVerify,
+}
+
+/// Compares a session with a calibration.
+///
+/// # Errors
+/// See [`VerifyError`].
+pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
+    let mut notes = same_robot(calibration, session)?;
+    let mut problem = Problem::new(session, JointValues::Commanded);
+    problem.fit.clone_from(&problem.usable);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let nominal = Model::nominal(calibration.model.robot.clone()).predict(inputs);
+
+    let applied = applied_corrections(calibration, session, &compensation, inputs, &mut notes);
+    let full = model_for(calibration, session, &problem, &mut notes);
+    let model = where_the_model_is(&compensation, &full, inputs, applied.as_deref());
+    let before = measured_minus(session, &problem, &compensation, |i| nominal.get(i));
+    let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
+    let outlier = suspects(&problem, &after);
+    let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.usable[i], |i| outlier[i]);
+    let compensated = session.compensated_by.is_none().then(|| {
+        let table = Conditions::default().impose_on(inputs);
+        let corrections = compensation.joint_corrections(&table);
+        let reached = compensation.reached(inputs, &corrections);
+        // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
+        let expected = |i: usize| {
+            let unexplained = minus(model.get(i), reached.get(i));
+            add_scaled(nominal.get(i), unexplained, 1.0)
+        };
+        let with_table = measured_minus(session, &problem, &compensation, expected);
+        let left: Vec<f64> = left_over(&compensation, inputs)
+            .iter()
+            .map(|v| crate::lanes::dot(*v, *v).sqrt())
+            .collect();
+        let stays = Spread::of(&left, |i| problem.usable[i], |_| false);
+        spread(&with_table).map(|gap| Compensated {
+            gap,
+            cannot_be_removed_by_joints_mm: stays.map_or(0.0, |s| s.rms_mm),
+        })
+    });
+    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
+    let samples = problem.usable.iter().filter(|u| **u).count();
+    let within = |d: &Deviations, mm: f64| d.length_mm.iter().filter(|l| **l <= mm).count();
+    Ok(Verification {
+        session: session.name.clone(),
+        samples,
+        nominal: spread(&before).ok_or(VerifyError::NothingToVerify)?,
+        model: spread(&after).ok_or(VerifyError::NothingToVerify)?,
+        within_tolerance: tolerance.map(|mm| WithinTolerance {
+            before: within(&before, mm),
+            after: within(&after, mm),
+            of: samples,
+        }),
+        compensated: compensated.flatten(),
+        outliers: (0..outlier.len()).filter(|i| outlier[*i]).collect(),
+        notes,
+    })
+}
+
+/// The gap that a table leaves on a session, `correction` being what the controller adds for a
+/// sample of this command (rad or mm) and side of one joint. The other joints go uncorrected.
+pub fn gap_with_table(
+    calibration: &Calibration,
+    session: &Session,
+    joint: usize,
+    correction: impl Fn(f64, f64) -> f64,
+) -> Option<Spread> {
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let nominal = compensation.nominal.predict(inputs);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    let model = where_the_model_is(&compensation, &full, inputs, None);
+    let side = |i: usize| inputs.dir[joint].as_ref().map_or(0.0, |dir| dir[i]);
+    let mut corrections = vec![vec![0.0; inputs.len()]; inputs.q.len()];
+    for (i, c) in corrections[joint].iter_mut().enumerate() {
+        *c = correction(inputs.q[joint][i], side(i));
+    }
+    let reached = compensation.reached(inputs, &corrections);
+    let expected = |i: usize| add_scaled(nominal.get(i), minus(model.get(i), reached.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
+    let outlier = suspects(&problem, &after);
+    Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
+}
+
+fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String>, VerifyError> {
+    let kinds = |robot: &crate::kinematics::Robot| {
+        let kinds = robot.joints.iter().map(|j| match j.kind {
+            crate::kinematics::JointKind::Revolute => "revolute",
+            crate::kinematics::JointKind::Prismatic => "prismatic",
+        });
+        kinds.collect::<Vec<_>>().join(", ")
+    };
+    let (a, b) = (kinds(&session.robot), kinds(&calibration.model.robot));
+    if a != b {
+        return Err(VerifyError::DifferentRobots {
+            session: a,
+            model: b,
+        });
+    }
+    let same = session
+        .robot
+        .joints
+        .iter()
+        .zip(&calibration.model.robot.joints);
+    let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis)
+        && session.robot.base_from_tool == calibration.model.robot.base_from_tool;
+    let note = "the session's robot has other axes or another tool than the model's: the model's \
+                nominal robot is used";
+    Ok(if same_axes {
+        Vec::new()
+    } else {
+        vec![note.to_owned()]
+    })
+}
+
+/// The corrections that were active while measuring; `None` where there were none, or where they
+/// are another model's.
+fn applied_corrections(
+    calibration: &Calibration,
+    session: &Session,
+    compensation: &Compensation,
+    inputs: &Inputs,
+    notes: &mut Vec<String>,
+) -> Option<Vec<Vec<f64>>> {
+    let by = session.compensated_by.as_ref()?;
+    let ours = *by == model_hash(calibration);
+    notes.push(
+        if ours {
+            "the session was measured with this model's table active: it shows what is left, and \
+             is not compensated a second time"
+        } else {
+            "the session was measured with another model's table active: it is not compensated a \
+             second time, and this model does not know what that table did"
+        }
+        .to_owned(),
+    );
+    let table = Conditions::default().impose_on(inputs);
+    ours.then(|| compensation.joint_corrections(&table))
+}
+
+/// The model as it applies to this session: frames of another one are left out, setups get frames
+/// of their own.
+fn model_for(
+    calibration: &Calibration,
+    session: &Session,
+    problem: &Problem,
+    notes: &mut Vec<String>,
+) -> Model {
+    if hash_of_samples(session) == calibration.samples_hash {
+        return calibration.model.clone();
+    }
+    let of_a_session = ["frame-shift", "frame-drift", "measuring-frame"];
+    let theirs = |t: &Term| of_a_session.contains(&t.effect.about().id);
+    let dropped: Vec<&str> = calibration
+        .model
+        .terms()
+        .iter()
+        .filter(|t| theirs(t))
+        .map(|t| t.effect.about().id)
+        .collect();
+    if !dropped.is_empty() {
+        notes.push(format!(
+            "{} belong to the session that the model came from and are left out",
+            dropped.join(", ")
+        ));
+    }
+    let mut model = calibration.model.without(theirs);
+    let Some(setups) = &session.samples.setups else {
+        return model;
+    };
+    let predicted = model.predict(&problem.inputs);
+    for setup in 0..setups.names.len() {
+        let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
+        if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
+            let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
+            let turn = frame.rotation.scaled_axis();
+            let shift = frame.translation.vector;
+            term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
+            model = model.with_term(term);
+        }
+    }
+    model
+}
+
+fn where_the_model_is(
+    compensation: &Compensation,
+    full: &Model,
+    inputs: &Inputs,
+    applied: Option<&[Vec<f64>]>,
+) -> Positions {
+    let none: Vec<Vec<f64>>;
+    let corrections = if let Some(applied) = applied {
+        applied
+    } else {
+        none = vec![vec![0.0; inputs.len()]; inputs.q.len()];
+        &none
+    };
+    if compensation.regional.is_some() {
+        return compensation.reached(inputs, corrections);
+    }
+    let mut told = inputs.clone();
+    for (q, by) in told.q.iter_mut().zip(corrections) {
+        for (q, by) in q.to_mut().iter_mut().zip(by) {
+            *q += by;
+        }
+    }
+    full.predict(&told)
+}
+
+/// Deviations of the measured points from expected ones; NaN where a sample cannot be used.
+fn measured_minus(
+    session: &Session,
+    problem: &Problem,
+    compensation: &Compensation,
+    expected: impl Fn(usize) -> [f64; 3],
+) -> Deviations {
+    let samples = &session.samples;
+    let mut deviations = Deviations::default();
+    for i in 0..samples.len() {
+        let expected = expected(i);
+        let z = samples.z_mm.as_ref().map_or(expected[2], |z| z[i]);
+        let measured = [samples.x_mm[i], samples.y_mm[i], z];
+        let e = if problem.usable[i] {
+            compensation.deviation(measured, expected)
+        } else {
+            [f64::NAN; 3]
+        };
+        for (column, value) in deviations.axes_mm.iter_mut().zip(e) {
+            column.push(value);
+        }
+        deviations.length_mm.push(crate::lanes::dot(e, e).sqrt());
+    }
+    deviations
+}

@@ -1,0 +1,200 @@
+//! A C99 header: the table as constants, and an inline function that looks a correction up.
+//!
+//! One multiplication finds the interval; the arithmetic is that of
+//! [`UniformTable`](crate::compensation::UniformTable), so that both give the same number.
+
+use std::fmt::Write;
+
+use super::sidecar::{Rules, Sidecar};
+use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack};
+use crate::compensation::JointTable;
+
+/// See the module.
+pub(super) struct CHeader;
+
+pub(super) const FORMAT: Format = Format {
+    id: "c-header",
+    title: "C99 header with a lookup function",
+    extension: "h",
+    exporter: &CHeader,
+};
+
+/// Numbers in a row of the arrays.
+const PER_ROW: usize = 4;
+
+impl Exporter for CHeader {
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let table = job.table()?;
+        let rules = Rules {
+            format: "c-header",
+            interpolation: "linear between two entries",
+            outside: "the first or the last entry is held",
+            direction: "a direction above 0 takes the forward entries, one below 0 the reverse \
+                        ones, 0 the mean of both",
+        };
+        let sidecar = Sidecar::new(job, &table, &rules);
+        let notes = sidecar.notes();
+        let text = write(job, &table, &notes);
+        let reads_as = read(&table, &text)?;
+        Ok(Export {
+            documents: vec![
+                Document {
+                    name: job.file_name.to_owned(),
+                    bytes: text.into_bytes(),
+                },
+                Document {
+                    name: format!("{}.meta.json", job.file_name),
+                    bytes: sidecar.to_json(),
+                },
+            ],
+            reads_as: Some(reads_as),
+            notes,
+        })
+    }
+}
+
+/// `truepose_pan` for a joint called "Pan".
+fn prefix(table: &JointTable) -> String {
+    let safe = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '_'
+        }
+    };
+    let name: String = table.name.chars().map(safe).collect();
+    if name.chars().any(|c| c != '_') {
+        format!("truepose_{name}")
+    } else {
+        format!("truepose_joint_{}", table.joint + 1)
+    }
+}
+
+fn write(job: &Job, table: &JointTable, notes: &[String]) -> String {
+    let (name, unit) = (prefix(table), table.unit());
+    let guard = format!("{}_H", name.to_ascii_uppercase());
+    let last = table.commanded_outer.len() - 1;
+    let outer =
+        |values: &[f64]| -> Vec<f64> { values.iter().map(|v| table.outer(*v) + 0.0).collect() };
+    let mut text = String::new();
+    // A comment must not end early, and not go on after its line.
+    let comment = |line: &str| {
+        let plain = line
+            .replace(['\n', '\r'], " ")
+            .replace("*/", "* /")
+            .replace('\\', "/");
+        format!(" * {}\n", plain.replace("/*", "/ *"))
+    };
+    text.push_str("/*\n");
+    text.push_str(&comment(&format!(
+        "Correction of joint {} ({}) in {unit}: add it to the command",
+        table.joint + 1,
+        table.name
+    )));
+    text.push_str(" *\n");
+    for note in notes {
+        text.push_str(&comment(note));
+    }
+    text.push_str(" *\n");
+    text.push_str(&comment(&format!(
+        "Made by truepose {} from '{}', samples {}",
+        env!("CARGO_PKG_VERSION"),
+        job.calibration.session,
+        job.calibration.samples_hash
+    )));
+    text.push_str(" */\n");
+    let from = table.commanded_outer[0];
+    let step = table.step_outer;
+    let _ = write!(
+        text,
+        "#ifndef {guard}\n#define {guard}\n\n\
+         #define {macro_name}_ENTRIES {entries}\n\n",
+        macro_name = name.to_ascii_uppercase(),
+        entries = last + 1,
+    );
+    array(
+        &mut text,
+        &format!("{name}_forward_{unit}"),
+        &outer(&table.forward),
+    );
+    array(
+        &mut text,
+        &format!("{name}_reverse_{unit}"),
+        &outer(&table.reverse),
+    );
+    let _ = write!(
+        text,
+        "/* Correction at one side's entries. */\n\
+         static inline double {name}_at(const double *entries, double commanded_{unit})\n\
+         {{\n\
+         \x20   double place = (commanded_{unit} - ({from})) * {per_step};\n\
+         \x20   int index;\n\
+         \x20   if (!(place > 0.0)) {{\n\
+         \x20       return entries[0];\n\
+         \x20   }}\n\
+         \x20   if (place >= {last}.0) {{\n\
+         \x20       return entries[{last}];\n\
+         \x20   }}\n\
+         \x20   index = (int)place;\n\
+         \x20   return entries[index] + (entries[index + 1] - entries[index]) * (place - (double)index);\n\
+         }}\n\n\
+         /* What to add to the command; direction: above 0 moving to larger values, below 0 to\n\
+         \x20* smaller ones, 0 unknown. */\n\
+         static inline double {name}_correction_{unit}(double commanded_{unit}, int direction)\n\
+         {{\n\
+         \x20   if (direction > 0) {{\n\
+         \x20       return {name}_at({name}_forward_{unit}, commanded_{unit});\n\
+         \x20   }}\n\
+         \x20   if (direction < 0) {{\n\
+         \x20       return {name}_at({name}_reverse_{unit}, commanded_{unit});\n\
+         \x20   }}\n\
+         \x20   return 0.5 * ({name}_at({name}_forward_{unit}, commanded_{unit})\n\
+         \x20       + {name}_at({name}_reverse_{unit}, commanded_{unit}));\n\
+         }}\n\n\
+         #endif /* {guard} */\n",
+        from = literal(from),
+        per_step = literal(1.0 / step),
+    );
+    text
+}
+
+/// A number that C reads as the same double.
+fn literal(value: f64) -> String {
+    format!("{value:?}")
+}
+
+fn array(text: &mut String, name: &str, values: &[f64]) {
+    let _ = writeln!(text, "static const double {name}[{}] = {{", values.len());
+    for row in values.chunks(PER_ROW) {
+        let row: Vec<String> = row.iter().map(|v| literal(*v)).collect();
+        let _ = writeln!(text, "    {},", row.join(", "));
+    }
+    text.push_str("};\n\n");
+}
+
+/// Reads the arrays back.
+fn read(table: &JointTable, text: &str) -> Result<ReadBack, ExportError> {
+    let values = |side: &str| -> Result<Vec<f64>, ExportError> {
+        let wrong = || ExportError::ReadBack(format!("the {side} entries"));
+        let start = format!("{}_{side}_{}[", prefix(table), table.unit());
+        let after = text.split_once(&start).ok_or_else(wrong)?.1;
+        let inside = after
+            .split_once('{')
+            .and_then(|(_, rest)| rest.split_once('}'));
+        let cells = inside.ok_or_else(wrong)?.0.split(',').map(str::trim);
+        let cells = cells.filter(|cell| !cell.is_empty());
+        let values: Option<Vec<f64>> = cells.map(|cell| cell.parse().ok()).collect();
+        values
+            .filter(|v| v.iter().all(|v| v.is_finite()))
+            .ok_or_else(wrong)
+    };
+    let (forward, reverse) = (values("forward")?, values("reverse")?);
+    ReadBack::new(
+        table.joint,
+        table.kind,
+        &table.commanded_outer,
+        forward,
+        reverse,
+    )
+    .ok_or_else(|| ExportError::ReadBack("another number of entries".to_owned()))
+}

@@ -1,0 +1,74 @@
+//! What a written table says when it is read again, and the gap that it leaves.
+
+use crate::compensation::SortedTable;
+use crate::compensation::verification::gap_with_table;
+use crate::identification::gap::Spread;
+use crate::kinematics::JointKind;
+use crate::model::Calibration;
+use crate::sessions::Session;
+use crate::units::{deg_from_rad, rad_from_deg};
+
+/// A table as its reader has it: in the user's unit (degrees or mm), one column for each side,
+/// linear between the entries, the end values held outside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReadBack {
+    /// Joint, counted from 0.
+    pub joint: usize,
+    /// Revolute or prismatic.
+    pub kind: JointKind,
+    /// Correction while moving to larger values.
+    pub forward: SortedTable,
+    /// Correction while moving to smaller values.
+    pub reverse: SortedTable,
+}
+
+impl ReadBack {
+    /// From columns; `None` where they are no table.
+    pub fn new(
+        joint: usize,
+        kind: JointKind,
+        commanded: &[f64],
+        forward: Vec<f64>,
+        reverse: Vec<f64>,
+    ) -> Option<Self> {
+        Some(Self {
+            joint,
+            kind,
+            forward: SortedTable::new(commanded.to_vec(), forward)?,
+            reverse: SortedTable::new(commanded.to_vec(), reverse)?,
+        })
+    }
+
+    /// What is added to a command in the user's unit; the mean of both columns where the side (+1,
+    /// −1) is unknown (0).
+    pub fn correction_outer(&self, commanded: f64, side: f64) -> f64 {
+        if side > 0.0 {
+            self.forward.at(commanded)
+        } else if side < 0.0 {
+            self.reverse.at(commanded)
+        } else {
+            0.5 * (self.forward.at(commanded) + self.reverse.at(commanded))
+        }
+    }
+
+    /// The same in inner units.
+    pub fn correction(&self, commanded: f64, side: f64) -> f64 {
+        match self.kind {
+            JointKind::Revolute => {
+                rad_from_deg(self.correction_outer(deg_from_rad(commanded), side))
+            }
+            JointKind::Prismatic => self.correction_outer(commanded, side),
+        }
+    }
+}
+
+/// The gap that the table leaves on a session that was measured without it, mm; `None` where no
+/// sample can be used, or the session is of another robot.
+pub fn gap_left(calibration: &Calibration, session: &Session, table: &ReadBack) -> Option<Spread> {
+    let same = session.robot.joints.len() == calibration.model.robot.joints.len();
+    if !same || session.compensated_by.is_some() {
+        return None;
+    }
+    let correction = |q: f64, side: f64| table.correction(q, side);
+    gap_with_table(calibration, session, table.joint, correction)
+}

@@ -1,0 +1,343 @@
+//! Everything that can be done, and the one place that does it.
+//!
+//! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
+//! only function that changes anything.
+
+mod command;
+mod reports;
+#[cfg(test)]
+mod tests;
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+pub(crate) use command::Command;
+
+use crate::gui::document::Document;
+use crate::gui::edit::Edit;
+use crate::gui::files;
+use crate::gui::outcome::{Answer, Outcome};
+use crate::gui::preview::{Made, Preview, Wanted};
+use crate::gui::subject::Subject;
+use crate::gui::tasks::{Tasks, What};
+use crate::gui::undo::History;
+use crate::gui::units::Units;
+use crate::gui::view::{Message, Plane, Step, ViewState};
+
+/// Document, view, answer and tasks.
+pub(crate) struct Workbench {
+    history: History<Document>,
+    /// The document as it was last saved or opened.
+    saved: Arc<Document>,
+    view: ViewState,
+    outcome: Option<Arc<Outcome>>,
+    preview: Option<Preview>,
+    exported: Option<PathBuf>,
+    tasks: Tasks,
+}
+
+impl Workbench {
+    /// A workbench with a session on it.
+    pub(crate) fn new(subject: Arc<Subject>, tasks: Tasks) -> Self {
+        let history = History::new(Document::new(subject));
+        let mut workbench = Self {
+            saved: Arc::clone(history.present()),
+            history,
+            view: ViewState::default(),
+            outcome: None,
+            preview: None,
+            exported: None,
+            tasks,
+        };
+        workbench.look_along_the_axis();
+        workbench
+    }
+
+    /// The document.
+    pub(crate) fn document(&self) -> &Document {
+        self.history.present()
+    }
+
+    /// The session.
+    pub(crate) fn subject(&self) -> &Arc<Subject> {
+        &self.document().subject
+    }
+
+    /// How it is looked at.
+    pub(crate) fn view(&self) -> &ViewState {
+        &self.view
+    }
+
+    /// The chosen units.
+    pub(crate) fn units(&self) -> Units {
+        Units {
+            length: self.view.length,
+            angle: self.view.angle,
+        }
+    }
+
+    /// The tasks.
+    pub(crate) fn tasks(&self) -> &Tasks {
+        &self.tasks
+    }
+
+    /// What undo takes back.
+    pub(crate) fn undoes(&self) -> Option<&'static str> {
+        self.history.undoes()
+    }
+
+    /// What redo brings back.
+    pub(crate) fn redoes(&self) -> Option<&'static str> {
+        self.history.redoes()
+    }
+
+    /// Whether something would be lost that a file can hold.
+    pub(crate) fn unsaved(&self) -> bool {
+        let (now, saved) = (self.document(), &*self.saved);
+        now.regions != saved.regions
+            || now.tolerance_mm != saved.tolerance_mm
+            || !Arc::ptr_eq(&now.subject, &saved.subject)
+    }
+
+    /// The newest answer for the present session, or why there is none. While a newer question is
+    /// being answered it is the answer to the one before.
+    pub(crate) fn outcome(&self) -> Option<&Outcome> {
+        let document = self.document();
+        self.outcome.as_deref().filter(|outcome| {
+            let question = &outcome.question;
+            document.identified
+                && Arc::ptr_eq(&question.subject, &document.subject)
+                && document.question().is_some_and(|asked| {
+                    std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
+                })
+        })
+    }
+
+    /// The newest answer.
+    pub(crate) fn answer(&self) -> Option<&Answer> {
+        self.outcome().and_then(|o| o.answer.as_ref().ok())
+    }
+
+    /// The export as it would be written, or why there is none. While a newer one is being made it
+    /// is the one before.
+    pub(crate) fn export(&self) -> Option<Result<&Made, &String>> {
+        self.answer()?;
+        let preview = self.preview.as_ref()?;
+        let same = Arc::ptr_eq(&preview.wanted.outcome.question.subject, self.subject());
+        same.then_some(preview.made.as_ref())
+    }
+
+    /// The file that was exported last, of this session.
+    pub(crate) fn exported(&self) -> Option<&PathBuf> {
+        self.exported.as_ref()
+    }
+
+    /// Whether the answer that is shown belongs to the document as it is.
+    #[cfg(test)]
+    pub(crate) fn settled(&self) -> bool {
+        match (self.document().question(), &self.outcome) {
+            (None, _) => true,
+            (Some(asked), Some(outcome)) => outcome.question == asked,
+            (Some(_), None) => false,
+        }
+    }
+
+    /// Does it.
+    pub(crate) fn execute(&mut self, command: Command) {
+        match command {
+            Command::Edit(edit) => self.edit(&edit, false),
+            Command::Drag(edit) => self.edit(&edit, true),
+            Command::EndDrag => self.history.finish_gesture(),
+            Command::Undo => {
+                self.history.undo();
+                self.after_travel();
+            }
+            Command::Redo => {
+                self.history.redo();
+                self.after_travel();
+            }
+            Command::ChooseFile => {
+                self.tasks.start("waiting for a file to be chosen", |_| {
+                    files::choose_to_open()
+                });
+            }
+            Command::OpenFile(path) => {
+                self.view.sheet = None;
+                let what = format!("reading {}", path.display());
+                self.tasks.start(what, move |_| files::open(&path));
+            }
+            Command::OpenExample(index) => {
+                self.tasks
+                    .start("reading an example", move |_| files::open_example(index));
+            }
+            Command::ChooseWhereToSave => {
+                let name = files::file_name_for(&self.document().subject.session);
+                self.tasks.start("waiting for a file name", move |_| {
+                    files::choose_to_save(&name)
+                });
+            }
+            Command::SaveAs { path, replace } => {
+                self.view.sheet = None;
+                let session = self.document().session_to_save();
+                let what = format!("saving {}", path.display());
+                self.tasks
+                    .start(what, move |_| files::save(&session, &path, replace));
+            }
+            Command::ChooseWhereToExport(what) => {
+                let name = self.name_of(what);
+                self.tasks.start("waiting for a file name", move |_| {
+                    files::choose_to_export(what, &name)
+                });
+            }
+            Command::ExportTo {
+                what,
+                path,
+                replace,
+            } => {
+                self.view.sheet = None;
+                self.export_to(what, path, replace);
+            }
+            Command::Simulate(form) => {
+                if let Some(problem) = form.problem() {
+                    self.complain("The simulation needs other numbers", vec![problem]);
+                } else {
+                    self.view.sheet = None;
+                    self.tasks
+                        .start("simulating", move |watch| files::simulate(&form, watch));
+                }
+            }
+            Command::Cancel => self.tasks.cancel_newest(),
+            other => self.look(other),
+        }
+        self.keep_asking();
+        self.keep_preparing();
+    }
+
+    fn look(&mut self, command: Command) {
+        let view = &mut self.view;
+        match command {
+            Command::GoTo(step) => view.step = step,
+            Command::Look(plane) => view.plane = plane,
+            Command::Magnify(factor) => {
+                view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
+            }
+            Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
+            Command::Component(component) => view.component = component,
+            Command::OnlyAfter(only) => view.only_after = only,
+            Command::Hover(sample) => view.hovered = sample,
+            Command::Select(sample) => view.selected = sample,
+            Command::Side(side) => view.side = side,
+            Command::Length(unit) => view.length = unit,
+            Command::Angle(unit) => view.angle = unit,
+            Command::Theme(theme) => view.theme = theme,
+            Command::Sheet(sheet) => view.sheet = sheet,
+            Command::Dismiss => view.message = None,
+            Command::Fit => view.fitted += 1,
+            _ => {}
+        }
+        self.forget_missing_samples();
+    }
+
+    fn edit(&mut self, edit: &Edit, within_gesture: bool) {
+        match edit.apply(self.document()) {
+            Err(because) => self.complain("This change cannot be made", vec![because]),
+            Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
+            Ok(next) => self.history.change(next, edit.what()),
+        }
+        if matches!(edit, Edit::Open(_)) {
+            self.saved = Arc::clone(self.history.present());
+            self.exported = None;
+            self.after_travel();
+            self.look_along_the_axis();
+            self.view.step = Step::Session;
+            self.view.fitted += 1;
+            self.view.message = None;
+        }
+    }
+
+    /// After a change that may have brought another session.
+    fn after_travel(&mut self) {
+        self.forget_missing_samples();
+    }
+
+    fn forget_missing_samples(&mut self) {
+        let samples = self.subject().len();
+        let there = |sample: &usize| *sample < samples;
+        self.view.hovered = self.view.hovered.filter(there);
+        self.view.selected = self.view.selected.filter(there);
+    }
+
+    /// Looks at the workspace in the plane in which joint 1 turns.
+    fn look_along_the_axis(&mut self) {
+        let along = self.subject().joint.along;
+        let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
+        self.view.plane = Plane::ALL
+            .into_iter()
+            .find(|plane| Some(plane.normal()) == steepest)
+            .unwrap_or_default();
+    }
+
+    fn complain(&mut self, title: &str, details: Vec<String>) {
+        self.view.message = Some(Message {
+            wrong: true,
+            title: title.to_owned(),
+            details,
+        });
+    }
+
+    /// What an export's file is called unless the user says otherwise.
+    pub(crate) fn name_of(&self, what: What) -> String {
+        let document = self.document();
+        let session = &document.subject.session.name;
+        match what {
+            What::Table => document.export.file_name(session),
+            What::Model => format!("{}.model.json", crate::gui::document::plain(session)),
+        }
+    }
+
+    fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        // From what is shown, but under the name that was chosen.
+        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+            return self.complain(
+                "There is nothing to export yet",
+                vec!["Identify the robot first, in step 3".to_owned()],
+            );
+        };
+        let choice = self.document().export;
+        let says = format!("writing {}", path.display());
+        self.tasks.start(says, move |_| {
+            let wanted = Wanted { outcome, choice };
+            files::export(wanted, what, &path, replace)
+        });
+    }
+
+    /// Asks for the preview that the export step shows.
+    fn keep_preparing(&mut self) {
+        if self.view.step != Step::Export || self.answer().is_none() {
+            return;
+        }
+        let Some(outcome) = self.outcome.clone() else {
+            return;
+        };
+        let choice = self.document().export;
+        let wanted = Wanted { outcome, choice };
+        let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
+        if !made && !self.tasks.is_wanted(&wanted) {
+            self.tasks.prepare(wanted);
+        }
+    }
+
+    /// Asks for the answer that the document wants, if it is not there and not on its way.
+    fn keep_asking(&mut self) {
+        let Some(question) = self.document().question() else {
+            return;
+        };
+        let answered = self
+            .outcome
+            .as_ref()
+            .is_some_and(|o| o.question == question);
+        if !answered && !self.tasks.is_asked(&question) {
+            self.tasks.ask(question);
+        }
+    }
+}

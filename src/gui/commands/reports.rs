@@ -1,0 +1,105 @@
+//! What the background tasks bring back, and what becomes of it.
+
+use std::sync::Arc;
+
+use crate::gui::edit::Edit;
+use crate::gui::files;
+use crate::gui::tasks::Report;
+use crate::gui::view::{Message, Sheet};
+
+use super::{Command, Workbench};
+
+impl Workbench {
+    /// Takes what the tasks have brought. Whether there was anything.
+    pub(crate) fn receive(&mut self) -> bool {
+        let mut any = false;
+        loop {
+            let reports = self.tasks.reports();
+            if reports.is_empty() {
+                return any;
+            }
+            any = true;
+            for report in reports {
+                self.take(report);
+            }
+        }
+    }
+
+    fn take(&mut self, report: Report) {
+        match report {
+            Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
+            Report::Opened(Err(message))
+            | Report::Saved(Err(message))
+            | Report::Exported(Err(message)) => {
+                self.view.message = Some(message);
+            }
+            Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
+            // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
+            Report::ChosenToOpen(None) => {
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: "No file was chosen".to_owned(),
+                    details: vec![
+                        "If no dialog appeared, drop the file on the window, or type its path \
+                         in the Session step"
+                            .to_owned(),
+                    ],
+                });
+            }
+            Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs {
+                path,
+                // The dialog has asked.
+                replace: true,
+            }),
+            Report::ChosenToSave(None) => {
+                let name = files::file_name_for(&self.document().subject.session);
+                self.view.sheet = Some(Sheet::SavePath {
+                    path: name,
+                    replace: false,
+                });
+            }
+            Report::Saved(Ok(path)) => {
+                self.saved = Arc::clone(self.history.present());
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: format!("Saved {}", path.display()),
+                    details: Vec::new(),
+                });
+            }
+            Report::Answered(outcome) => {
+                self.outcome = Some(Arc::new(*outcome));
+                self.keep_preparing();
+            }
+            Report::Prepared(preview) => self.preview = Some(*preview),
+            Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
+                what,
+                path,
+                // The dialog has asked.
+                replace: true,
+            }),
+            Report::ChosenToExport(what, None) => {
+                let path = self.name_of(what);
+                self.view.sheet = Some(Sheet::ExportPath {
+                    what,
+                    path,
+                    replace: false,
+                });
+            }
+            Report::Exported(Ok(path)) => {
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: format!("Written: {}", path.display()),
+                    details: Vec::new(),
+                });
+                self.exported = Some(path);
+            }
+            Report::Broken => self.complain(
+                "Something went wrong inside the program",
+                vec![
+                    "Nothing was changed; save your work, and please report what you did last"
+                        .to_owned(),
+                ],
+            ),
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! What the window works on, as one value: everything in it can be undone.
+
+use std::sync::Arc;
+
+use crate::export::{DEFAULT_STEP, EXPORTERS, find};
+use crate::identification::DEFAULT_EFFECTS;
+use crate::identification::regions::RegionChoice;
+use crate::sessions::{Region, Session};
+
+use super::subject::Subject;
+
+/// How the robot is identified.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Method {
+    /// Nonlinear least squares in the measuring frame.
+    #[default]
+    Exact,
+    /// The paper's corrections, region by region.
+    Regional,
+}
+
+/// Which table is exported, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExportChoice {
+    /// Name of the format.
+    pub(crate) format: &'static str,
+    /// Joint, counted from 0.
+    pub(crate) joint: usize,
+    /// Step of the table, degrees or mm.
+    pub(crate) step: f64,
+}
+
+impl Default for ExportChoice {
+    fn default() -> Self {
+        Self {
+            format: EXPORTERS[0].id,
+            joint: 0,
+            step: DEFAULT_STEP,
+        }
+    }
+}
+
+impl ExportChoice {
+    /// What the file is called unless the user says otherwise.
+    pub(crate) fn file_name(&self, session: &str) -> String {
+        let extension = find(self.format).map_or("txt", |format| format.extension);
+        format!("{}-joint-{}.{extension}", plain(session), self.joint + 1)
+    }
+}
+
+/// A name that every file system takes.
+pub(crate) fn plain(name: &str) -> String {
+    let kept = |c: char| {
+        if c.is_alphanumeric() || c == '-' || c == '_' {
+            c
+        } else {
+            '-'
+        }
+    };
+    let name: String = name.chars().map(kept).collect();
+    let name = name.trim_matches('-');
+    if name.is_empty() {
+        "session".to_owned()
+    } else {
+        name.to_owned()
+    }
+}
+
+/// See the module. Cloning is cheap: the session is shared.
+#[derive(Debug, Clone)]
+pub(crate) struct Document {
+    /// The session.
+    pub(crate) subject: Arc<Subject>,
+    /// Regions of joint 1.
+    pub(crate) regions: Arc<[Region]>,
+    /// How to identify.
+    pub(crate) method: Method,
+    /// Effects of the exact fit, in the order of the catalogue.
+    pub(crate) effects: Vec<&'static str>,
+    /// How far a measured position may be off, mm.
+    pub(crate) tolerance_mm: Option<f64>,
+    /// How the table is exported.
+    pub(crate) export: ExportChoice,
+    /// Whether the robot is to be identified; from then on the answer follows every change.
+    pub(crate) identified: bool,
+}
+
+impl PartialEq for Document {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.subject, &other.subject)
+            && self.regions == other.regions
+            && self.method == other.method
+            && self.effects == other.effects
+            && self.tolerance_mm == other.tolerance_mm
+            && self.export == other.export
+            && self.identified == other.identified
+    }
+}
+
+impl Document {
+    /// A session as it is opened: its own regions and tolerance, nothing identified yet.
+    pub(crate) fn new(subject: Arc<Subject>) -> Self {
+        let regions = if subject.single_revolute() {
+            // A session at one angle has no range to divide, and so no regions.
+            RegionChoice::FromSession
+                .resolve(&subject.session)
+                .unwrap_or_default()
+        } else {
+            Vec::new()
+        };
+        Self {
+            regions: regions.into(),
+            method: Method::default(),
+            effects: DEFAULT_EFFECTS.to_vec(),
+            tolerance_mm: subject.session.tolerance_mm,
+            export: ExportChoice::default(),
+            identified: false,
+            subject,
+        }
+    }
+
+    /// The session with what was changed here, as it is saved.
+    pub(crate) fn session_to_save(&self) -> Session {
+        let mut session = self.subject.session.clone();
+        session.regions = self.regions.to_vec();
+        session.tolerance_mm = self.tolerance_mm;
+        session
+    }
+
+    /// What the answer depends on; `None` while nothing is to be identified.
+    pub(crate) fn question(&self) -> Option<Question> {
+        self.identified.then(|| Question {
+            subject: Arc::clone(&self.subject),
+            asks: match self.method {
+                Method::Exact => Asks::Exact(self.effects.clone()),
+                Method::Regional => Asks::Regional(Arc::clone(&self.regions)),
+            },
+        })
+    }
+}
+
+/// What to identify, from what.
+#[derive(Debug, Clone)]
+pub(crate) struct Question {
+    /// The session.
+    pub(crate) subject: Arc<Subject>,
+    /// What.
+    pub(crate) asks: Asks,
+}
+
+/// The part of a [`Question`] beside the session.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Asks {
+    /// Exactly these effects.
+    Exact(Vec<&'static str>),
+    /// A correction for each of these regions.
+    Regional(Arc<[Region]>),
+}
+
+impl PartialEq for Question {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.subject, &other.subject) && self.asks == other.asks
+    }
+}

@@ -1,0 +1,164 @@
+//! Every change of the document: from a document and an [`Edit`] to the next document.
+
+use std::sync::Arc;
+
+use crate::effects::CATALOGUE;
+use crate::identification::regions::RegionChoice;
+
+use super::boundaries;
+use super::document::{Document, ExportChoice, Method};
+use super::subject::Subject;
+
+/// One change.
+#[derive(Debug, Clone)]
+pub(crate) enum Edit {
+    /// Another session.
+    Open(Arc<Subject>),
+    /// So many regions of the same width.
+    Divide(usize),
+    /// Move a boundary (counted in ascending order) to this angle, rad.
+    MoveBoundary(usize, f64),
+    /// Cut a region in half.
+    Split(usize),
+    /// Give a region to its neighbour.
+    Merge(usize),
+    /// Another name for a region.
+    Rename(usize, String),
+    /// The regions that the session brings along.
+    RegionsOfSession,
+    /// How to identify.
+    Method(Method),
+    /// Fit this effect, or leave it out.
+    Effect(&'static str, bool),
+    /// How far a position may be off, mm.
+    Tolerance(Option<f64>),
+    /// Another table.
+    Export(ExportChoice),
+    /// Identify from now on, as it is chosen.
+    Identify,
+    /// Identify from now on, by this method.
+    IdentifyBy(Method),
+}
+
+impl Edit {
+    /// What the menu calls it, after "Undo".
+    pub(crate) fn what(&self) -> &'static str {
+        match self {
+            Self::Open(_) => "open session",
+            Self::Divide(_) => "divide into regions",
+            Self::MoveBoundary(..) => "move boundary",
+            Self::Split(_) => "split region",
+            Self::Merge(_) => "merge region",
+            Self::Rename(..) => "rename region",
+            Self::RegionsOfSession => "take regions from session",
+            Self::Method(_) => "choose method",
+            Self::Effect(..) => "choose effects",
+            Self::Tolerance(_) => "set tolerance",
+            Self::Export(_) => "choose table",
+            Self::Identify | Self::IdentifyBy(_) => "identify",
+        }
+    }
+
+    /// The document after the change; the reason where it cannot be made.
+    pub(crate) fn apply(&self, document: &Document) -> Result<Document, String> {
+        let mut next = document.clone();
+        match self {
+            Self::Open(subject) => return Ok(Document::new(Arc::clone(subject))),
+            Self::Divide(number) => {
+                let regions = RegionChoice::Uniform(*number)
+                    .resolve(&document.subject.session)
+                    .map_err(|e| e.to_string())?;
+                by_regions(&mut next, regions)?;
+            }
+            Self::RegionsOfSession => {
+                let regions = RegionChoice::FromSession
+                    .resolve(&document.subject.session)
+                    .map_err(|e| e.to_string())?;
+                by_regions(&mut next, regions)?;
+            }
+            Self::MoveBoundary(boundary, to_rad) => {
+                let within = document.subject.travel();
+                let regions = boundaries::moved(&document.regions, *boundary, *to_rad, within)
+                    .ok_or("the boundary cannot be moved there")?;
+                by_regions(&mut next, regions)?;
+            }
+            Self::Split(region) => {
+                let regions = boundaries::split(&document.regions, *region)
+                    .ok_or("the region is too narrow to be split")?;
+                by_regions(&mut next, regions)?;
+            }
+            Self::Merge(region) => {
+                let regions = boundaries::merged(&document.regions, *region)
+                    .ok_or("there is no region to merge it with")?;
+                by_regions(&mut next, regions)?;
+            }
+            Self::Rename(region, name) => {
+                let name = name.trim();
+                if name.is_empty() {
+                    return Err("a region needs a name".to_owned());
+                }
+                let taken =
+                    |(k, r): (usize, &crate::sessions::Region)| k != *region && r.name == name;
+                if document.regions.iter().enumerate().any(taken) {
+                    return Err(format!("another region is called {name}"));
+                }
+                let mut regions = document.regions.to_vec();
+                let renamed = regions.get_mut(*region).ok_or("there is no such region")?;
+                name.clone_into(&mut renamed.name);
+                next.regions = regions.into();
+            }
+            Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
+                if !document.subject.single_revolute() =>
+            {
+                return Err("regions are for a single joint that turns".to_owned());
+            }
+            Self::Method(method) => next.method = *method,
+            Self::Effect(id, on) => next.effects = with_effect(&document.effects, id, *on),
+            Self::Tolerance(tolerance_mm) => {
+                if tolerance_mm.is_some_and(|t| !(t.is_finite() && t > 0.0)) {
+                    return Err("a tolerance is a number above 0".to_owned());
+                }
+                next.tolerance_mm = *tolerance_mm;
+            }
+            Self::Export(choice) => {
+                let joints = document.subject.session.robot.joints.len();
+                if !(choice.step.is_finite() && choice.step > 0.0) || choice.joint >= joints {
+                    return Err("a table needs a joint of the robot and a step above 0".to_owned());
+                }
+                next.export = *choice;
+            }
+            Self::Identify => next.identified = true,
+            Self::IdentifyBy(method) => {
+                next.method = *method;
+                next.identified = true;
+            }
+        }
+        Ok(next)
+    }
+}
+
+/// Regions that are worked on are regions that are wanted: the answer follows them at once.
+fn by_regions(
+    document: &mut Document,
+    regions: Vec<crate::sessions::Region>,
+) -> Result<(), String> {
+    if !document.subject.single_revolute() {
+        return Err("regions are for a single joint that turns".to_owned());
+    }
+    document.regions = regions.into();
+    document.method = Method::Regional;
+    document.identified = true;
+    Ok(())
+}
+
+fn with_effect(effects: &[&'static str], id: &str, on: bool) -> Vec<&'static str> {
+    let chosen = |other: &str| {
+        if other == id {
+            on
+        } else {
+            effects.contains(&other)
+        }
+    };
+    let all = CATALOGUE.iter().map(|effect| effect.about().id);
+    all.filter(|other| chosen(other)).collect()
+}

@@ -1,0 +1,262 @@
+//! Reading and writing, as the background tasks do it: through the library, like the terminal.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::atomic::{WriteError, write_atomically};
+use crate::diagnostic::{Diagnostic, Rejected};
+use crate::export::{Document, Job, find};
+use crate::model::format_v1::write_model;
+use crate::sessions::{self, Loaded, Replacing, Session};
+
+use super::document::plain;
+use super::preview::{Preview, Wanted};
+use super::simulate::Form;
+use super::subject::{Origin, Subject};
+use super::tasks::{Report, Watch, What};
+use super::view::Message;
+
+/// A session that comes with the program.
+pub(crate) struct Example {
+    /// Its name in the menu.
+    pub(crate) name: &'static str,
+    /// What it is.
+    pub(crate) what: &'static str,
+    document: &'static [u8],
+    samples: &'static [u8],
+}
+
+/// Every session that comes with the program; the window opens on the first.
+pub(crate) const EXAMPLES: [Example; 3] = [
+    Example {
+        name: "Lamp commissioning",
+        what: "two reflectors, both sides, noise, while the machine warms up",
+        document: include_bytes!("../../sessions/lamp-commissioning.json"),
+        samples: include_bytes!("../../sessions/lamp-commissioning.csv"),
+    },
+    Example {
+        name: "The paper's 30 samples",
+        what: "six regions of five samples, without noise",
+        document: include_bytes!("../../sessions/paper-30.json"),
+        samples: include_bytes!("../../sessions/paper-30.csv"),
+    },
+    Example {
+        name: "The paper's full run",
+        what: "361 samples, every half degree",
+        document: include_bytes!("../../sessions/paper-run.json"),
+        samples: include_bytes!("../../sessions/paper-run.csv"),
+    },
+];
+
+/// The example that the window opens on.
+pub(crate) fn first_example() -> Arc<Subject> {
+    let example = &EXAMPLES[0];
+    let loaded = sessions::parse_with_csv(example.document, example.samples);
+    let loaded = loaded.expect("a test reads every bundled session");
+    Arc::new(Subject::new(
+        loaded.session,
+        loaded.findings,
+        Origin::Bundled,
+    ))
+}
+
+/// Reads a bundled session.
+pub(crate) fn open_example(index: usize) -> Report {
+    let Some(example) = EXAMPLES.get(index) else {
+        return Report::Broken;
+    };
+    let loaded = sessions::parse_with_csv(example.document, example.samples);
+    opened(loaded, Origin::Bundled, example.name)
+}
+
+fn opened(loaded: Result<Loaded, Rejected>, origin: Origin, name: &str) -> Report {
+    Report::Opened(match loaded {
+        Ok(loaded) => Ok(Arc::new(Subject::new(
+            loaded.session,
+            loaded.findings,
+            origin,
+        ))),
+        Err(rejected) => Err(Message {
+            wrong: true,
+            title: format!("{name} could not be opened; nothing was changed"),
+            details: listed(&rejected.diagnostics),
+        }),
+    })
+}
+
+/// Reads a session file.
+pub(crate) fn open(path: &Path) -> Report {
+    let origin = Origin::File(path.to_path_buf());
+    opened(sessions::load(path), origin, &path.display().to_string())
+}
+
+/// Findings as lines, no more than can be read.
+fn listed(findings: &[Diagnostic]) -> Vec<String> {
+    const MOST: usize = 8;
+    let mut lines: Vec<String> = findings
+        .iter()
+        .take(MOST)
+        .map(ToString::to_string)
+        .collect();
+    if findings.len() > MOST {
+        lines.push(format!("and {} more", findings.len() - MOST));
+    }
+    lines
+}
+
+/// Makes a session by simulation.
+pub(crate) fn simulate(form: &Form, watch: &Watch) -> Report {
+    let on = |part: f64| {
+        watch.done(part);
+        if watch.stopped() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    };
+    Report::Opened(match form.session(on) {
+        Ok(session) => {
+            let subject = Subject::new(session, Vec::new(), Origin::Simulated);
+            Ok(Arc::new(subject))
+        }
+        Err(problems) => Err(Message {
+            wrong: true,
+            title: "The simulation needs other numbers".to_owned(),
+            details: problems,
+        }),
+    })
+}
+
+/// Writes a session: the document, and its samples beside it.
+pub(crate) fn save(session: &Session, path: &Path, replace: bool) -> Report {
+    let path = if path.extension().is_none() {
+        path.with_extension("json")
+    } else {
+        path.to_path_buf()
+    };
+    let replacing = Replacing {
+        force: replace,
+        inputs: &[],
+    };
+    Report::Saved(match sessions::save(session, &path, replacing) {
+        Ok(_) => Ok(path),
+        Err(error) => Err(Message {
+            wrong: true,
+            title: format!("{} could not be saved", path.display()),
+            details: vec![
+                if matches!(error, WriteError::Exists(_)) {
+                    "it exists already; allow replacing it, or choose another name".to_owned()
+                } else {
+                    error.to_string()
+                },
+                "What was there before is there still".to_owned(),
+            ],
+        }),
+    })
+}
+
+/// Asks the user for a session file.
+pub(crate) fn choose_to_open() -> Report {
+    let dialog = rfd::FileDialog::new()
+        .set_title("Open session")
+        .add_filter("Sessions and models", &["json"]);
+    Report::ChosenToOpen(dialog.pick_file())
+}
+
+/// Asks the user where to save.
+pub(crate) fn choose_to_save(name: &str) -> Report {
+    let dialog = rfd::FileDialog::new()
+        .set_title("Save session")
+        .set_file_name(name)
+        .add_filter("Session", &["json"]);
+    Report::ChosenToSave(dialog.save_file())
+}
+
+/// Asks the user where to export to.
+pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
+    let title = match what {
+        What::Table => "Save table",
+        What::Model => "Save model",
+    };
+    let dialog = rfd::FileDialog::new().set_title(title).set_file_name(name);
+    Report::ChosenToExport(what, dialog.save_file())
+}
+
+/// Writes a table with what stands beside it, or a model: all of it, or nothing.
+pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> Report {
+    let written =
+        documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
+    Report::Exported(match written {
+        Ok(()) => Ok(path.to_path_buf()),
+        Err(problem) => Err(Message {
+            wrong: true,
+            title: format!("{} was not written", path.display()),
+            details: vec![problem, "What was there before is there still".to_owned()],
+        }),
+    })
+}
+
+fn documents(wanted: Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name = name.ok_or("expected the name of a file, in UTF-8")?;
+    let choice = wanted.choice;
+    let made = Preview::of(wanted).made?;
+    if what == What::Model {
+        return Ok(vec![Document {
+            name: name.to_owned(),
+            bytes: write_model(&made.calibration).into_bytes(),
+        }]);
+    }
+    // Once more, because the documents say what the file is called.
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(&made.calibration, name)
+    };
+    let format = find(choice.format).ok_or("there is no such format")?;
+    let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
+    Ok(export.documents)
+}
+
+fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let place = |k: usize, document: &Document| {
+        if k == 0 {
+            path.to_path_buf()
+        } else {
+            folder.join(&document.name)
+        }
+    };
+    let places = documents.iter().enumerate();
+    let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
+    if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
+        return Err(format!(
+            "{} exists already; allow replacing it, or choose another name",
+            there.display()
+        ));
+    }
+    for (place, document) in places.iter().zip(documents) {
+        write_atomically(place, replace, |file| file.write_all(&document.bytes))
+            .map_err(|error| error.to_string())?;
+    }
+    Ok(())
+}
+
+/// What a session's file is called unless the user says otherwise.
+pub(crate) fn file_name_for(session: &Session) -> String {
+    format!("{}.json", plain(&session.name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bundled_session_can_be_read() {
+        for (index, example) in EXAMPLES.iter().enumerate() {
+            let opened = open_example(index);
+            assert!(matches!(opened, Report::Opened(Ok(_))), "{}", example.name);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! What an identification answers, made ready for drawing.
+
+use crate::effects::inputs::reflectors_at_home;
+use crate::effects::{Inputs, JointValues};
+use crate::identification::gap::deviations;
+use crate::identification::problem::Problem;
+use crate::identification::regions::{Assignment, RegionChoice};
+use crate::identification::{Identification, identify_exact, identify_regional};
+
+use super::document::{Asks, Question};
+use super::subject::Subject;
+
+/// An answer to a question.
+#[derive(Debug, Clone)]
+pub(crate) struct Outcome {
+    /// What was asked.
+    pub(crate) question: Question,
+    /// The answer, or why there is none.
+    pub(crate) answer: Result<Answer, String>,
+}
+
+/// An identification, and what is left of every sample's deviation.
+#[derive(Debug, Clone)]
+pub(crate) struct Answer {
+    /// The identification.
+    pub(crate) identification: Identification,
+    /// What is left of the deviations, mm; NaN for samples that cannot be used.
+    pub(crate) after_mm: [Vec<f64>; 3],
+    /// Their lengths, mm.
+    pub(crate) lengths_mm: Vec<f64>,
+    /// Suspected outliers.
+    pub(crate) suspected: Vec<bool>,
+}
+
+impl Answer {
+    /// What is left of a sample's deviation, mm.
+    pub(crate) fn deviation_after(&self, sample: usize) -> [f64; 3] {
+        std::array::from_fn(|axis| self.after_mm[axis][sample])
+    }
+}
+
+impl Outcome {
+    /// Works the answer out. Takes its time with many samples.
+    pub(crate) fn of(question: Question) -> Self {
+        let answer = answer(&question);
+        Self { question, answer }
+    }
+}
+
+fn answer(question: &Question) -> Result<Answer, String> {
+    let subject = &*question.subject;
+    let session = &subject.session;
+    let values = JointValues::Commanded;
+    let (identification, after_mm) = match &question.asks {
+        Asks::Exact(effects) => {
+            let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
+            let identification =
+                identify_exact(session, &effects, values).map_err(|e| e.to_string())?;
+            let problem = Problem::new(session, values);
+            let after = deviations(&problem, &identification.model);
+            (identification, after.axes_mm)
+        }
+        Asks::Regional(regions) => {
+            let choice = RegionChoice::Given(regions.to_vec());
+            let identification =
+                identify_regional(session, &choice, values).map_err(|e| e.to_string())?;
+            let after = after_regional(subject, &identification);
+            (identification, after)
+        }
+    };
+    let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+    let lengths_mm = (0..subject.len()).map(length).collect();
+    let mut suspected = vec![false; subject.len()];
+    for outlier in &identification.outliers {
+        suspected[outlier.sample] = true;
+    }
+    Ok(Answer {
+        identification,
+        after_mm,
+        lengths_mm,
+        suspected,
+    })
+}
+
+/// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
+/// motion at home. A sample in no region keeps its deviation: nothing corrects it.
+fn after_regional(subject: &Subject, identification: &Identification) -> [Vec<f64>; 3] {
+    let session = &subject.session;
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let frame = subject.joint;
+    let (x, y) = if frame.radius_mm > 0.0 {
+        (frame.radial, frame.tangential)
+    } else {
+        (frame.across_1, frame.across_2)
+    };
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let radii = reflectors_at_home(session).into_iter().map(|home| {
+        let arm = std::array::from_fn(|k| home[k] - frame.origin_mm[k]);
+        dot(arm, x).hypot(dot(arm, y))
+    });
+    let radii: Vec<f64> = radii.collect();
+    let corrections = identification.regions.iter().map(|r| &r.correction);
+    let regions = corrections.clone().map(|c| crate::sessions::Region {
+        name: c.name.clone(),
+        from_rad: c.from_rad,
+        to_rad: c.to_rad,
+    });
+    let (regions, corrections): (Vec<_>, Vec<_>) = (regions.collect(), corrections.collect());
+    let assignment = Assignment::new(&regions);
+    let mut after = subject.before.axes_mm.clone();
+    for sample in 0..subject.len() {
+        let Some(region) = assignment.region_of(inputs.q[0][sample]) else {
+            continue;
+        };
+        let correction = corrections[region];
+        let target = inputs.target.as_deref().map_or(0, |t| t[sample] as usize);
+        let along_y_mm = radii[target] * correction.theta_rad;
+        for axis in 0..3 {
+            after[axis][sample] += x[axis] * correction.l1_mm + y[axis] * along_y_mm;
+        }
+    }
+    after
+}

@@ -1,0 +1,217 @@
+//! Step 4: what the controller needs, seen before it is saved.
+
+use egui::{DragValue, RichText, ScrollArea, Ui};
+
+use crate::export::{EXPORTERS, find};
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::document::ExportChoice;
+use crate::gui::edit::Edit;
+use crate::gui::preview::Made;
+use crate::gui::tasks::What;
+use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::view::Step;
+use crate::gui::widgets;
+use crate::kinematics::JointKind;
+
+/// Shows the step.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        widgets::hint(
+            ui,
+            "There is nothing to export yet: the table comes from the identified robot",
+        );
+        return;
+    }
+    let choice = workbench.document().export;
+    widgets::section(ui, "Format");
+    for format in EXPORTERS {
+        let response = ui.radio(format.id == choice.format, format.title);
+        if response.clicked() && format.id != choice.format {
+            commands.push(Command::Edit(Edit::Export(ExportChoice {
+                format: format.id,
+                ..choice
+            })));
+        }
+    }
+    widgets::section(ui, "Table");
+    joint_and_step(ui, workbench, choice, commands);
+    match workbench.export() {
+        None => widgets::hint(ui, "The table is being prepared"),
+        Some(Err(because)) => {
+            let color = Palette::of(ui).outside;
+            ui.label(RichText::new(because).color(color));
+        }
+        Some(Ok(made)) => {
+            let entries = made.table.commanded_outer.len();
+            widgets::fact(ui, "entries", entries.to_string());
+            widgets::section(ui, "Also");
+            if widgets::secondary(ui, "Copy table").clicked() {
+                ui.copy_text(text_of(made));
+            }
+            if widgets::secondary(ui, "Save model…").clicked() {
+                commands.push(Command::ChooseWhereToExport(What::Model));
+            }
+        }
+    }
+}
+
+fn joint_and_step(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    choice: ExportChoice,
+    commands: &mut Vec<Command>,
+) {
+    let joints = &workbench.subject().session.robot.joints;
+    let mut next = choice;
+    let mut dragged = false;
+    if joints.len() > 1 {
+        let mut joint = choice.joint + 1;
+        let field = DragValue::new(&mut joint).range(1..=joints.len());
+        let response = widgets::number(ui, "joint", field);
+        next.joint = joint - 1;
+        dragged |= response.dragged();
+        if response.drag_stopped() {
+            commands.push(Command::EndDrag);
+        }
+    }
+    let unit = match joints[choice.joint].kind {
+        JointKind::Revolute => "°",
+        JointKind::Prismatic => " mm",
+    };
+    let field = DragValue::new(&mut next.step)
+        .range(0.001..=90.0)
+        .speed(0.02)
+        .max_decimals(4)
+        .suffix(unit);
+    let response = widgets::number(ui, "step", field);
+    dragged |= response.dragged();
+    if next != choice {
+        let edit = Edit::Export(next);
+        commands.push(if dragged {
+            Command::Drag(edit)
+        } else {
+            Command::Edit(edit)
+        });
+    }
+    if response.drag_stopped() {
+        commands.push(Command::EndDrag);
+    }
+}
+
+/// The table as the controller gets it.
+fn text_of(made: &Made) -> String {
+    let first = made.export.documents.first();
+    first.map_or_else(String::new, |document| {
+        String::from_utf8_lossy(&document.bytes).into_owned()
+    })
+}
+
+/// What the export does and what it is: the right-hand side in this step.
+pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
+    match workbench.export() {
+        Some(Ok(made)) => made_preview(ui, workbench, made),
+        Some(Err(because)) => widgets::hint(ui, because),
+        None if workbench.answer().is_none() => {
+            widgets::hint(ui, "Identify the robot first; the table will be shown here");
+        }
+        None => widgets::hint(ui, "The table is being prepared"),
+    }
+}
+
+fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let title = |ui: &mut Ui, text: &str| {
+        ui.label(RichText::new(text).font(strong(size::BODY)));
+    };
+    widgets::card(ui, |ui| {
+        ui.label(RichText::new("Gap that the table leaves").color(palette.muted));
+        let left = made
+            .gap
+            .map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
+        ui.label(
+            RichText::new(left)
+                .font(strong(size::DISPLAY))
+                .color(palette.after),
+        );
+        if let Some(before) = workbench.subject().gap_before {
+            widgets::fact(ui, "without it", units.length(before.rms_mm));
+        }
+        if let Some(answer) = workbench.answer() {
+            let after = answer.identification.gap.after.rms_mm;
+            widgets::fact(ui, "model and measurement", units.length(after));
+        }
+        widgets::fact(
+            ui,
+            "no joint can remove",
+            units.length(made.remainder.rms_mm),
+        );
+        for line in made.remainder.says() {
+            widgets::hint(ui, line);
+        }
+    });
+    widgets::card(ui, |ui| {
+        title(ui, "What the numbers mean");
+        let said = [&made.sign, &made.example].into_iter().flatten();
+        let mut lines: Vec<&String> = said.collect();
+        let notes = made.export.notes.iter().chain(&made.table.notes);
+        let above = made.remainder.says();
+        for note in notes {
+            if !lines.contains(&note) && !above.contains(note) {
+                lines.push(note);
+            }
+        }
+        for line in lines {
+            widgets::hint(ui, line);
+        }
+    });
+    widgets::card(ui, |ui| {
+        let name = made
+            .export
+            .documents
+            .first()
+            .map_or("", |d| d.name.as_str());
+        title(ui, name);
+        text(ui, &text_of(made));
+    });
+}
+
+/// The first lines; a table may have a million.
+fn text(ui: &mut Ui, text: &str) {
+    const MOST: usize = 200;
+    ui.spacing_mut().item_spacing.y = 1.0;
+    let lines: Vec<&str> = text.lines().take(MOST).collect();
+    ScrollArea::both()
+        .id_salt("table as text")
+        .max_height(220.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+            for line in &lines {
+                ui.label(RichText::new(*line).monospace());
+            }
+        });
+    let more = text.lines().count().saturating_sub(lines.len());
+    if more > 0 {
+        ui.add_space(space::TIGHT);
+        widgets::hint(ui, format!("and {more} more lines"));
+    }
+}
+
+/// What to do next.
+pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        if widgets::primary(ui, "Go to identify").clicked() {
+            commands.push(Command::GoTo(Step::Identify));
+        }
+        return;
+    }
+    let title = find(workbench.document().export.format).map_or("table", |f| f.extension);
+    let ready = matches!(workbench.export(), Some(Ok(_)));
+    let save = ui.add_enabled_ui(ready, |ui| {
+        widgets::primary(ui, &format!("Save table as .{title}…"))
+    });
+    if save.inner.clicked() {
+        commands.push(Command::ChooseWhereToExport(What::Table));
+    }
+}

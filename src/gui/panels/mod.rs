@@ -1,0 +1,16 @@
+//! What stands around the plots. Panels read the workbench and send commands.
+
+pub(super) mod dropped;
+mod export;
+mod identify;
+pub(super) mod menu;
+mod regions;
+pub(super) mod results;
+mod samples;
+mod session;
+pub(super) mod sheets;
+pub(super) mod shortcuts;
+mod simulation;
+pub(super) mod stage;
+pub(super) mod status;
+pub(super) mod steps;

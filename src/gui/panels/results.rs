@@ -1,0 +1,343 @@
+//! The right-hand side: what the identification says, and how sure it is.
+
+use egui::{Grid, RichText, ScrollArea, Ui};
+
+use crate::effects::find;
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::outcome::Answer;
+use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::units::{significant, trimmed, with_interval};
+use crate::gui::view::{Side, Step};
+use crate::gui::widgets;
+use crate::identification::{Estimate, Gap, RegionResult};
+use crate::units::deg_from_rad;
+
+use super::samples;
+
+/// Shows the right-hand side.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let side = workbench.view().side;
+    if workbench.view().step == Step::Export {
+        widgets::heading(ui, "Export");
+        ui.add_space(space::TIGHT);
+        ScrollArea::vertical()
+            .id_salt("export")
+            .auto_shrink([false, false])
+            .show(ui, |ui| super::export::preview(ui, workbench));
+        return;
+    }
+    ui.horizontal(|ui| {
+        widgets::heading(ui, "Results");
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let sides = [(Side::Results, "Summary"), (Side::Samples, "Samples")];
+            if let Some(side) = widgets::segmented(ui, &sides, side) {
+                commands.push(Command::Side(side));
+            }
+        });
+    });
+    ui.add_space(space::TIGHT);
+    match side {
+        Side::Samples => samples::show(ui, workbench, commands),
+        Side::Results => {
+            ScrollArea::vertical()
+                .id_salt("results")
+                .auto_shrink([false, false])
+                .show(ui, |ui| summary(ui, workbench));
+        }
+    }
+}
+
+fn summary(ui: &mut Ui, workbench: &Workbench) {
+    ui.spacing_mut().item_spacing.y = space::ROW;
+    match workbench.outcome().map(|o| &o.answer) {
+        None => nothing_yet(ui, workbench),
+        Some(Err(because)) => widgets::card(ui, |ui| {
+            let color = Palette::of(ui).outside;
+            let title = RichText::new("This could not be identified");
+            ui.label(title.font(strong(size::BODY)).color(color));
+            ui.label(because);
+        }),
+        Some(Ok(answer)) => identified(ui, workbench, answer),
+    }
+}
+
+fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    widgets::card(ui, |ui| {
+        ui.label(RichText::new("Gap of the nominal robot").color(palette.muted));
+        let gap = workbench.subject().gap_before;
+        let rms = gap.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
+        ui.label(
+            RichText::new(rms)
+                .font(strong(size::DISPLAY))
+                .color(palette.before),
+        );
+        if let Some(gap) = gap {
+            widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
+        }
+        if let Some((inside, all)) = within(workbench, None) {
+            widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
+        }
+    });
+    widgets::hint(
+        ui,
+        "Nothing is identified yet. Choose a method in step 3 and press Identify; what the robot \
+         really is will stand here, with the interval of every number",
+    );
+}
+
+fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    gap_card(ui, workbench, answer);
+    let found = &answer.identification;
+    if !found.parameters.is_empty() {
+        widgets::card(ui, |ui| parameters(ui, &found.parameters));
+    }
+    if !found.regions.is_empty() {
+        widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
+    }
+    if !found.not_identifiable.is_empty() {
+        widgets::card(ui, |ui| {
+            title(ui, "Not identifiable");
+            for one in &found.not_identifiable {
+                ui.label(&one.combination);
+                widgets::hint(ui, &one.because);
+            }
+        });
+    }
+    notes(ui, workbench, answer);
+}
+
+fn title(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(strong(size::BODY)));
+}
+
+/// How many samples are within the tolerance, of how many; before, or after an answer.
+fn within(workbench: &Workbench, answer: Option<&Answer>) -> Option<(usize, usize)> {
+    let tolerance_mm = workbench.document().tolerance_mm?;
+    let subject = workbench.subject();
+    let lengths = answer.map_or(&subject.before.length_mm, |a| &a.lengths_mm);
+    let usable = lengths.iter().filter(|l| l.is_finite());
+    let (mut inside, mut all) = (0, 0);
+    for length in usable {
+        all += 1;
+        inside += usize::from(*length <= tolerance_mm);
+    }
+    Some((inside, all))
+}
+
+fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let found = &answer.identification;
+    let number = |mm: f64| significant(units.length_value(mm), 3);
+    widgets::card(ui, |ui| {
+        let method = match found.method {
+            "regional" => "Gap, by region",
+            _ => "Gap, exact fit",
+        };
+        ui.label(RichText::new(method).color(palette.muted));
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 8.0;
+            let big = |text: String| RichText::new(text).font(strong(size::DISPLAY));
+            ui.label(big(number(found.gap.before.rms_mm)).color(palette.before));
+            ui.label(RichText::new("→").size(size::HEADING).color(palette.muted));
+            ui.label(big(number(found.gap.after.rms_mm)).color(palette.after));
+            ui.label(RichText::new(units.length_name()).color(palette.muted));
+        });
+        let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
+            let [before, after] = pick(gap);
+            format!(
+                "{} → {} {}",
+                number(before),
+                number(after),
+                units.length_name()
+            )
+        };
+        let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
+        widgets::fact(ui, "largest", from_to(&found.gap, largest));
+        if let Some(held_out) = &found.held_out {
+            let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
+            widgets::fact(ui, "held out", from_to(held_out, rms));
+        }
+        if let (Some((before, _)), Some((after, all))) =
+            (within(workbench, None), within(workbench, Some(answer)))
+        {
+            widgets::fact(
+                ui,
+                "within tolerance",
+                format!("{before} → {after} of {all}"),
+            );
+            let share = after as f32 / all.max(1) as f32;
+            widgets::share_bar(ui, share, palette.within);
+        }
+    });
+}
+
+fn parameters(ui: &mut Ui, estimates: &[Estimate]) {
+    let palette = Palette::of(ui);
+    title(ui, "What the robot really is");
+    let mut last = None;
+    Grid::new("parameters")
+        .num_columns(3)
+        .spacing([10.0, 3.0])
+        .min_col_width(0.0)
+        .show(ui, |ui| {
+            for one in estimates {
+                if last != Some((one.effect, one.joint)) {
+                    last = Some((one.effect, one.joint));
+                    let name = find(one.effect).map_or(one.effect, |e| e.about().title);
+                    ui.label(RichText::new(name).color(palette.muted).size(size::SMALL));
+                    ui.end_row();
+                }
+                let (name, unit) = named(one.name);
+                let (value, half) = with_interval(one.value, one.ci95);
+                ui.label(name);
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    ui.label(RichText::new(value).font(strong(size::BODY)));
+                });
+                ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));
+                ui.end_row();
+            }
+        });
+    widgets::hint(ui, "± half the 95 % interval");
+}
+
+/// A parameter's name and its unit, as people write them.
+fn named(parameter: &str) -> (String, &'static str) {
+    const UNITS: [(&str, &str); 16] = [
+        ("_urad_per_nm", "µrad/Nm"),
+        ("_mm_per_kg", "mm/kg"),
+        ("_mm_per_h", "mm/h"),
+        ("_ppm_per_degc", "ppm/°C"),
+        ("ppm_per_degc", "ppm/°C"),
+        ("mm_per_kg", "mm/kg"),
+        ("deg_per_degc", "°/°C"),
+        ("_ppm", "ppm"),
+        ("_mrad", "mrad"),
+        ("_rad", "rad"),
+        ("_deg", "°"),
+        ("_mm", "mm"),
+        ("_um", "µm"),
+        ("_s", "s"),
+        ("_kg", "kg"),
+        ("_c", "°C"),
+    ];
+    for (suffix, unit) in UNITS {
+        if let Some(name) = parameter.strip_suffix(suffix) {
+            let name = if name.is_empty() { "rate" } else { name };
+            return (name.replace('_', " "), unit);
+        }
+    }
+    (parameter.replace('_', " "), "")
+}
+
+fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    title(ui, "Correction of each region");
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    Grid::new("region results")
+        .num_columns(4)
+        .spacing([16.0, 6.0])
+        .min_col_width(0.0)
+        .show(ui, |ui| {
+            let length = units.length_name();
+            for head in ["region", "Δθ, rad", "Δl1, mm", &format!("gap, {length}")] {
+                ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
+            }
+            ui.end_row();
+            for result in results {
+                let correction = &result.correction;
+                let says = format!(
+                    "{}° … {}°, {} samples",
+                    trimmed(deg_from_rad(correction.from_rad), 2),
+                    trimmed(deg_from_rad(correction.to_rad), 2),
+                    correction.samples
+                );
+                ui.label(RichText::new(&correction.name).font(strong(size::BODY)))
+                    .on_hover_text(says);
+                let numbers = [
+                    (correction.theta_rad, result.theta_ci95),
+                    (correction.l1_mm, result.l1_ci95),
+                ];
+                for (value, interval) in numbers {
+                    let (value, half) = with_interval(value, interval);
+                    ui.vertical(|ui| {
+                        ui.spacing_mut().item_spacing.y = 0.0;
+                        ui.label(value);
+                        ui.label(RichText::new(half).size(size::SMALL).color(palette.muted));
+                    });
+                }
+                let mm = |mm: f64| significant(units.length_value(mm), 3);
+                ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing.y = 0.0;
+                    ui.label(mm(result.rms_after_mm));
+                    let before = format!("was {}", mm(result.rms_before_mm));
+                    ui.label(RichText::new(before).size(size::SMALL).color(palette.muted));
+                });
+                ui.end_row();
+            }
+        });
+    widgets::hint(ui, "What to add, ± half the 95 % interval");
+}
+
+fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    const MOST: usize = 12;
+    let found = &answer.identification;
+    let units = workbench.units();
+    let mut lines: Vec<String> = found.notes.clone();
+    if !found.quality.converged {
+        lines.push(format!("the fit stopped early: {}", found.quality.stopped));
+    }
+    for outlier in found.outliers.iter().take(MOST) {
+        lines.push(format!(
+            "sample {} is a suspected outlier: {}",
+            outlier.sample + 1,
+            units.length(outlier.deviation_mm)
+        ));
+    }
+    for left_out in found.left_out.iter().take(MOST) {
+        lines.push(format!(
+            "sample {} is left out: {}",
+            left_out.sample + 1,
+            left_out.because.says()
+        ));
+    }
+    let more =
+        found.outliers.len().saturating_sub(MOST) + found.left_out.len().saturating_sub(MOST);
+    if more > 0 {
+        lines.push(format!("and {more} more"));
+    }
+    if lines.is_empty() {
+        return;
+    }
+    widgets::card(ui, |ui| {
+        title(ui, "Notes");
+        for line in &lines {
+            widgets::hint(ui, line);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::CATALOGUE;
+    use crate::effects::term::parameter_names;
+
+    #[test]
+    fn every_parameter_of_the_catalogue_has_a_name_and_a_unit() {
+        for effect in CATALOGUE {
+            for parameter in parameter_names(*effect) {
+                let (name, unit) = named(parameter);
+                assert!(
+                    !name.is_empty() && !name.contains('_'),
+                    "{parameter}: {name}"
+                );
+                let pure = ["order", "ratio"].contains(&parameter);
+                assert_eq!(unit.is_empty(), pure, "{parameter}: {unit}");
+            }
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Sample by sample: what was measured where, and whether it is within the tolerance. Any number
+//! of rows; only those in sight are made.
+
+use egui::{Align, Layout, RichText, Sense, Stroke, Ui, vec2};
+use egui_extras::{Column, TableBuilder};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::tokens::{Palette, size};
+use crate::gui::units::{significant, trimmed};
+
+const ROW: f32 = 22.0;
+
+/// Shows the table.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let subject = workbench.subject();
+    let answer = workbench.answer();
+    let tolerance_mm = workbench.document().tolerance_mm;
+    let view = workbench.view();
+    // A sample that was chosen elsewhere is brought into sight once.
+    let id = ui.scope_id().with("shown sample");
+    let last = ui
+        .data_mut(|data| data.get_temp::<Option<usize>>(id))
+        .flatten();
+    let scroll = last != view.selected;
+    ui.data_mut(|data| data.insert_temp(id, view.selected));
+    let mut table = TableBuilder::new(ui)
+        .striped(false)
+        .sense(Sense::click() | Sense::hover())
+        .cell_layout(Layout::right_to_left(Align::Center))
+        .column(Column::exact(46.0))
+        .column(Column::exact(70.0))
+        .column(Column::exact(70.0))
+        .column(Column::exact(70.0))
+        .column(Column::remainder().at_least(24.0))
+        .auto_shrink([false, false]);
+    if let Some(row) = view.selected.filter(|_| scroll) {
+        table = table.scroll_to_row(row, Some(Align::Center));
+    }
+    let length = units.length_name();
+    let angle = if subject.turns() {
+        units.angle_name().trim()
+    } else {
+        length
+    };
+    let mut hovered = None;
+    table
+        .header(24.0, |mut header| {
+            let heads = [
+                "sample".to_owned(),
+                format!("angle, {angle}"),
+                format!("before, {length}"),
+                format!("after, {length}"),
+                String::new(),
+            ];
+            for head in heads {
+                header.col(|ui| {
+                    ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
+                });
+            }
+        })
+        .body(|body| {
+            body.rows(ROW, subject.len(), |mut row| {
+                let sample = row.index();
+                row.set_selected(view.selected == Some(sample));
+                row.set_hovered(view.hovered == Some(sample));
+                let before = subject.before.length_mm[sample];
+                let after = answer.map(|a| a.lengths_mm[sample]);
+                let q = subject.q(sample);
+                let q = if subject.turns() {
+                    trimmed(units.angle_value(q), 3)
+                } else {
+                    trimmed(units.length_value(q), 3)
+                };
+                let mm = |mm: f64| significant(units.length_value(mm), 3);
+                row.col(|ui| {
+                    let number = RichText::new((sample + 1).to_string());
+                    ui.label(number.color(palette.muted));
+                });
+                row.col(|ui| {
+                    ui.label(q);
+                });
+                row.col(|ui| {
+                    ui.label(mm(before));
+                });
+                row.col(|ui| {
+                    ui.label(after.map_or_else(String::new, mm));
+                });
+                let shown = after.unwrap_or(before);
+                row.col(|ui| {
+                    if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
+                        mark(ui, shown <= tolerance_mm);
+                    }
+                });
+                let response = row.response();
+                if response.hovered() {
+                    hovered = Some(sample);
+                }
+                if response.clicked() {
+                    commands.push(Command::Select(Some(sample)));
+                }
+            });
+        });
+    let inside = ui.rect_contains_pointer(ui.max_rect());
+    if inside && hovered.is_some() && hovered != view.hovered {
+        commands.push(Command::Hover(hovered));
+    }
+}
+
+fn mark(ui: &mut Ui, within: bool) {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
+    let painter = ui.painter();
+    if within {
+        painter.circle_filled(rect.center(), 3.4, palette.within);
+    } else {
+        let at = |x: f32, y: f32| rect.center() + vec2(x, y) * 4.6;
+        let corners = vec![at(0.0, -1.0), at(1.0, 0.0), at(0.0, 1.0), at(-1.0, 0.0)];
+        let stroke = Stroke::new(1.5, palette.outside);
+        painter.add(egui::Shape::convex_polygon(
+            corners,
+            palette.surface,
+            stroke,
+        ));
+    }
+    let says = if within {
+        "within the tolerance"
+    } else {
+        "outside the tolerance"
+    };
+    response.on_hover_text(says);
+}

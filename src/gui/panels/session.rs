@@ -1,0 +1,170 @@
+//! Step 1: what was measured, on what, and what was found while it was read.
+
+use egui::{DragValue, RichText, TextEdit, Ui};
+
+use crate::diagnostic::Severity;
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::edit::Edit;
+use crate::gui::simulate::Form;
+use crate::gui::subject::Origin;
+use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::view::{Sheet, Step};
+use crate::gui::widgets;
+use crate::kinematics::JointKind;
+use crate::sessions::Sigma;
+
+/// Shows the step.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::section(ui, "Measured");
+    facts(ui, workbench);
+    tolerance(ui, workbench, commands);
+    findings(ui, workbench);
+    widgets::section(ui, "Another session");
+    if widgets::secondary(ui, "Open…").clicked() {
+        commands.push(Command::ChooseFile);
+    }
+    path_field(ui, commands);
+    if widgets::secondary(ui, "New by simulation…").clicked() {
+        commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
+    }
+    widgets::hint(ui, "A session can also be dropped on the window");
+}
+
+fn facts(ui: &mut Ui, workbench: &Workbench) {
+    let subject = workbench.subject();
+    let session = &subject.session;
+    let units = workbench.units();
+    widgets::fact(ui, "robot", &session.robot.name);
+    let joint = &session.robot.joints[0];
+    if session.robot.joints.len() == 1 {
+        let (from, to) = subject.travel();
+        let range = match joint.kind {
+            JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
+            JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
+        };
+        widgets::fact(ui, "joint", format!("{}, {range}", joint.name));
+    } else {
+        widgets::fact(ui, "joints", session.robot.joints.len().to_string());
+    }
+    let held_out = session.samples.held_out.as_deref().unwrap_or(&[]);
+    let held_out = held_out.iter().filter(|h| **h).count();
+    let samples = if held_out > 0 {
+        format!("{}, {held_out} held out", subject.len())
+    } else {
+        subject.len().to_string()
+    };
+    widgets::fact(ui, "samples", samples);
+    if session.targets.len() > 1 {
+        widgets::fact(ui, "reflectors", session.targets.len().to_string());
+    }
+    if !session.instrument.name.is_empty() {
+        widgets::fact(ui, "instrument", &session.instrument.name);
+    }
+    let sigma = match session.instrument.sigma_mm {
+        None => "not given".to_owned(),
+        Some(Sigma::Overall(sigma)) => units.length(sigma),
+        Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
+    };
+    widgets::fact(ui, "noise, one σ", sigma);
+    if session.samples.z_mm.is_none() {
+        widgets::fact(ui, "coordinates", "x and y; z was not measured");
+    }
+    if session.compensated_by.is_some() {
+        widgets::fact(ui, "compensated", "yes: this shows what is left");
+    }
+}
+
+fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    // The largest that makes sense on any robot; the field is in mm, as the file is.
+    const LARGEST_MM: f64 = 1000.0;
+    let now = workbench.document().tolerance_mm.unwrap_or(0.0);
+    let mut tolerance = now;
+    let field = DragValue::new(&mut tolerance)
+        .range(0.0..=LARGEST_MM)
+        .speed(0.005)
+        .max_decimals(4)
+        .custom_formatter(|value, decimals| {
+            if value > 0.0 {
+                egui::emath::format_with_decimals_in_range(value, decimals)
+            } else {
+                "none".to_owned()
+            }
+        })
+        .suffix(if now > 0.0 { " mm" } else { "" });
+    let response = widgets::number(ui, "tolerance", field);
+    if tolerance != now {
+        let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
+        commands.push(if response.dragged() {
+            Command::Drag(edit)
+        } else {
+            Command::Edit(edit)
+        });
+    }
+    if response.drag_stopped() {
+        commands.push(Command::EndDrag);
+    }
+}
+
+fn findings(ui: &mut Ui, workbench: &Workbench) {
+    const MOST: usize = 50;
+    let findings = &workbench.subject().findings;
+    if findings.is_empty() {
+        return;
+    }
+    let palette = Palette::of(ui);
+    widgets::section(ui, &format!("Found while reading: {}", findings.len()));
+    for finding in findings.iter().take(MOST) {
+        let (mark, color) = match finding.severity {
+            Severity::Note => ("note", palette.muted),
+            Severity::Warning => ("warning", palette.warning),
+            Severity::Error => ("error", palette.outside),
+        };
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
+            ui.label(RichText::new(finding.to_string()).size(size::SMALL));
+        });
+    }
+    if findings.len() > MOST {
+        widgets::hint(ui, format!("and {} more", findings.len() - MOST));
+    }
+}
+
+/// A path can always be typed: not every system has a dialog.
+fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let id = ui.scope_id().with("typed path");
+    let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
+    ui.horizontal(|ui| {
+        let width = ui.available_width() - 64.0;
+        let field = TextEdit::singleline(&mut typed)
+            .hint_text("or type a path")
+            .desired_width(width)
+            .min_size(egui::vec2(width, space::CONTROL))
+            .align(egui::Align2::LEFT_CENTER);
+        let field = ui.add(field);
+        ui.ctx()
+            .accesskit_node_builder(field.id, |node| node.set_label("Path of a session"));
+        let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        let path = typed.trim();
+        let button = ui.add_enabled(!path.is_empty(), egui::Button::new("Open"));
+        if (entered || button.clicked()) && !path.is_empty() {
+            commands.push(Command::OpenFile(path.into()));
+        }
+    });
+    ui.data_mut(|data| data.insert_temp(id, typed));
+}
+
+/// What to do next.
+pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let subject = workbench.subject();
+    if subject.origin == Origin::Bundled {
+        widgets::hint(ui, "This is an example that comes with the program");
+    }
+    let (step, text) = if subject.single_revolute() {
+        (Step::Regions, "Continue to regions")
+    } else {
+        (Step::Identify, "Continue to identify")
+    };
+    if widgets::primary(ui, text).clicked() {
+        commands.push(Command::GoTo(step));
+    }
+}

@@ -1,0 +1,171 @@
+//! Sheets over the window.
+
+use std::path::PathBuf;
+
+use egui::{Grid, Id, Key, Modal, RichText, TextEdit, Ui};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::tasks::What;
+use crate::gui::tokens::{Palette, space};
+use crate::gui::view::Sheet;
+use crate::gui::widgets;
+
+use super::{shortcuts, simulation};
+
+/// Shows the open sheet, if there is one.
+pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(sheet) = &workbench.view().sheet else {
+        return;
+    };
+    let shown = Modal::new(Id::unique("sheet")).show(ui.ctx(), |ui| {
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        match sheet {
+            Sheet::SavePath { path, replace } => {
+                let says = "The samples are written beside it, as a CSV file of the same name";
+                match path_form(ui, "Save session", says, path, *replace, commands) {
+                    Typed::Done { path, replace } => {
+                        commands.push(Command::SaveAs { path, replace });
+                    }
+                    Typed::Changed { path, replace } => {
+                        commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
+                    }
+                    Typed::Same => {}
+                }
+            }
+            Sheet::ExportPath {
+                what,
+                path,
+                replace,
+            } => export(ui, *what, path, *replace, commands),
+            Sheet::Simulate(form) => simulation::show(ui, form, commands),
+            Sheet::Shortcuts => keys(ui),
+            Sheet::About => about(ui),
+        }
+    });
+    if shown.should_close() {
+        commands.push(Command::Sheet(None));
+    }
+}
+
+/// The buttons at the end of a sheet. Whether the first was pressed.
+pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec<Command>) -> bool {
+    ui.add_space(space::ROW);
+    ui.columns(2, |columns| {
+        if widgets::secondary(&mut columns[0], "Cancel").clicked() {
+            commands.push(Command::Sheet(None));
+        }
+        let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
+        button.inner.clicked()
+    })
+}
+
+/// What was done with a path that is being typed.
+enum Typed {
+    /// It is complete.
+    Done { path: PathBuf, replace: bool },
+    /// It is another now.
+    Changed { path: String, replace: bool },
+    /// Nothing.
+    Same,
+}
+
+fn path_form(
+    ui: &mut Ui,
+    title: &str,
+    says: &str,
+    path: &str,
+    replace: bool,
+    commands: &mut Vec<Command>,
+) -> Typed {
+    ui.set_width(420.0);
+    widgets::heading(ui, title);
+    let (mut typed, mut allowed) = (path.to_owned(), replace);
+    let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
+    ui.ctx()
+        .accesskit_node_builder(field.id, |node| node.set_label("Path to save to"));
+    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+    ui.checkbox(&mut allowed, "replace the file if it exists");
+    widgets::hint(ui, says);
+    let named = !typed.trim().is_empty();
+    let pressed = buttons(ui, "Save", named, commands);
+    if named && (pressed || entered) {
+        Typed::Done {
+            path: typed.trim().into(),
+            replace: allowed,
+        }
+    } else if typed != path || allowed != replace {
+        Typed::Changed {
+            path: typed,
+            replace: allowed,
+        }
+    } else {
+        Typed::Same
+    }
+}
+
+fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec<Command>) {
+    let (title, says) = match what {
+        What::Table => (
+            "Save table",
+            "A file that says what the table means is written beside it",
+        ),
+        What::Model => ("Save model", "The model can be exported and verified later"),
+    };
+    match path_form(ui, title, says, path, replace, commands) {
+        Typed::Done { path, replace } => commands.push(Command::ExportTo {
+            what,
+            path,
+            replace,
+        }),
+        Typed::Changed { path, replace } => {
+            commands.push(Command::Sheet(Some(Sheet::ExportPath {
+                what,
+                path,
+                replace,
+            })));
+        }
+        Typed::Same => {}
+    }
+}
+
+fn keys(ui: &mut Ui) {
+    ui.set_width(360.0);
+    widgets::heading(ui, "Keyboard shortcuts");
+    let muted = Palette::of(ui).muted;
+    Grid::new("shortcuts")
+        .num_columns(2)
+        .spacing([32.0, 6.0])
+        .show(ui, |ui| {
+            let all = shortcuts::ALL.iter();
+            let all = all.map(|(_, keys, what)| (ui.ctx().format_shortcut(keys), *what));
+            let others = [
+                ("← →".to_owned(), "move the boundary that has the focus"),
+                ("Shift+← →".to_owned(), "move it further"),
+                ("Ctrl++ Ctrl+−".to_owned(), "larger and smaller text"),
+                ("Esc".to_owned(), "close a sheet"),
+            ];
+            for (keys, what) in all.chain(others).collect::<Vec<_>>() {
+                ui.label(RichText::new(keys).color(muted));
+                ui.label(what);
+                ui.end_row();
+            }
+        });
+}
+
+fn about(ui: &mut Ui) {
+    ui.set_width(400.0);
+    widgets::heading(ui, "truepose");
+    widgets::hint(ui, concat!("version ", env!("CARGO_PKG_VERSION")));
+    ui.label(
+        "Calibrates a robot at commissioning: finds where measurement and simulation disagree, \
+         and writes what the controller needs",
+    );
+    widgets::hint(
+        ui,
+        "Everything in this window can be done in the terminal too: truepose --help",
+    );
+    widgets::hint(
+        ui,
+        "Type: Inter, by the Inter project authors, SIL Open Font License 1.1",
+    );
+}

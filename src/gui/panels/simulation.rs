@@ -1,0 +1,111 @@
+//! The form of a new simulation.
+
+use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
+
+use crate::gui::commands::Command;
+use crate::gui::simulate::{Chosen, Form};
+use crate::gui::tokens::{Palette, size};
+use crate::gui::view::Sheet;
+use crate::gui::widgets;
+
+/// Shows the form and sends what is filled in.
+pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
+    ui.set_width(520.0);
+    widgets::heading(ui, "New by simulation");
+    widgets::hint(
+        ui,
+        "A lamp on one turning axis, measured by a tracker. What is filled in here is what \
+         identification should find",
+    );
+    let mut filled = form.clone();
+    ui.columns(2, |columns| {
+        robot(&mut columns[0], &mut filled);
+        measurement(&mut columns[1], &mut filled);
+    });
+    effects(ui, &mut filled);
+    let problem = filled.problem();
+    if let Some(problem) = &problem {
+        let color = Palette::of(ui).outside;
+        ui.label(RichText::new(problem).color(color));
+    }
+    if super::sheets::buttons(ui, "Simulate", problem.is_none(), commands) {
+        commands.push(Command::Simulate(filled));
+    } else if filled != *form {
+        commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
+    }
+}
+
+fn robot(ui: &mut Ui, form: &mut Form) {
+    widgets::section(ui, "Robot");
+    let mm = |value| {
+        DragValue::new(value)
+            .speed(0.1)
+            .max_decimals(4)
+            .suffix(" mm")
+    };
+    let deg = |value| {
+        DragValue::new(value)
+            .speed(0.05)
+            .max_decimals(4)
+            .suffix("°")
+    };
+    widgets::number(ui, "nominal radius", mm(&mut form.radius_mm));
+    widgets::number(ui, "zero offset", deg(&mut form.offset_deg));
+    widgets::number(ui, "length error", mm(&mut form.length_error_mm));
+    widgets::section(ui, "Tolerance");
+    widgets::number(ui, "tolerance", mm(&mut form.tolerance_mm));
+}
+
+fn measurement(ui: &mut Ui, form: &mut Form) {
+    widgets::section(ui, "Sweep");
+    let deg = |value| DragValue::new(value).speed(0.5).max_decimals(3).suffix("°");
+    widgets::number(ui, "from", deg(&mut form.from_deg));
+    widgets::number(ui, "to", deg(&mut form.to_deg));
+    widgets::number(ui, "step", deg(&mut form.step_deg));
+    ui.add(Checkbox::new(&mut form.both_ways, "there and back"));
+    widgets::section(ui, "Instrument");
+    let noise = DragValue::new(&mut form.noise_mm)
+        .speed(0.002)
+        .max_decimals(4);
+    widgets::number(ui, "noise", noise.suffix(" mm"));
+    widgets::number(ui, "seed", DragValue::new(&mut form.seed));
+}
+
+fn effects(ui: &mut Ui, form: &mut Form) {
+    widgets::section(ui, "Other effects");
+    let mut gone = None;
+    ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
+        for (index, chosen) in form.effects.iter_mut().enumerate() {
+            ui.horizontal_wrapped(|ui| {
+                let title = crate::effects::find(chosen.id).map_or(chosen.id, |e| e.about().title);
+                ui.label(title);
+                for (name, value) in &mut chosen.parameters {
+                    let muted = Palette::of(ui).muted;
+                    ui.label(RichText::new(*name).size(size::SMALL).color(muted));
+                    let field = DragValue::new(value).speed(0.01).max_decimals(5);
+                    widgets::cell_number(ui, &format!("{} {name}", chosen.id), 64.0, field);
+                }
+                if ui.small_button("Remove").clicked() {
+                    gone = Some(index);
+                }
+            });
+        }
+    });
+    if let Some(index) = gone {
+        form.effects.remove(index);
+    }
+    ComboBox::from_id_salt("add effect")
+        .selected_text("Add an effect…")
+        .width(240.0)
+        .show_ui(ui, |ui| {
+            for (id, title) in Form::offered() {
+                let there = form.effects.iter().any(|c| c.id == id);
+                let button = ui.add_enabled(!there, egui::Button::new(title));
+                if button.clicked()
+                    && let Some(chosen) = Chosen::new(id)
+                {
+                    form.effects.push(chosen);
+                }
+            }
+        });
+}

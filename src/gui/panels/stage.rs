@@ -1,0 +1,177 @@
+//! The middle: what the user has to know, the workspace, and the deviation below it.
+
+use egui::{Align, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::plots::{correction, deviation, workspace};
+use crate::gui::subject::Component;
+use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::units::significant;
+use crate::gui::view::{Plane, Step};
+use crate::gui::widgets;
+
+/// Shows the middle.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    message(ui, workbench, commands);
+    let palette = Palette::of(ui);
+    let height = ui.available_height();
+    let view = workbench.view();
+    let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
+    Panel::bottom("deviation")
+        .resizable(true)
+        .default_size(0.34 * height)
+        .size_range(140.0..=(0.7 * height).max(150.0))
+        .frame(part(Margin::same(12)))
+        .show(ui, |ui| {
+            if let (Step::Export, Some(Ok(made))) = (view.step, workbench.export()) {
+                ui.horizontal(|ui| title(ui, "Correction table"));
+                correction::show(ui, workbench, made);
+            } else {
+                chart_bar(ui, workbench, commands);
+                deviation::show(ui, workbench, commands);
+            }
+        });
+    part(Margin::same(12)).show(ui, |ui| {
+        workspace_bar(ui, workbench, commands);
+        workspace::show(ui, workbench, commands);
+    });
+}
+
+fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(message) = &workbench.view().message else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    let color = if message.wrong {
+        palette.outside
+    } else {
+        palette.within
+    };
+    let frame = Frame::NONE
+        .fill(palette.inset)
+        .inner_margin(Margin::symmetric(14, 10));
+    Panel::top("message")
+        .resizable(false)
+        .frame(frame)
+        .show(ui, |ui| {
+            ui.horizontal_top(|ui| {
+                ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+                    if ui.button("Dismiss").clicked() {
+                        commands.push(Command::Dismiss);
+                    }
+                    ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                        ui.spacing_mut().item_spacing.y = 3.0;
+                        let title = RichText::new(&message.title);
+                        let title = title.font(strong(size::BODY)).color(color);
+                        ui.add(egui::Label::new(title).wrap());
+                        for line in &message.details {
+                            ui.add(egui::Label::new(RichText::new(line).size(12.0)).wrap());
+                        }
+                    });
+                });
+            });
+        });
+}
+
+fn title(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(strong(size::BODY)));
+    ui.add_space(space::ROW);
+}
+
+fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let view = workbench.view();
+    ui.horizontal(|ui| {
+        title(ui, "Workspace");
+        let planes = Plane::ALL.map(|plane| (plane, plane.name()));
+        if let Some(plane) = widgets::segmented(ui, &planes, view.plane) {
+            commands.push(Command::Look(plane));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if workbench.answer().is_some() {
+                blend(ui, workbench, commands);
+            }
+        });
+    });
+    ui.horizontal(|ui| magnification(ui, workbench, commands));
+}
+
+/// The sliders of the bars are finer than those of forms.
+fn fine(ui: &mut Ui, width: f32) {
+    ui.spacing_mut().slider_width = width;
+    ui.spacing_mut().interact_size.y = 18.0;
+}
+
+fn caption(ui: &mut Ui, text: &str) -> egui::Response {
+    let muted = Palette::of(ui).muted;
+    ui.label(RichText::new(text).size(size::SMALL).color(muted))
+}
+
+/// From before to after.
+fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let mut blend = workbench.view().blend;
+    caption(ui, "after");
+    fine(ui, 72.0);
+    let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
+    ui.ctx()
+        .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
+    if slider.changed() {
+        commands.push(Command::Blend(blend));
+    }
+    caption(ui, "before");
+}
+
+/// How long the vectors are drawn.
+fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let subject = workbench.subject();
+    let reach = workspace::reach(subject);
+    let before = workspace::readable(reach, &subject.before.length_mm);
+    let now = workbench.view().magnification.unwrap_or(before);
+    caption(ui, "vectors");
+    let mut factor = now;
+    fine(ui, 110.0);
+    let slider = Slider::new(&mut factor, 1.0..=100_000.0)
+        .logarithmic(true)
+        .show_value(false);
+    let slider = ui.add(slider);
+    ui.ctx()
+        .accesskit_node_builder(slider.id, |node| node.set_label("Length of vectors"));
+    if slider.changed() && factor != now {
+        commands.push(Command::Magnify(Some(factor)));
+    }
+    caption(ui, &format!("× {}", significant(now, 2)));
+    let Some(answer) = workbench.answer() else {
+        return;
+    };
+    let left = workspace::readable(reach, &answer.lengths_mm);
+    ui.add_space(space::ROW);
+    caption(ui, "readable");
+    let options = [(Some(before), "before"), (Some(left), "after")];
+    match widgets::segmented(ui, &options, Some(now)) {
+        Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
+        Some(factor) => commands.push(Command::Magnify(factor)),
+        None => {}
+    }
+}
+
+fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let view = workbench.view();
+    let planar = workbench.subject().session.samples.z_mm.is_none();
+    ui.horizontal(|ui| {
+        title(ui, "Deviation");
+        let offered = Component::ALL
+            .iter()
+            .filter(|c| !(planar && c.out_of_plane()));
+        let offered: Vec<_> = offered.map(|c| (*c, c.name())).collect();
+        if let Some(component) = widgets::segmented(ui, &offered, view.component) {
+            commands.push(Command::Component(component));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if workbench.answer().is_some() {
+                let shown = [(false, "both"), (true, "only after")];
+                if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
+                    commands.push(Command::OnlyAfter(only));
+                }
+            }
+        });
+    });
+}

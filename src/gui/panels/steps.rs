@@ -1,0 +1,90 @@
+//! The left-hand side: the steps, the controls of the chosen one, and what to do next.
+
+use egui::{Panel, ScrollArea, Ui};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::document::Method;
+use crate::gui::tokens::space;
+use crate::gui::view::Step;
+use crate::gui::widgets::{self, Progress};
+
+use super::{export, identify, regions, session};
+
+/// Shows the left-hand side.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    for (index, step) in Step::ALL.into_iter().enumerate() {
+        let (caption, progress) = state(workbench, step);
+        let selected = workbench.view().step == step;
+        let row = widgets::step_row(ui, index + 1, step.name(), &caption, progress, selected);
+        if row.clicked() {
+            commands.push(Command::GoTo(step));
+        }
+    }
+    ui.spacing_mut().item_spacing.y = space::ROW;
+    ui.add_space(space::ROW);
+    ui.separator();
+    let frame = egui::Frame::NONE.inner_margin(egui::Margin::ZERO);
+    Panel::bottom("next")
+        .resizable(false)
+        .show_separator_line(false)
+        .frame(frame)
+        .show(ui, |ui| {
+            ui.add_space(space::ROW);
+            match workbench.view().step {
+                Step::Session => session::next(ui, workbench, commands),
+                Step::Regions => regions::next(ui, workbench, commands),
+                Step::Identify => identify::next(ui, workbench, commands),
+                Step::Export => export::next(ui, workbench, commands),
+            }
+        });
+    ScrollArea::vertical()
+        .id_salt(("controls", workbench.view().step.name()))
+        .auto_shrink([false, false])
+        .show(ui, |ui| match workbench.view().step {
+            Step::Session => session::show(ui, workbench, commands),
+            Step::Regions => regions::show(ui, workbench, commands),
+            Step::Identify => identify::show(ui, workbench, commands),
+            Step::Export => export::show(ui, workbench, commands),
+        });
+}
+
+/// What a step has to show for itself.
+fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
+    let document = workbench.document();
+    let done = |done: bool| {
+        if done { Progress::Done } else { Progress::Open }
+    };
+    match step {
+        Step::Session => {
+            let n = workbench.subject().len();
+            let samples = if n == 1 { "sample" } else { "samples" };
+            (format!("{n} {samples}"), Progress::Done)
+        }
+        Step::Regions if document.regions.is_empty() => {
+            ("not for this robot".to_owned(), Progress::Open)
+        }
+        Step::Regions => {
+            let n = document.regions.len();
+            let regions = if n == 1 { "region" } else { "regions" };
+            let used = document.identified && document.method == Method::Regional;
+            (format!("{n} {regions}"), done(used))
+        }
+        Step::Identify => {
+            let caption = match (document.identified, document.method) {
+                (false, _) => "not yet".to_owned(),
+                (true, Method::Regional) => "by region".to_owned(),
+                (true, Method::Exact) => {
+                    let n = document.effects.len();
+                    let effects = if n == 1 { "effect" } else { "effects" };
+                    format!("exact, {n} {effects}")
+                }
+            };
+            (caption, done(workbench.answer().is_some()))
+        }
+        Step::Export => match workbench.exported().and_then(|path| path.file_name()) {
+            Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
+            None => ("not yet".to_owned(), Progress::Open),
+        },
+    }
+}

@@ -1,0 +1,99 @@
+//! Where the parts of the deviation chart go.
+
+use super::model::Series;
+
+/// What the chart has to show.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Extent {
+    /// Smallest and largest angle (rad) or length (mm) of joint 1.
+    pub(crate) q: [f64; 2],
+    /// Smallest and largest deviation, mm; zero is always between them.
+    pub(crate) mm: [f64; 2],
+}
+
+/// The extent of a series, with a margin; of what is left alone where it is looked at alone.
+pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
+    let mut q = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut mm = [0.0_f64, 0.0_f64];
+    for dot in &series.dots {
+        q = [q[0].min(dot.q), q[1].max(dot.q)];
+        let before = (!only_after || dot.after_mm.is_none()).then_some(dot.before_mm);
+        for value in before.into_iter().chain(dot.after_mm) {
+            if value.is_finite() {
+                mm = [mm[0].min(value), mm[1].max(value)];
+            }
+        }
+    }
+    if q[0] > q[1] {
+        q = [-1.0, 1.0];
+    }
+    let margin = |[low, high]: [f64; 2], [below, above]: [f64; 2], least: f64| {
+        let wide = high - low;
+        [
+            low - (below * wide).max(least),
+            high + (above * wide).max(least),
+        ]
+    };
+    Extent {
+        q: margin(q, [0.03, 0.03], 1e-3),
+        // The legend stands at the top.
+        mm: margin(mm, [0.08, 0.25], 1e-6),
+    }
+}
+
+/// The tolerance as a band, mm: both ways for a component, from zero for a length. `None` where
+/// it is so wide that it would cover everything.
+pub(crate) fn band(series: &Series, extent: &Extent, length: bool) -> Option<[f64; 2]> {
+    let tolerance = series.tolerance_mm?;
+    let low = if length { 0.0 } else { -tolerance };
+    let hides_all = low <= extent.mm[0] && tolerance >= extent.mm[1];
+    (!hides_all).then_some([low.max(extent.mm[0]), tolerance.min(extent.mm[1])])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::model::Dot;
+    use super::*;
+
+    fn series(values: &[(f64, f64, Option<f64>)]) -> Series {
+        let dot = |(sample, &(q, before_mm, after_mm)): (usize, &(f64, f64, Option<f64>))| Dot {
+            sample,
+            q,
+            before_mm,
+            after_mm,
+            side: 0.0,
+        };
+        Series {
+            dots: values.iter().enumerate().map(dot).collect(),
+            stride: 1,
+            turns: true,
+            boundaries_rad: Vec::new(),
+            tolerance_mm: Some(0.2),
+        }
+    }
+
+    #[test]
+    fn what_is_left_can_be_looked_at_alone() {
+        let series = series(&[(0.0, 10.0, Some(0.1)), (1.0, 12.0, Some(-0.1))]);
+        assert!(extent(&series, false).mm[1] > 12.0);
+        let alone = extent(&series, true).mm;
+        assert!(alone[1] < 0.2 && alone[0] > -0.2, "{alone:?}");
+    }
+
+    #[test]
+    fn an_empty_chart_has_an_extent() {
+        let extent = extent(&series(&[]), false);
+        assert!(extent.q[0] < extent.q[1] && extent.mm[0] < extent.mm[1]);
+    }
+
+    #[test]
+    fn a_tolerance_wider_than_the_chart_is_not_drawn() {
+        let small = series(&[(0.0, 0.01, None), (1.0, -0.01, None)]);
+        assert_eq!(band(&small, &extent(&small, false), false), None);
+        let large = series(&[(0.0, 10.0, None), (1.0, -10.0, None)]);
+        assert_eq!(
+            band(&large, &extent(&large, false), false),
+            Some([-0.2, 0.2])
+        );
+    }
+}

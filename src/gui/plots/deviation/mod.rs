@@ -1,0 +1,7 @@
+//! A component of the deviation over the angle of joint 1, before and after.
+
+mod layout;
+mod model;
+mod paint;
+
+pub(crate) use paint::show;

@@ -1,0 +1,113 @@
+//! What the deviation chart shows, in inner units.
+
+use crate::gui::commands::Workbench;
+use crate::gui::plots::{MOST_ARROWS, stride};
+
+/// One sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Dot {
+    /// The sample.
+    pub(crate) sample: usize,
+    /// Commanded value of joint 1, rad or mm.
+    pub(crate) q: f64,
+    /// The component of the nominal robot's deviation, mm.
+    pub(crate) before_mm: f64,
+    /// The component of what is left, mm.
+    pub(crate) after_mm: Option<f64>,
+    /// Side from which the joint came; 0 where it is not known.
+    pub(crate) side: f64,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Series {
+    /// Samples in measuring order, perhaps thinned.
+    pub(crate) dots: Vec<Dot>,
+    /// One dot for so many samples.
+    pub(crate) stride: usize,
+    /// Whether the joint turns (else it slides).
+    pub(crate) turns: bool,
+    /// Region boundaries, rad.
+    pub(crate) boundaries_rad: Vec<f64>,
+    /// The tolerance, mm.
+    pub(crate) tolerance_mm: Option<f64>,
+}
+
+impl Series {
+    /// The chart as the workbench has it.
+    pub(crate) fn of(workbench: &Workbench) -> Self {
+        let subject = &**workbench.subject();
+        let document = workbench.document();
+        let component = workbench.view().component;
+        let answer = workbench.answer();
+        let usable = subject.usable.iter().filter(|u| **u).count();
+        // Two marks for each sample, each as dear as an arrow.
+        let stride = stride(usable, MOST_ARROWS);
+        let samples = (0..subject.len()).filter(|i| subject.usable[*i]);
+        let dots = samples.step_by(stride).map(|sample| {
+            let of = |e: [f64; 3]| subject.component(e, sample, component);
+            Dot {
+                sample,
+                q: subject.q(sample),
+                before_mm: of(subject.deviation_before(sample)),
+                after_mm: answer.map(|a| of(a.deviation_after(sample))),
+                side: subject.side(sample),
+            }
+        });
+        let boundaries = crate::gui::boundaries::boundaries(&document.regions);
+        Self {
+            dots: dots.collect(),
+            stride,
+            turns: subject.turns(),
+            boundaries_rad: boundaries.iter().map(|b| b.at_rad).collect(),
+            tolerance_mm: document.tolerance_mm,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::commands::Command;
+    use crate::gui::edit::Edit;
+    use crate::gui::subject::Component;
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn the_components_of_a_deviation_have_its_length() {
+        let mut workbench = workbench();
+        let mut of = |component: Component| {
+            workbench.execute(Command::Component(component));
+            Series::of(&workbench).dots[5].before_mm
+        };
+        let length = of(Component::Length);
+        let polar = [Component::Tangential, Component::Radial, Component::Axial].map(&mut of);
+        let cartesian = [Component::X, Component::Y, Component::Z].map(&mut of);
+        for e in [polar, cartesian] {
+            let found = e.iter().map(|v| v * v).sum::<f64>().sqrt();
+            assert!((found - length).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_zero_offset_of_minus_three_degrees_is_tangential_and_negative() {
+        let workbench = workbench();
+        let dots = Series::of(&workbench).dots;
+        let mean = dots.iter().map(|d| d.before_mm).sum::<f64>() / dots.len() as f64;
+        let expected = -245.0 * 3.0_f64.to_radians().sin();
+        assert!((mean - expected).abs() < 0.2, "{mean} {expected}");
+    }
+
+    #[test]
+    fn what_is_left_is_there_once_it_is_identified() {
+        let mut workbench = workbench();
+        let left = |workbench: &Workbench| {
+            let dots = Series::of(workbench).dots;
+            dots.iter().filter(|d| d.after_mm.is_some()).count()
+        };
+        assert_eq!(left(&workbench), 0);
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert_eq!(left(&workbench), workbench.subject().len());
+    }
+}

@@ -1,0 +1,207 @@
+//! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
+//! pointer, what the hover says.
+
+use crate::gui::commands::Workbench;
+use crate::gui::plots::round_down;
+use crate::gui::subject::Component;
+use crate::gui::units::trimmed;
+
+use super::model::{Dial, Scene};
+
+/// Sectors reach from the path's inside to its outside, in parts of the radius.
+pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
+/// Boundaries' handles and region names stand outside it.
+pub(crate) const HANDLE: f64 = 1.17;
+/// Room for the handles.
+const ROOM: f64 = 1.22;
+/// Chords of a sector are no longer than this, rad.
+const CHORD_RAD: f64 = 0.05;
+
+/// Smallest and largest corner of everything, mm, with room for handles.
+pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    let mut take = |p: [f64; 2]| {
+        for k in 0..2 {
+            if p[k].is_finite() {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+    };
+    for point in &scene.points {
+        take(point.at_mm);
+    }
+    for p in scene.paths_mm.iter().flatten() {
+        take(*p);
+    }
+    if let Some(dial) = &scene.dial {
+        take(dial.centre_mm);
+        for p in scene.paths_mm.iter().flatten() {
+            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+            let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
+            take([
+                dial.centre_mm[0] + out * arm[0],
+                dial.centre_mm[1] + out * arm[1],
+            ]);
+        }
+    }
+    if !low[0].is_finite() || !low[1].is_finite() {
+        return [[-1.0, -1.0], [1.0, 1.0]];
+    }
+    let margin = 0.03 * scene.reach_mm;
+    [low.map(|v| v - margin), high.map(|v| v + margin)]
+}
+
+/// The corners of a sector as quadrilaterals, mm.
+pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
+    let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)
+        .ceil()
+        .clamp(1.0, 400.0);
+    let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
+    let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
+    (0..crate::gui::units::whole(pieces))
+        .map(|k| {
+            let (a, b) = (at(k as f64), at(k as f64 + 1.0));
+            [
+                dial.at(a, inner),
+                dial.at(a, outer),
+                dial.at(b, outer),
+                dial.at(b, inner),
+            ]
+        })
+        .collect()
+}
+
+/// The scale's arrow: the deviation that it stands for, mm, such that it is drawn at most
+/// `most_points` long where one mm takes `points_per_mm`.
+pub(crate) fn scale_mm(magnification: f64, points_per_mm: f64, most_points: f64) -> f64 {
+    round_down(most_points / (magnification * points_per_mm))
+}
+
+/// The sample nearest to the pointer, of those within `reach` points of it.
+pub(crate) fn nearest(
+    candidates: impl Iterator<Item = (usize, [f32; 2])>,
+    pointer: [f32; 2],
+    reach: f32,
+) -> Option<usize> {
+    let distance = |p: [f32; 2]| (p[0] - pointer[0]).hypot(p[1] - pointer[1]);
+    candidates
+        .map(|(sample, at)| (sample, distance(at)))
+        .filter(|(_, d)| *d <= reach)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(sample, _)| sample)
+}
+
+/// One line of what is said about a sample: what, and how much.
+pub(crate) type Line = (String, String);
+
+/// What is said about a sample under the pointer.
+pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
+    let subject = &**workbench.subject();
+    let units = workbench.units();
+    let title = format!("sample {}", sample + 1);
+    let mut lines = Vec::new();
+    let joints = &subject.session.robot.joints;
+    for (joint, q) in joints.iter().zip(&subject.session.samples.q) {
+        let value = match joint.kind {
+            crate::kinematics::JointKind::Revolute => units.angle(q[sample]),
+            crate::kinematics::JointKind::Prismatic => units.length(q[sample]),
+        };
+        lines.push((joint.name.clone(), value));
+    }
+    let came = match subject.side(sample) {
+        s if s > 0.0 => "moving positive",
+        s if s < 0.0 => "moving negative",
+        _ => "not known",
+    };
+    lines.push(("approached".to_owned(), came.to_owned()));
+    if !subject.usable[sample] {
+        lines.push(("left out".to_owned(), "a value is missing".to_owned()));
+        return (title, lines);
+    }
+    let before = subject.deviation_before(sample);
+    let length = |e: [f64; 3]| units.length(subject.component(e, sample, Component::Length));
+    let mut shown = before;
+    match workbench.answer() {
+        None => lines.push(("deviation".to_owned(), length(before))),
+        Some(answer) => {
+            shown = answer.deviation_after(sample);
+            lines.push(("before".to_owned(), length(before)));
+            lines.push(("after".to_owned(), length(shown)));
+        }
+    }
+    for component in [Component::Tangential, Component::Radial, Component::Axial] {
+        if component.out_of_plane() && subject.session.samples.z_mm.is_none() {
+            continue;
+        }
+        let value = subject.component(shown, sample, component);
+        lines.push((component.name().to_owned(), units.length(value)));
+    }
+    let [right, up] = workbench.view().plane.axes();
+    let direction = shown[up].atan2(shown[right]).to_degrees();
+    lines.push((
+        "direction".to_owned(),
+        format!("{}°", trimmed(direction, 0)),
+    ));
+    if let Some(tolerance_mm) = workbench.document().tolerance_mm {
+        let within = subject.component(shown, sample, Component::Length) <= tolerance_mm;
+        let says = if within { "within" } else { "outside" };
+        lines.push(("tolerance".to_owned(), says.to_owned()));
+    }
+    (title, lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn everything_that_is_drawn_is_within_the_bounds() {
+        let scene = Scene::of(&workbench());
+        let [low, high] = bounds(&scene);
+        let dial = scene.dial.expect("it turns");
+        let handle = dial.at(0.0, HANDLE * dial.radius_mm);
+        for p in scene.points.iter().map(|p| p.at_mm).chain([handle]) {
+            assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
+        }
+    }
+
+    #[test]
+    fn the_scale_is_round_and_fits() {
+        for magnification in [1.0, 20.0, 500.0] {
+            let mm = scale_mm(magnification, 1.7, 80.0);
+            let drawn = mm * magnification * 1.7;
+            assert!(drawn <= 80.0 + 1e-9 && drawn > 80.0 / 2.6, "{drawn}");
+        }
+    }
+
+    #[test]
+    fn the_nearest_sample_is_found_within_reach_only() {
+        let at = [(7, [0.0, 0.0]), (8, [10.0, 0.0])];
+        assert_eq!(nearest(at.into_iter(), [8.0, 1.0], 12.0), Some(8));
+        assert_eq!(nearest(at.into_iter(), [50.0, 50.0], 12.0), None);
+    }
+
+    #[test]
+    fn a_sector_is_cut_into_pieces_that_cover_it() {
+        let scene = Scene::of(&workbench());
+        let dial = scene.dial.expect("it turns");
+        let pieces = sector(&dial, -0.4, 0.6);
+        let first = pieces.first().expect("at least one");
+        let last = pieces.last().expect("at least one");
+        assert_eq!(first[1], dial.at(-0.4, SECTOR.1 * dial.radius_mm));
+        let end = dial.at(0.6, SECTOR.1 * dial.radius_mm);
+        assert!((last[2][0] - end[0]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_hover_names_the_sample_its_angle_and_its_deviation() {
+        let workbench = workbench();
+        let (title, lines) = about(&workbench, 0);
+        assert_eq!(title, "sample 1");
+        let says = |what: &str| lines.iter().any(|(name, _)| name == what);
+        assert!(says("pan") && says("deviation") && says("direction") && says("tolerance"));
+    }
+}

@@ -1,0 +1,265 @@
+//! The workspace plot in egui.
+
+use egui::epaint::Mesh;
+use egui::{Align2, CursorIcon, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, pos2};
+use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::plots::{Drawing, axis, marks, steps};
+use crate::gui::tokens::{Palette, size};
+use crate::gui::view::Step;
+use crate::gui::widgets;
+use crate::sessions::Region;
+
+use super::handles;
+use super::layout::{self, HANDLE, SECTOR};
+use super::legend;
+use super::model::{Dial, Scene};
+
+/// A sample is under the pointer within this many points.
+const REACH: f32 = 14.0;
+
+/// Shows the plot in the space that is left, and sends what the pointer does.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let view = workbench.view();
+    let scene = Scene::of(workbench);
+    let bounds = layout::bounds(&scene);
+    let names = ["x", "y", "z"];
+    let [right, up] = view.plane.axes();
+    let units = workbench.units();
+    let name = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
+    let hints = |side, k: usize| axis(side, name(k), &palette, move |mm| units.length_value(mm));
+    let editing = view.step == Step::Regions;
+    let regions = &workbench.document().regions;
+    let plot = Plot::new(("workspace", view.plane.name(), view.fitted))
+        .data_aspect(1.0)
+        .show_x(false)
+        .show_y(false)
+        .show_background(false)
+        .show_crosshair(false)
+        .set_margin_fraction(egui::Vec2::splat(0.02))
+        .grid_color(palette.line)
+        .x_grid_spacer(|input| steps(input.bounds, false))
+        .y_grid_spacer(|input| steps(input.bounds, false))
+        .custom_x_axes(hints(Axis::X, right))
+        .custom_y_axes(hints(Axis::Y, up));
+    let emphasised = view.hovered.or(view.selected);
+    let shown = plot.show(ui, |plot| {
+        plot.add(Drawing::new("workspace", bounds, |transform, shapes| {
+            if let Some(dial) = &scene.dial {
+                sectors(shapes, transform, dial, regions, &palette, editing);
+            }
+            path(shapes, transform, &scene, &palette);
+            points(shapes, transform, &scene, &palette);
+            arrows(
+                shapes,
+                transform,
+                &scene,
+                &palette,
+                workbench.answer().is_some(),
+            );
+            if let Some(sample) = emphasised {
+                emphasis(shapes, transform, workbench, sample, &palette);
+            }
+        }));
+    });
+    let (response, transform) = (shown.response, shown.transform);
+    let samples = scene.points.len();
+    response.widget_info(|| {
+        WidgetInfo::labeled(
+            Role::Figure,
+            true,
+            format!("workspace plot, {samples} samples"),
+        )
+    });
+    names_of_regions(ui, &scene, &transform, regions, &palette);
+    legend::show(ui, &scene, &transform, workbench, &palette);
+
+    let on = |p: [f64; 2]| screen(&transform, p);
+    let pointer = response.hover_pos();
+    let under = pointer.and_then(|pointer| {
+        let candidates = scene.points.iter().map(|p| {
+            let at = on(p.at_mm);
+            (p.sample, [at.x, at.y])
+        });
+        layout::nearest(candidates, [pointer.x, pointer.y], REACH)
+    });
+    hover(&response, workbench, under, commands);
+    if editing && let Some(dial) = &scene.dial {
+        handles::show(ui, workbench, dial, &transform, commands);
+    }
+}
+
+/// Sends what is under the pointer, and says what it is.
+pub(crate) fn hover(
+    response: &egui::Response,
+    workbench: &Workbench,
+    under: Option<usize>,
+    commands: &mut Vec<Command>,
+) {
+    if response.hovered() && under != workbench.view().hovered {
+        commands.push(Command::Hover(under));
+    }
+    if response.clicked() {
+        commands.push(Command::Select(under));
+    }
+    if let Some(sample) = under {
+        let response = response.clone().on_hover_cursor(CursorIcon::PointingHand);
+        response.on_hover_ui_at_pointer(|ui| {
+            widgets::sample_card(ui, &layout::about(workbench, sample));
+        });
+    }
+}
+
+fn screen(transform: &PlotTransform, p: [f64; 2]) -> Pos2 {
+    transform.position_from_point(&PlotPoint::new(p[0], p[1]))
+}
+
+fn sectors(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    dial: &Dial,
+    regions: &[Region],
+    palette: &Palette,
+    editing: bool,
+) {
+    let mut order: Vec<usize> = (0..regions.len()).collect();
+    order.sort_by(|a, b| regions[*a].from_rad.total_cmp(&regions[*b].from_rad));
+    // One mesh without soft edges: neighbouring pieces leave no seams.
+    let mut mesh = Mesh::default();
+    let mut next = 0;
+    for (place, region) in order.into_iter().map(|k| &regions[k]).enumerate() {
+        let color = palette.sectors[place % 2];
+        for corners in layout::sector(dial, region.from_rad, region.to_rad) {
+            let first = next;
+            next += 4;
+            for corner in corners {
+                mesh.colored_vertex(screen(transform, corner), color);
+            }
+            mesh.add_triangle(first, first + 1, first + 2);
+            mesh.add_triangle(first, first + 2, first + 3);
+        }
+    }
+    shapes.push(Shape::mesh(mesh));
+    let stroke = if editing {
+        Stroke::new(1.5, palette.accent)
+    } else {
+        Stroke::new(1.0, palette.line)
+    };
+    for region in regions {
+        for angle in [region.from_rad, region.to_rad] {
+            let inner = screen(transform, dial.at(angle, SECTOR.0 * dial.radius_mm));
+            let end = if editing { HANDLE } else { SECTOR.1 };
+            let outer = screen(transform, dial.at(angle, end * dial.radius_mm));
+            shapes.push(Shape::line_segment([inner, outer], stroke));
+        }
+    }
+}
+
+fn path(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
+    for path in &scene.paths_mm {
+        let points: Vec<Pos2> = path.iter().map(|p| screen(transform, *p)).collect();
+        shapes.push(Shape::line(points, Stroke::new(1.25, palette.nominal)));
+    }
+    if let Some(dial) = &scene.dial {
+        let centre = screen(transform, dial.centre_mm);
+        let stroke = Stroke::new(1.5, palette.nominal);
+        for (a, b) in [((-6.0, 0.0), (6.0, 0.0)), ((0.0, -6.0), (0.0, 6.0))] {
+            let at = |(x, y): (f32, f32)| pos2(centre.x + x, centre.y + y);
+            shapes.push(Shape::line_segment([at(a), at(b)], stroke));
+        }
+        shapes.push(marks::ring(centre, 3.5, stroke));
+    }
+}
+
+fn arrows(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    scene: &Scene,
+    palette: &Palette,
+    identified: bool,
+) {
+    let m = scene.magnification;
+    let tip = |from: [f64; 2], v: [f64; 2]| [from[0] + m * v[0], from[1] + m * v[1]];
+    let ghost = Stroke::new(1.0, palette.before.gamma_multiply(0.38));
+    let color = if identified {
+        palette.after
+    } else {
+        palette.before
+    };
+    for arrow in &scene.arrows {
+        if let Some(before) = arrow.before_mm {
+            // The simulation that the deviation before belongs to.
+            let from = [
+                arrow.from_mm[0] + arrow.vector_mm[0] - before[0],
+                arrow.from_mm[1] + arrow.vector_mm[1] - before[1],
+            ];
+            let (from, to) = (
+                screen(transform, from),
+                screen(transform, tip(from, before)),
+            );
+            marks::arrow(shapes, from, to, ghost);
+        }
+    }
+    for arrow in &scene.arrows {
+        let from = screen(transform, arrow.from_mm);
+        let to = screen(transform, tip(arrow.from_mm, arrow.vector_mm));
+        marks::arrow(shapes, from, to, Stroke::new(1.6, color));
+    }
+}
+
+fn points(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
+    // Many points stand close together, and small ones apart.
+    let size = if scene.points.len() > 80 { 0.75 } else { 1.0 };
+    for point in &scene.points {
+        let at = screen(transform, point.at_mm);
+        shapes.push(match point.within {
+            None => marks::disc(at, 2.6 * size, palette.text),
+            Some(true) => marks::disc(at, 2.8 * size, palette.within),
+            Some(false) => {
+                let edge = Stroke::new(1.4, palette.outside);
+                marks::diamond(at, 4.2 * size, palette.surface, edge)
+            }
+        });
+        if point.suspected {
+            shapes.push(marks::ring(at, 8.0, Stroke::new(1.5, palette.warning)));
+        }
+    }
+}
+
+fn emphasis(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    workbench: &Workbench,
+    sample: usize,
+    palette: &Palette,
+) {
+    let subject = workbench.subject();
+    if !subject.usable[sample] {
+        return;
+    }
+    let measured = subject.measured(sample);
+    let [right, up] = workbench.view().plane.axes();
+    let at = screen(transform, [measured[right], measured[up]]);
+    shapes.push(marks::ring(at, 9.0, Stroke::new(2.5, palette.accent)));
+}
+
+fn names_of_regions(
+    ui: &Ui,
+    scene: &Scene,
+    transform: &PlotTransform,
+    regions: &[Region],
+    palette: &Palette,
+) {
+    let Some(dial) = &scene.dial else {
+        return;
+    };
+    let painter = ui.painter().with_clip_rect(*transform.frame());
+    for region in regions {
+        let middle = 0.5 * (region.from_rad + region.to_rad);
+        let at = screen(transform, dial.at(middle, 0.42 * dial.radius_mm));
+        let font = crate::gui::tokens::strong(size::BODY);
+        painter.text(at, Align2::CENTER_CENTER, &region.name, font, palette.muted);
+    }
+}

@@ -1,0 +1,99 @@
+//! An export as it would be written: made ready to be looked at before it is saved.
+
+use std::sync::Arc;
+
+use crate::compensation::{JointTable, Remainder};
+use crate::effects::{Inputs, JointValues};
+use crate::export::{Document, Export, Job, find, gap_after_export};
+use crate::identification::gap::Spread;
+use crate::model::Calibration;
+
+use super::document::ExportChoice;
+use super::outcome::Outcome;
+
+/// What is to be exported.
+#[derive(Debug, Clone)]
+pub(crate) struct Wanted {
+    /// The identification that it comes from.
+    pub(crate) outcome: Arc<Outcome>,
+    /// How.
+    pub(crate) choice: ExportChoice,
+}
+
+impl PartialEq for Wanted {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.outcome, &other.outcome) && self.choice == other.choice
+    }
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Preview {
+    /// What was wanted.
+    pub(crate) wanted: Wanted,
+    /// What it gives, or why it gives nothing.
+    pub(crate) made: Result<Made, String>,
+}
+
+/// An export and what it does.
+#[derive(Debug, Clone)]
+pub(crate) struct Made {
+    /// The model behind it.
+    pub(crate) calibration: Calibration,
+    /// The table, in inner units.
+    pub(crate) table: JointTable,
+    /// The documents.
+    pub(crate) export: Export,
+    /// The sign convention in words, as the sidecar has it.
+    pub(crate) sign: Option<String>,
+    /// A worked line, as the sidecar has it.
+    pub(crate) example: Option<String>,
+    /// What no joint can remove.
+    pub(crate) remainder: Remainder,
+    /// The gap that this table leaves, with the controller's own interpolation.
+    pub(crate) gap: Option<Spread>,
+}
+
+/// Ending of the file that says what the table means.
+const SIDECAR: &str = ".meta.json";
+
+impl Preview {
+    /// Makes the export in memory.
+    pub(crate) fn of(wanted: Wanted) -> Self {
+        let made = made(&wanted);
+        Self { wanted, made }
+    }
+}
+
+fn made(wanted: &Wanted) -> Result<Made, String> {
+    let Wanted { outcome, choice } = wanted;
+    let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
+    let session = &outcome.question.subject.session;
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let calibration = answer.identification.calibration(session, &inputs);
+    let name = choice.file_name(&session.name);
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(&calibration, &name)
+    };
+    let format = find(choice.format).ok_or("there is no such format")?;
+    let table = job.table().map_err(|e| e.to_string())?;
+    let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
+    let sidecar = export.documents.iter().find(|d| d.name.ends_with(SIDECAR));
+    let said: Option<serde_json::Value> =
+        sidecar.and_then(|d: &Document| serde_json::from_slice(&d.bytes).ok());
+    let text = |pointer: &str| {
+        let said = said.as_ref()?.pointer(pointer)?;
+        said.as_str().map(str::to_owned)
+    };
+    Ok(Made {
+        sign: text("/sign"),
+        example: text("/example/says"),
+        remainder: Remainder::new(&calibration, &inputs),
+        gap: gap_after_export(&calibration, session, &export),
+        table,
+        export,
+        calibration,
+    })
+}

@@ -1,0 +1,277 @@
+//! New by simulation: a small form, and the session that comes out of it.
+
+use std::ops::ControlFlow;
+
+use nalgebra::{Point3, Vector3};
+
+use crate::effects::term::parameter_names;
+use crate::effects::{CATALOGUE, Setting, Term};
+use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
+use crate::sessions::{Instrument, Session, Sigma};
+use crate::simulation::{
+    Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature, simulate,
+};
+use crate::units::rad_from_deg;
+
+/// More samples than this are for the terminal.
+const MOST_SAMPLES: f64 = 1e6;
+/// Seconds from one pose to the next.
+const SECONDS_PER_POSE: f64 = 6.0;
+
+/// An effect with the values that are filled in.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Chosen {
+    /// The effect's name.
+    pub(crate) id: &'static str,
+    /// Its parameters.
+    pub(crate) parameters: Vec<(&'static str, f64)>,
+}
+
+impl Chosen {
+    /// An effect at values that can be seen.
+    pub(crate) fn new(id: &'static str) -> Option<Self> {
+        let effect = crate::effects::find(id)?;
+        let setting = effect.about().setting;
+        let value = |name: &str| match (name, setting) {
+            ("order", Setting::Order { from, .. }) => f64::from(from),
+            ("scale_ppm" | "ppm_per_degc" | "compliance_urad_per_nm", _) => 50.0,
+            ("phase_deg", _) => 30.0,
+            ("time_s", _) => 120.0,
+            ("fade_deg", _) => 5.0,
+            ("delay_s", _) => 0.01,
+            ("deg_per_degc", _) => 0.002,
+            ("ratio", _) => 0.001,
+            (name, _) if name.ends_with("_deg") => 0.05,
+            (name, _) if name.ends_with("_mrad") => 1.0,
+            _ => 0.2,
+        };
+        let names = parameter_names(effect).into_iter();
+        Some(Self {
+            id,
+            parameters: names.map(|name| (name, value(name))).collect(),
+        })
+    }
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Form {
+    /// Nominal radius of the tool, mm.
+    pub(crate) radius_mm: f64,
+    /// The sweep begins here, deg.
+    pub(crate) from_deg: f64,
+    /// And ends here, deg.
+    pub(crate) to_deg: f64,
+    /// From pose to pose, deg.
+    pub(crate) step_deg: f64,
+    /// Whether it comes back the same way.
+    pub(crate) both_ways: bool,
+    /// Zero offset of the joint, deg.
+    pub(crate) offset_deg: f64,
+    /// How much longer the link is, mm.
+    pub(crate) length_error_mm: f64,
+    /// What else the robot does.
+    pub(crate) effects: Vec<Chosen>,
+    /// Noise of the instrument, mm.
+    pub(crate) noise_mm: f64,
+    /// How far a position may be off, mm.
+    pub(crate) tolerance_mm: f64,
+    /// Where the noise begins.
+    pub(crate) seed: u64,
+}
+
+impl Default for Form {
+    fn default() -> Self {
+        Self {
+            radius_mm: 250.0,
+            from_deg: -90.0,
+            to_deg: 90.0,
+            step_deg: 3.0,
+            both_ways: true,
+            offset_deg: -3.0,
+            length_error_mm: -5.0,
+            effects: Vec::new(),
+            noise_mm: 0.03,
+            tolerance_mm: 0.2,
+            seed: 1,
+        }
+    }
+}
+
+impl Form {
+    /// Effects that can be chosen: all but the two that have fields of their own.
+    pub(crate) fn offered() -> impl Iterator<Item = (&'static str, &'static str)> {
+        let all = CATALOGUE.iter().map(|effect| effect.about());
+        all.filter(|about| about.id != "joint-zero-offset" && about.id != "link-length")
+            .map(|about| (about.id, about.title))
+    }
+
+    /// What is wrong with the numbers; `None` where they can be simulated.
+    pub(crate) fn problem(&self) -> Option<String> {
+        let numbers = [
+            self.radius_mm,
+            self.from_deg,
+            self.to_deg,
+            self.step_deg,
+            self.offset_deg,
+            self.length_error_mm,
+            self.noise_mm,
+            self.tolerance_mm,
+        ];
+        if !numbers.iter().all(|v| v.is_finite()) {
+            return Some("every field needs a number".to_owned());
+        }
+        if self.radius_mm <= 0.0 {
+            return Some("the radius has to be above 0 mm".to_owned());
+        }
+        if self.from_deg >= self.to_deg {
+            return Some("the sweep has to run from the smaller to the larger angle".to_owned());
+        }
+        if self.step_deg <= 0.0 {
+            return Some("the step has to be above 0°".to_owned());
+        }
+        if (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES {
+            return Some("that is more than a million poses; take a larger step".to_owned());
+        }
+        if self.noise_mm < 0.0 || self.tolerance_mm < 0.0 {
+            return Some("noise and tolerance cannot be below 0".to_owned());
+        }
+        self.terms().err()
+    }
+
+    fn terms(&self) -> Result<Vec<Term>, String> {
+        let own = [
+            ("joint-zero-offset", vec![("offset_deg", self.offset_deg)]),
+            ("link-length", vec![("delta_mm", self.length_error_mm)]),
+        ];
+        let chosen = self.effects.iter().map(|c| (c.id, c.parameters.clone()));
+        let all = own.into_iter().chain(chosen);
+        all.map(|(id, parameters)| {
+            Term::from_parameters(id, 1, &parameters, 1).map_err(|e| e.to_string())
+        })
+        .collect()
+    }
+
+    /// The session; `watch` hears which part is done, and may break it off.
+    ///
+    /// # Errors
+    /// What is wrong with the numbers.
+    pub(crate) fn session(
+        &self,
+        watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Session, Vec<String>> {
+        if let Some(problem) = self.problem() {
+            return Err(vec![problem]);
+        }
+        let scenario = self.scenario().map_err(|problem| vec![problem])?;
+        match simulate(&scenario, self.seed, watch) {
+            Ok((session, _)) => Ok(session),
+            Err(SimulateError::Rejected(rejected)) => {
+                let problems = rejected.diagnostics.iter();
+                Err(problems.map(|d| d.found.clone()).collect())
+            }
+            Err(stopped @ SimulateError::Stopped) => Err(vec![stopped.to_string()]),
+        }
+    }
+
+    fn scenario(&self) -> Result<Scenario, String> {
+        let poses = Poses::Sweep(Sweep {
+            joint: 0,
+            from: rad_from_deg(self.from_deg),
+            to: rad_from_deg(self.to_deg),
+            step: rad_from_deg(self.step_deg),
+            both_ways: self.both_ways,
+            repeats: 1,
+            order: Order::Sweep,
+        });
+        let name = format!("simulated-{}", self.seed);
+        let mut scenario = Scenario::new(name, self.robot()?, poses);
+        scenario.instrument = Instrument {
+            name: "simulated tracker".to_owned(),
+            sigma_mm: (self.noise_mm > 0.0).then_some(Sigma::Overall(self.noise_mm)),
+        };
+        scenario.tolerance_mm = (self.tolerance_mm > 0.0).then_some(self.tolerance_mm);
+        scenario.effects = self.terms()?;
+        scenario.noise = (self.noise_mm > 0.0).then_some(Noise {
+            sigma_mm: self.noise_mm,
+            kind: NoiseKind::Gauss,
+        });
+        scenario.seed = self.seed;
+        // What the chosen effects depend on has to vary, or they would not show.
+        let has = |id: &str| self.effects.iter().any(|chosen| chosen.id == id);
+        let conditions = &mut scenario.circumstances;
+        conditions.seconds_per_pose = Some(SECONDS_PER_POSE);
+        if has("tracking-lag") {
+            conditions.speeds = [0.0, 5.0, 20.0].map(rad_from_deg).to_vec();
+        }
+        if has("link-droop") || has("joint-compliance") {
+            conditions.loads_kg = vec![0.0, 3.0, 6.0];
+        }
+        if has("thermal-growth") || has("thermal-zero-drift") {
+            conditions.temperature = Some(Temperature::WarmUp {
+                from_c: 20.0,
+                to_c: 26.0,
+                time_constant_s: 600.0,
+            });
+        }
+        Ok(scenario)
+    }
+
+    fn robot(&self) -> Result<Robot, String> {
+        let axis = Axis::through(Vector3::z(), Point3::origin()).map_err(|e| e.to_string())?;
+        let mut joint = Joint::new("pan", JointKind::Revolute, axis);
+        joint.limits = Some(Range {
+            from: rad_from_deg(self.from_deg),
+            to: rad_from_deg(self.to_deg),
+        });
+        joint.link = Some(LinkMass {
+            mass_kg: 4.0,
+            centre_mm: Point3::new(0.5 * self.radius_mm, 0.0, 0.0),
+        });
+        Ok(Robot {
+            name: "simulated lamp".to_owned(),
+            joints: vec![joint],
+            base_from_tool: Pose::translation(self.radius_mm, 0.0, 300.0),
+            gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulation::unwatched;
+
+    #[test]
+    fn the_form_as_it_opens_can_be_simulated() {
+        let session = Form::default()
+            .session(unwatched)
+            .expect("the default is valid");
+        assert_eq!(session.samples.len(), 122);
+        let x = session.samples.x_mm[30];
+        assert!(
+            (x - 245.0 * (-3.0_f64).to_radians().cos()).abs() < 0.2,
+            "{x}"
+        );
+    }
+
+    #[test]
+    fn every_effect_on_offer_can_be_simulated_as_it_is_proposed() {
+        for (id, _) in Form::offered() {
+            let form = Form {
+                effects: vec![Chosen::new(id).expect("it is in the catalogue")],
+                ..Form::default()
+            };
+            assert_eq!(form.problem(), None, "{id}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_simulated_is_said() {
+        let form = Form {
+            step_deg: 0.0,
+            ..Form::default()
+        };
+        assert!(form.problem().expect("no step").contains("step"));
+    }
+}

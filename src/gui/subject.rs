@@ -1,0 +1,272 @@
+//! A session with everything that follows from it alone: worked out once, when it is opened.
+
+use std::path::PathBuf;
+
+use crate::diagnostic::Diagnostic;
+use crate::effects::inputs::reflectors_at_home;
+use crate::effects::term::JointFrame;
+use crate::effects::{CATALOGUE, Inputs, JointValues, Survey};
+use crate::identification::gap::{Deviations, Spread, deviations};
+use crate::identification::problem::Problem;
+use crate::kinematics::JointKind;
+use crate::model::{Model, Positions};
+use crate::sessions::Session;
+
+/// Where a session came from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// It comes with the program.
+    Bundled,
+    /// It was read from a file.
+    File(PathBuf),
+    /// It was made by simulation.
+    Simulated,
+}
+
+/// An effect that this session cannot show, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct NotTestable {
+    /// The effect's name.
+    pub(crate) effect: &'static str,
+    /// Why.
+    pub(crate) because: String,
+}
+
+/// A component of a deviation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Component {
+    /// Its length.
+    Length,
+    /// In the direction of motion of joint 1.
+    #[default]
+    Tangential,
+    /// Away from the axis of joint 1.
+    Radial,
+    /// Along the axis of joint 1.
+    Axial,
+    /// Along x of the measuring frame.
+    X,
+    /// Along y.
+    Y,
+    /// Along z.
+    Z,
+}
+
+impl Component {
+    /// All of them, in the order in which they are offered.
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Tangential,
+        Self::Radial,
+        Self::Axial,
+        Self::X,
+        Self::Y,
+        Self::Z,
+        Self::Length,
+    ];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Tangential => "tangential",
+            Self::Radial => "radial",
+            Self::Axial => "axial",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+
+    /// Whether it needs a measured z (for a joint that turns about z).
+    pub(crate) fn out_of_plane(self) -> bool {
+        matches!(self, Self::Axial | Self::Z)
+    }
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Subject {
+    /// The session.
+    pub(crate) session: Session,
+    /// What was found while it was read.
+    pub(crate) findings: Vec<Diagnostic>,
+    /// Where it came from.
+    pub(crate) origin: Origin,
+    /// Where the nominal robot would be, measuring frame.
+    pub(crate) nominal: Positions,
+    /// Measured − nominal.
+    pub(crate) before: Deviations,
+    /// The gap of the nominal robot; `None` where no sample can be used.
+    pub(crate) gap_before: Option<Spread>,
+    /// Which samples can be used.
+    pub(crate) usable: Vec<bool>,
+    /// Effects that the session can show.
+    pub(crate) testable: Vec<&'static str>,
+    /// Effects that it cannot show.
+    pub(crate) not_testable: Vec<NotTestable>,
+    /// Axis and directions of joint 1 at home.
+    pub(crate) joint: JointFrame,
+}
+
+impl Subject {
+    /// Looks through a session.
+    pub(crate) fn new(session: Session, findings: Vec<Diagnostic>, origin: Origin) -> Self {
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let model = Model::nominal(session.robot.clone());
+        let nominal = model.predict(&problem.inputs);
+        let before = deviations(&problem, &model);
+        let usable = problem.usable.clone();
+        let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
+        let (testable, not_testable) = effects_of(&session, &problem.inputs);
+        Self {
+            joint: JointFrame::new(&session.robot, 0),
+            nominal,
+            before,
+            gap_before,
+            usable,
+            testable,
+            not_testable,
+            session,
+            findings,
+            origin,
+        }
+    }
+
+    /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
+    pub(crate) fn reach_mm(&self) -> f64 {
+        let JointFrame {
+            origin_mm: o,
+            across_1: x,
+            across_2: y,
+            ..
+        } = self.joint;
+        let homes = reflectors_at_home(&self.session).into_iter();
+        let distances = homes.map(|home| {
+            let along = |d: [f64; 3]| (0..3).map(|k| (home[k] - o[k]) * d[k]).sum::<f64>();
+            along(x).hypot(along(y))
+        });
+        distances.fold(0.0, f64::max)
+    }
+
+    /// Number of samples.
+    pub(crate) fn len(&self) -> usize {
+        self.session.samples.len()
+    }
+
+    /// Where a sample was measured, mm; z of a planar session is that of the nominal robot.
+    pub(crate) fn measured(&self, sample: usize) -> [f64; 3] {
+        let samples = &self.session.samples;
+        let z = samples.z_mm.as_ref();
+        [
+            samples.x_mm[sample],
+            samples.y_mm[sample],
+            z.map_or(self.nominal.z_mm[sample], |z| z[sample]),
+        ]
+    }
+
+    /// Commanded value of joint 1, rad or mm.
+    pub(crate) fn q(&self, sample: usize) -> f64 {
+        self.session.samples.q[0][sample]
+    }
+
+    /// Side from which joint 1 came; 0 where it is not known.
+    pub(crate) fn side(&self, sample: usize) -> f64 {
+        let dir = self.session.samples.dir.first().and_then(Option::as_ref);
+        dir.map_or(0.0, |dir| {
+            if dir[sample].is_nan() {
+                0.0
+            } else {
+                dir[sample]
+            }
+        })
+    }
+
+    /// Deviation of the nominal robot at a sample, mm.
+    pub(crate) fn deviation_before(&self, sample: usize) -> [f64; 3] {
+        std::array::from_fn(|axis| self.before.axes_mm[axis][sample])
+    }
+
+    /// One component of a deviation at a sample, mm.
+    pub(crate) fn component(&self, e: [f64; 3], sample: usize, component: Component) -> f64 {
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let [radial, tangential] = self.directions(sample);
+        match component {
+            Component::Length => dot(e, e).sqrt(),
+            Component::Tangential => dot(e, tangential),
+            Component::Radial => dot(e, radial),
+            Component::Axial => dot(e, self.joint.along),
+            Component::X => e[0],
+            Component::Y => e[1],
+            Component::Z => e[2],
+        }
+    }
+
+    /// Radial and tangential direction of joint 1 where the nominal robot is at a sample.
+    fn directions(&self, sample: usize) -> [[f64; 3]; 2] {
+        let JointFrame {
+            origin_mm: o,
+            along: a,
+            ..
+        } = self.joint;
+        let p = self.nominal.get(sample);
+        let arm: [f64; 3] = std::array::from_fn(|k| p[k] - o[k]);
+        let height: f64 = (0..3).map(|k| arm[k] * a[k]).sum();
+        let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * a[k]);
+        let length = across.iter().map(|v| v * v).sum::<f64>().sqrt();
+        if length < 1e-9 {
+            return [self.joint.across_1, self.joint.across_2];
+        }
+        let radial = across.map(|v| v / length);
+        let tangential = [
+            a[1] * radial[2] - a[2] * radial[1],
+            a[2] * radial[0] - a[0] * radial[2],
+            a[0] * radial[1] - a[1] * radial[0],
+        ];
+        [radial, tangential]
+    }
+
+    /// Whether the paper's method by regions applies.
+    pub(crate) fn single_revolute(&self) -> bool {
+        let joints = &self.session.robot.joints;
+        joints.len() == 1 && joints[0].kind == JointKind::Revolute
+    }
+
+    /// Whether joint 1 turns.
+    pub(crate) fn turns(&self) -> bool {
+        self.session.robot.joints[0].kind == JointKind::Revolute
+    }
+
+    /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
+    pub(crate) fn travel(&self) -> (f64, f64) {
+        let range =
+            crate::effects::term::travel_of(&self.session.robot, 0, &self.session.samples.q[0]);
+        if range.from <= range.to {
+            (range.from, range.to)
+        } else {
+            (0.0, 0.0)
+        }
+    }
+}
+
+fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<NotTestable>) {
+    let survey = Survey::new(session, inputs);
+    let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
+    for effect in CATALOGUE {
+        let about = effect.about();
+        let joints = if about.per_joint {
+            session.robot.joints.len()
+        } else {
+            1
+        };
+        let mut obstacles = (0..joints).map(|joint| effect.obstacle(&survey, joint));
+        let first = obstacles.next().flatten();
+        match first {
+            Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
+                effect: about.id,
+                because,
+            }),
+            _ => testable.push(about.id),
+        }
+    }
+    (testable, not_testable)
+}

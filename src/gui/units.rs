@@ -1,0 +1,174 @@
+//! Numbers as the screen shows them: in the units that the user chose, with a real minus sign,
+//! and with no more digits than can be read.
+
+use crate::units::deg_from_rad;
+
+use super::view::{AngleUnit, LengthUnit};
+
+/// The chosen units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Units {
+    /// Of lengths.
+    pub(crate) length: LengthUnit,
+    /// Of angles.
+    pub(crate) angle: AngleUnit,
+}
+
+/// What is left of rounding.
+const NOTHING: f64 = 1e-9;
+const MM_PER_INCH: f64 = 25.4;
+
+impl Units {
+    /// A length in the chosen unit.
+    pub(crate) fn length_value(self, mm: f64) -> f64 {
+        match self.length {
+            LengthUnit::Millimetre => mm,
+            LengthUnit::Micrometre => mm * 1000.0,
+            LengthUnit::Inch => mm / MM_PER_INCH,
+        }
+    }
+
+    /// The unit of lengths.
+    pub(crate) fn length_name(self) -> &'static str {
+        match self.length {
+            LengthUnit::Millimetre => "mm",
+            LengthUnit::Micrometre => "µm",
+            LengthUnit::Inch => "in",
+        }
+    }
+
+    /// An angle in the chosen unit.
+    pub(crate) fn angle_value(self, rad: f64) -> f64 {
+        match self.angle {
+            AngleUnit::Degree => deg_from_rad(rad),
+            AngleUnit::Radian => rad,
+        }
+    }
+
+    /// The unit of angles, as it stands after a number.
+    pub(crate) fn angle_name(self) -> &'static str {
+        match self.angle {
+            AngleUnit::Degree => "°",
+            AngleUnit::Radian => " rad",
+        }
+    }
+
+    /// `−1.234 mm`.
+    pub(crate) fn length(self, mm: f64) -> String {
+        format!(
+            "{} {}",
+            significant(self.length_value(mm), 3),
+            self.length_name()
+        )
+    }
+
+    /// `36.0°`.
+    pub(crate) fn angle(self, rad: f64) -> String {
+        match self.angle {
+            AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),
+            AngleUnit::Radian => format!("{} rad", trimmed(rad, 4)),
+        }
+    }
+}
+
+/// So many significant digits, in plain notation where that is short; a real minus sign.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    if value.abs() < NOTHING {
+        return "0".to_owned();
+    }
+    let magnitude = value.abs().log10().floor();
+    if !(-5.0..9.0).contains(&magnitude) {
+        let text = format!("{value:.*e}", digits.saturating_sub(1));
+        let (lead, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}·10{}", with_minus(lead), raised(exponent));
+    }
+    let decimals = whole(digits as f64 - 1.0 - magnitude);
+    with_minus(&format!("{value:.decimals$}"))
+}
+
+/// At most so many decimals, without zeros at the end.
+pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        &text
+    };
+    with_minus(if text == "-0" { "0" } else { text })
+}
+
+/// A value with its half width, rounded to two digits of it: `−3.012 ± 0.014`.
+pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, String) {
+    let half = interval.map(|[from, to]| 0.5 * (to - from));
+    match half {
+        Some(half) if half.is_finite() && half > 1e-12 * value.abs().max(1e-9) => {
+            let decimals = whole((1.0 - half.log10().floor()).min(12.0));
+            (
+                with_minus(&format!("{value:.decimals$}")),
+                format!("± {half:.decimals$}"),
+            )
+        }
+        Some(_) => (significant(value, 6), "± 0".to_owned()),
+        None => (significant(value, 6), "open".to_owned()),
+    }
+}
+
+/// A small number that is whole already, or zero where it is below.
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "clamped to what a count of digits or of pieces can be"
+)]
+pub(crate) fn whole(value: f64) -> usize {
+    value.clamp(0.0, 1e6) as usize
+}
+
+/// Digits and sign as an exponent.
+fn raised(exponent: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raise = |c: char| match c.to_digit(10) {
+        Some(digit) => DIGITS[digit as usize],
+        None => '⁻',
+    };
+    exponent.chars().map(raise).collect()
+}
+
+fn with_minus(text: &str) -> String {
+    text.replace('-', "−")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_the_digits_that_can_be_read() {
+        assert_eq!(significant(13.8436, 3), "13.8");
+        assert_eq!(significant(-0.05234, 3), "−0.0523");
+        assert_eq!(significant(0.0, 3), "0");
+        assert_eq!(significant(f64::NAN, 3), "–");
+        assert_eq!(significant(2.5e-7, 3), "2.50·10⁻⁷");
+        assert_eq!(significant(2.5e-13, 3), "0");
+        assert_eq!(trimmed(-0.0001, 2), "0");
+        assert_eq!(trimmed(36.50, 2), "36.5");
+    }
+
+    #[test]
+    fn an_interval_decides_how_many_digits_a_value_has() {
+        let (value, half) = with_interval(-3.01234567, Some([-3.026, -2.998]));
+        assert_eq!((value.as_str(), half.as_str()), ("−3.012", "± 0.014"));
+        assert_eq!(with_interval(1.5, None).1, "open");
+    }
+
+    #[test]
+    fn an_inch_is_twenty_five_point_four_millimetres() {
+        let units = Units {
+            length: LengthUnit::Inch,
+            angle: AngleUnit::Degree,
+        };
+        assert_eq!(units.length(25.4), "1.00 in");
+    }
+}

@@ -1,0 +1,214 @@
+//! How the window looks at the document. Nothing here changes what is saved, and nothing here can
+//! be undone.
+
+use egui::ThemePreference;
+
+use super::simulate::Form;
+use super::subject::Component;
+use super::tasks::What;
+
+/// The steps of the work, in order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub(crate) enum Step {
+    /// What was measured.
+    #[default]
+    Session,
+    /// Where the joint gets corrections of its own.
+    Regions,
+    /// What the robot really is.
+    Identify,
+    /// What the controller needs.
+    Export,
+}
+
+impl Step {
+    /// All steps that exist.
+    pub(crate) const ALL: [Self; 4] = [Self::Session, Self::Regions, Self::Identify, Self::Export];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Session => "Session",
+            Self::Regions => "Regions",
+            Self::Identify => "Identify",
+            Self::Export => "Export",
+        }
+    }
+
+    /// The step after it.
+    pub(crate) fn next(self) -> Option<Self> {
+        let here = Self::ALL.iter().position(|step| *step == self)?;
+        Self::ALL.get(here + 1).copied()
+    }
+}
+
+/// The plane that the workspace is looked at in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Plane {
+    /// From above.
+    #[default]
+    Xy,
+    /// From the side.
+    Xz,
+    /// From the front.
+    Yz,
+}
+
+impl Plane {
+    /// All of them.
+    pub(crate) const ALL: [Self; 3] = [Self::Xy, Self::Xz, Self::Yz];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Xy => "x y",
+            Self::Xz => "x z",
+            Self::Yz => "y z",
+        }
+    }
+
+    /// The axes that it shows: to the right, and up.
+    pub(crate) fn axes(self) -> [usize; 2] {
+        match self {
+            Self::Xy => [0, 1],
+            Self::Xz => [0, 2],
+            Self::Yz => [1, 2],
+        }
+    }
+
+    /// The axis that it looks along.
+    pub(crate) fn normal(self) -> usize {
+        match self {
+            Self::Xy => 2,
+            Self::Xz => 1,
+            Self::Yz => 0,
+        }
+    }
+}
+
+/// Unit of lengths on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum LengthUnit {
+    /// Millimetres.
+    #[default]
+    Millimetre,
+    /// Micrometres.
+    Micrometre,
+    /// Inches.
+    Inch,
+}
+
+/// Unit of angles on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum AngleUnit {
+    /// Degrees.
+    #[default]
+    Degree,
+    /// Radians.
+    Radian,
+}
+
+/// What the right-hand side shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Side {
+    /// What was identified.
+    #[default]
+    Results,
+    /// Sample by sample.
+    Samples,
+}
+
+/// A sheet over the window.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Sheet {
+    /// A path to save to, as it is typed.
+    SavePath {
+        /// The path.
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A path to export to, as it is typed.
+    ExportPath {
+        /// What is exported.
+        what: What,
+        /// The path.
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A simulation, as it is filled in.
+    Simulate(Form),
+    /// The keyboard.
+    Shortcuts,
+    /// What this program is.
+    About,
+}
+
+/// Something that the user has to know.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Message {
+    /// Whether something went wrong.
+    pub(crate) wrong: bool,
+    /// In one line.
+    pub(crate) title: String,
+    /// What exactly, and what to do next; one line each.
+    pub(crate) details: Vec<String>,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ViewState {
+    /// The chosen step.
+    pub(crate) step: Step,
+    /// The plane of the workspace plot.
+    pub(crate) plane: Plane,
+    /// How much longer than real error vectors are drawn; `None`: so that they are readable.
+    pub(crate) magnification: Option<f64>,
+    /// From 0, before, to 1, after.
+    pub(crate) blend: f32,
+    /// The component in the deviation chart.
+    pub(crate) component: Component,
+    /// Whether the chart leaves out the deviation before, so that what is left can be seen.
+    pub(crate) only_after: bool,
+    /// The sample under the pointer, wherever that is.
+    pub(crate) hovered: Option<usize>,
+    /// The chosen sample.
+    pub(crate) selected: Option<usize>,
+    /// What the right-hand side shows.
+    pub(crate) side: Side,
+    /// Unit of lengths.
+    pub(crate) length: LengthUnit,
+    /// Unit of angles.
+    pub(crate) angle: AngleUnit,
+    /// The sheet over the window.
+    pub(crate) sheet: Option<Sheet>,
+    /// What the user has to know.
+    pub(crate) message: Option<Message>,
+    /// Light, dark, or as the system has it.
+    pub(crate) theme: ThemePreference,
+    /// Counts up when the plots are to show everything again.
+    pub(crate) fitted: u64,
+}
+
+impl Default for ViewState {
+    fn default() -> Self {
+        Self {
+            step: Step::default(),
+            plane: Plane::default(),
+            magnification: None,
+            blend: 1.0,
+            component: Component::default(),
+            only_after: false,
+            hovered: None,
+            selected: None,
+            side: Side::default(),
+            length: LengthUnit::default(),
+            angle: AngleUnit::default(),
+            sheet: None,
+            message: None,
+            theme: ThemePreference::System,
+            fitted: 0,
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! The few controls that egui does not have, in the window's own look.
+
+use egui::{
+    Align, Button, Color32, CornerRadius, DragValue, Frame, Layout, Margin, Response, RichText,
+    Role, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+};
+
+use super::tokens::{Palette, size, space, strong};
+
+/// What a panel is about.
+pub(crate) fn heading(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(strong(size::HEADING)));
+}
+
+/// What the next group is about.
+pub(crate) fn section(ui: &mut Ui, text: &str) {
+    ui.add_space(space::ROW);
+    let muted = Palette::of(ui).muted;
+    ui.label(RichText::new(text).font(strong(size::SMALL)).color(muted));
+}
+
+/// A sentence that explains.
+pub(crate) fn hint(ui: &mut Ui, text: impl Into<String>) {
+    let muted = Palette::of(ui).muted;
+    ui.add(egui::Label::new(RichText::new(text).size(size::SMALL + 0.5).color(muted)).wrap());
+}
+
+/// The one thing to do next, as wide as the panel.
+pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
+    let palette = Palette::of(ui);
+    let label = RichText::new(text)
+        .font(strong(size::BODY))
+        .color(palette.on_accent);
+    let button = Button::new(label).fill(palette.accent);
+    ui.add_sized(vec2(ui.available_width(), 36.0), button)
+}
+
+/// Something else that can be done, as wide as the panel.
+pub(crate) fn secondary(ui: &mut Ui, text: &str) -> Response {
+    let palette = Palette::of(ui);
+    let button = Button::new(text)
+        .fill(palette.surface)
+        .stroke(Stroke::new(1.0, palette.line));
+    ui.add_sized(vec2(ui.available_width(), 32.0), button)
+}
+
+/// One of several, side by side. The one that was clicked.
+pub(crate) fn segmented<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    options: &[(T, &str)],
+    current: T,
+) -> Option<T> {
+    let palette = Palette::of(ui);
+    let mut chosen = None;
+    let frame = Frame::NONE
+        .fill(palette.inset)
+        .corner_radius(CornerRadius::same(space::ROUND))
+        .inner_margin(Margin::same(2));
+    frame.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.horizontal(|ui| {
+            // Where a row runs from right to left the first still stands at the left.
+            let backwards = ui.layout().prefer_right_to_left();
+            for k in 0..options.len() {
+                let k = if backwards { options.len() - 1 - k } else { k };
+                let (value, name) = &options[k];
+                let on = *value == current;
+                let (text, fill) = if on {
+                    (palette.accent, palette.surface)
+                } else {
+                    (palette.muted, Color32::TRANSPARENT)
+                };
+                let label = if on {
+                    RichText::new(*name).font(strong(size::SMALL)).color(text)
+                } else {
+                    RichText::new(*name).size(size::SMALL).color(text)
+                };
+                let button = Button::new(label)
+                    .fill(fill)
+                    .corner_radius(CornerRadius::same(space::ROUND - 2))
+                    .min_size(vec2(34.0, 22.0));
+                let response = ui.add(button);
+                let enabled = ui.is_enabled();
+                response.widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, name));
+                if response.clicked() && !on {
+                    chosen = Some(*value);
+                }
+            }
+        });
+    });
+    chosen
+}
+
+/// A surface of its own.
+pub(crate) fn card<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let palette = Palette::of(ui);
+    let frame = Frame::NONE
+        .fill(palette.surface)
+        .stroke(Stroke::new(1.0, palette.line))
+        .corner_radius(CornerRadius::same(space::ROUND + 2))
+        .inner_margin(Margin::same(14));
+    let shown = frame.show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        contents(ui)
+    });
+    shown.inner
+}
+
+/// How far a step has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Progress {
+    /// Nothing to show for it yet.
+    Open,
+    /// Done.
+    Done,
+}
+
+/// A step in the list of steps.
+pub(crate) fn step_row(
+    ui: &mut Ui,
+    number: usize,
+    name: &str,
+    caption: &str,
+    progress: Progress,
+    selected: bool,
+) -> Response {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 44.0), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| {
+        WidgetInfo::selected(Role::Tab, enabled, selected, format!("{number} {name}"))
+    });
+    let painter = ui.painter();
+    let round = CornerRadius::same(space::ROUND);
+    if selected {
+        painter.rect_filled(rect, round, palette.accent_soft);
+    } else if response.hovered() {
+        painter.rect_filled(rect, round, palette.inset);
+    }
+    if response.has_focus() {
+        let stroke = Stroke::new(1.5, palette.accent);
+        painter.rect_stroke(rect, round, stroke, StrokeKind::Inside);
+    }
+    let centre = pos2(rect.left() + 22.0, rect.center().y);
+    let done = progress == Progress::Done;
+    let (fill, edge, text) = match (done, selected) {
+        (true, _) => (palette.accent, palette.accent, palette.on_accent),
+        (false, true) => (palette.surface, palette.accent, palette.accent),
+        (false, false) => (palette.surface, palette.nominal, palette.muted),
+    };
+    painter.circle(centre, 11.0, fill, Stroke::new(1.5, edge));
+    if done {
+        let at = |x: f32, y: f32| centre + Vec2::new(x, y);
+        let tick = vec![at(-4.5, 0.2), at(-1.3, 3.6), at(4.8, -3.6)];
+        painter.line(tick, Stroke::new(2.0, text));
+    } else {
+        painter.text(
+            centre,
+            egui::Align2::CENTER_CENTER,
+            number,
+            strong(size::SMALL),
+            text,
+        );
+    }
+    let left = rect.left() + 44.0;
+    let name_color = if selected {
+        palette.accent
+    } else {
+        palette.text
+    };
+    painter.text(
+        pos2(left, rect.center().y - 8.0),
+        egui::Align2::LEFT_CENTER,
+        name,
+        strong(size::BODY),
+        name_color,
+    );
+    painter.text(
+        pos2(left, rect.center().y + 9.0),
+        egui::Align2::LEFT_CENTER,
+        caption,
+        egui::FontId::proportional(size::SMALL),
+        palette.muted,
+    );
+    response
+}
+
+/// A name and what it is, on one line.
+pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
+    let palette = Palette::of(ui);
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = 16.0;
+        ui.spacing_mut().item_spacing.y = 4.0;
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(name).color(palette.muted));
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.add(egui::Label::new(value.into()).truncate());
+            });
+        });
+    });
+}
+
+/// What is said about a sample.
+pub(crate) fn sample_card(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
+    let palette = Palette::of(ui);
+    ui.set_max_width(220.0);
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.label(RichText::new(title).font(strong(size::BODY)));
+    egui::Grid::new("sample card")
+        .num_columns(2)
+        .spacing([16.0, 2.0])
+        .show(ui, |ui| {
+            for (name, value) in lines {
+                ui.label(RichText::new(name).size(size::SMALL).color(palette.muted));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    ui.label(RichText::new(value).size(size::SMALL));
+                });
+                ui.end_row();
+            }
+        });
+}
+
+/// A number with its name before it.
+pub(crate) fn number(ui: &mut Ui, name: &str, field: DragValue<'_>) -> Response {
+    let muted = Palette::of(ui).muted;
+    let row = ui.horizontal(|ui| {
+        let label = ui.label(RichText::new(name).color(muted));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.add_sized([96.0, space::CONTROL], field.update_while_editing(false))
+                .labelled_by(label.id)
+        })
+        .inner
+    });
+    row.inner
+}
+
+/// A field for a number as a table has it: no wider than it must be.
+pub(crate) fn cell_number(ui: &mut Ui, name: &str, width: f32, field: DragValue<'_>) -> Response {
+    let response = ui.add_sized([width, 24.0], field.update_while_editing(false));
+    let name = name.to_owned();
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(name));
+    response
+}
+
+/// A curved arrow: back (undo) or forth (redo).
+pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str) -> Response {
+    let palette = Palette::of(ui);
+    let sense = if enabled {
+        Sense::click()
+    } else {
+        Sense::hover()
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(30.0, 28.0), sense);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, says));
+    let painter = ui.painter();
+    if enabled && (response.hovered() || response.has_focus()) {
+        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
+    }
+    let color = if enabled {
+        palette.text
+    } else {
+        palette.nominal.gamma_multiply(0.6)
+    };
+    let flip = if forth { -1.0 } else { 1.0 };
+    let at = |x: f32, y: f32| rect.center() + vec2(flip * x, y);
+    let arc = (0..=14).map(|k| {
+        let angle = std::f32::consts::PI * (1.0 - k as f32 / 14.0);
+        at(5.0 * angle.cos(), 1.0 - 5.0 * angle.sin())
+    });
+    let mut line: Vec<_> = arc.collect();
+    line.push(at(5.0, 5.0));
+    painter.line(line, Stroke::new(1.6, color));
+    let head = vec![at(-5.0, 5.0), at(-8.6, 0.2), at(-1.4, 0.2)];
+    painter.add(egui::Shape::convex_polygon(head, color, Stroke::NONE));
+    response.on_hover_text(says)
+}
+
+/// Part of a whole as a bar: before above, after below.
+pub(crate) fn share_bar(ui: &mut Ui, part: f32, color: Color32) {
+    let palette = Palette::of(ui);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 6.0), Sense::hover());
+    let painter = ui.painter();
+    painter.rect_filled(rect, 3.0, palette.inset);
+    let mut filled = rect;
+    filled.set_width(rect.width() * part.clamp(0.0, 1.0));
+    painter.rect_filled(filled, 3.0, color);
+}

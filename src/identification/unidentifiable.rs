@@ -1,0 +1,79 @@
+//! What the samples do not determine, in words: the directions of the coefficients' space along
+//! which nothing changes, each as the parameters that can be exchanged for one another.
+
+use crate::effects::term::names_on;
+use crate::effects::{Effect, Setting};
+use crate::model::Model;
+use crate::sessions::Session;
+
+use super::outcome::NotIdentifiable;
+use super::solver::Solution;
+
+/// An effect's name, with its joint where the robot has several.
+pub(super) fn name_on_joint(effect: &dyn Effect, joint: usize, session: &Session) -> String {
+    let id = effect.about().id;
+    if effect.about().per_joint && session.robot.joints.len() > 1 {
+        format!("{id} of joint {}", joint + 1)
+    } else {
+        id.to_owned()
+    }
+}
+
+/// Name of a setup by its index.
+pub(super) fn setup_name(session: &Session, index: f64) -> Option<String> {
+    let setups = session.samples.setups.as_ref()?;
+    let mut numbered = setups.names.iter().zip(0_u32..);
+    let found = numbered.find(|(_, k)| f64::from(*k) == index);
+    found.map(|(name, _)| name.clone())
+}
+
+/// `effect.parameter` for every coefficient; an amplitude and its phase stand as their two parts.
+fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
+    let names = model.terms().iter().flat_map(|term| {
+        let about = term.effect.about();
+        let place = match about.setting {
+            Setting::Setup => {
+                let name = setup_name(session, term.setting);
+                format!("{} of setup {}", about.id, name.as_deref().unwrap_or("?"))
+            }
+            _ => name_on_joint(term.effect, term.joint, session),
+        };
+        let names = names_on(term.effect, model.robot.joints[term.joint].kind);
+        let skip = names.len().saturating_sub(term.coefficients.len());
+        names
+            .into_iter()
+            .skip(skip)
+            .map(move |name| format!("{place}: {name}"))
+            .collect::<Vec<_>>()
+    });
+    names.collect()
+}
+
+/// Every combination of coefficients that the samples leave open.
+pub(super) fn undetermined_combinations(
+    solution: &Solution,
+    session: &Session,
+) -> Vec<NotIdentifiable> {
+    let names = coefficient_names(&solution.model, session);
+    let directions = solution.spectrum.null_directions();
+    let directions = directions.iter().map(|direction| {
+        let size = |k: usize| direction.components[k].abs();
+        let scaled = |k: usize| solution.spectrum.scaled_component(&direction.components, k);
+        let largest = (0..names.len()).map(scaled).fold(0.0, f64::max);
+        let mut involved: Vec<usize> = (0..names.len())
+            .filter(|k| size(*k) > 0.0 && scaled(*k) > 0.02 * largest)
+            .collect();
+        involved.sort_by(|a, b| scaled(*b).total_cmp(&scaled(*a)));
+        let listed: Vec<&str> = involved.iter().map(|k| names[*k].as_str()).collect();
+        let because = if listed.len() == 1 {
+            "the samples do not depend on it"
+        } else {
+            "the samples show only their sum: a change of one can be undone by the others"
+        };
+        NotIdentifiable {
+            combination: listed.join(" with "),
+            because: because.to_owned(),
+        }
+    });
+    directions.collect()
+}

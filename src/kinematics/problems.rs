@@ -1,0 +1,205 @@
+//! What can be wrong with a robot: numbers that are no numbers, joints that cannot be told apart.
+
+use super::robot::{Axis, Joint, JointKind, Pose, Robot};
+use crate::diagnostic::{Diagnostic, Place};
+
+impl Robot {
+    /// Everything that makes the robot unusable (errors) or suspicious (warnings), each at `place`
+    /// with the path of the field.
+    ///
+    /// Two neighbouring joints on one line are an error: they move the tool alike in every pose,
+    /// so no measurement can tell their zero offsets apart.
+    pub fn problems(&self, place: &Place) -> Vec<Diagnostic> {
+        let mut problems = Vec::new();
+        if self.joints.is_empty() {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.joints"),
+                "no joints",
+                "at least one joint",
+            ));
+            return problems;
+        }
+        if !is_finite_pose(&self.base_from_tool) {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.tool"),
+                "a number that is not finite",
+                "a finite position and orientation",
+            ));
+        }
+        if self
+            .gravity_m_s2
+            .is_some_and(|g| !g.iter().all(|x| x.is_finite()))
+        {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.gravity_m_s2"),
+                "a number that is not finite",
+                "three finite numbers in m/s²",
+            ));
+        }
+        for (index, joint) in self.joints.iter().enumerate() {
+            let at = place.clone().in_field(format!("robot.joints[{index}]"));
+            problems.extend(joint_problems(joint, &at));
+        }
+        for (index, pair) in self.joints.windows(2).enumerate() {
+            if move_alike(&pair[0], &pair[1]) {
+                let at = place
+                    .clone()
+                    .in_field(format!("robot.joints[{}]", index + 1));
+                problems.push(Diagnostic::error(
+                    at,
+                    format!(
+                        "joints {} and {} move along the same line",
+                        index + 1,
+                        index + 2
+                    ),
+                    "neighbouring joints with different axes; these two cannot be told apart",
+                ));
+            }
+        }
+        if problems.is_empty() && self.joints.len() <= 6 {
+            let mobility = self.mobility();
+            if mobility < self.joints.len() {
+                problems.push(Diagnostic::warning(
+                    place.clone().in_field("robot.joints"),
+                    format!(
+                        "{} joints that move the tool in only {mobility} independent ways",
+                        self.joints.len()
+                    ),
+                    "as many ways as joints; some joints stand in for each other",
+                ));
+            }
+        }
+        problems
+    }
+}
+
+fn is_finite_pose(pose: &Pose) -> bool {
+    pose.translation.vector.iter().all(|x| x.is_finite())
+        && pose.rotation.coords.iter().all(|x| x.is_finite())
+}
+
+fn joint_problems(joint: &Joint, place: &Place) -> Vec<Diagnostic> {
+    let mut problems = Vec::new();
+    let axis = &joint.axis;
+    if !axis.direction.iter().all(|x| x.is_finite())
+        || !axis.point_mm.iter().all(|x| x.is_finite())
+        || (axis.direction.norm() - 1.0).abs() > 1e-9
+    {
+        problems.push(Diagnostic::error(
+            place.clone(),
+            "an axis that is not a line",
+            "a finite point and a direction of non-zero length",
+        ));
+    }
+    if let Some(limits) = joint.limits
+        // Written so that a NaN is refused too.
+        && !(limits.from < limits.to && limits.from.is_finite() && limits.to.is_finite())
+    {
+        problems.push(Diagnostic::error(
+            place.clone(),
+            format!("limits from {} to {}", limits.from, limits.to),
+            "finite limits, the smaller value first",
+        ));
+    }
+    if let Some(link) = joint.link {
+        if !(link.mass_kg.is_finite() && link.mass_kg >= 0.0) {
+            problems.push(Diagnostic::error(
+                place.clone(),
+                format!("a link of {} kg", link.mass_kg),
+                "a finite mass of at least 0 kg",
+            ));
+        }
+        if !link.centre_mm.iter().all(|x| x.is_finite()) {
+            problems.push(Diagnostic::error(
+                place.clone(),
+                "a centre of mass that is not finite",
+                "three finite numbers in mm",
+            ));
+        }
+    }
+    problems
+}
+
+fn move_alike(one: &Joint, other: &Joint) -> bool {
+    match (one.kind, other.kind) {
+        (JointKind::Revolute, JointKind::Revolute) => are_one_line(&one.axis, &other.axis),
+        (JointKind::Prismatic, JointKind::Prismatic) => are_parallel(&one.axis, &other.axis),
+        _ => false,
+    }
+}
+
+/// Whether both are the same line in space, whichever way each points.
+fn are_one_line(one: &Axis, other: &Axis) -> bool {
+    let between_mm = other.point_mm - one.point_mm;
+    let off_line_mm = one.direction.cross(&between_mm).norm();
+    are_parallel(one, other) && off_line_mm < 1e-9 * (1.0 + between_mm.norm())
+}
+
+fn are_parallel(one: &Axis, other: &Axis) -> bool {
+    one.direction.cross(&other.direction).norm() < 1e-9
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::robot::{Axis, LinkMass, Range};
+    use super::*;
+    use crate::diagnostic::Severity;
+    use nalgebra::{Point3, Vector3};
+
+    fn z_axis_at(x_mm: f64) -> Axis {
+        Axis::through(Vector3::z(), Point3::new(x_mm, 0.0, 0.0)).unwrap()
+    }
+
+    fn robot(joints: Vec<Joint>) -> Robot {
+        Robot {
+            name: "test".to_owned(),
+            joints,
+            base_from_tool: Pose::translation(300.0, 10.0, 5.0),
+            gravity_m_s2: None,
+        }
+    }
+
+    fn revolute(axis: Axis) -> Joint {
+        Joint::new("j", JointKind::Revolute, axis)
+    }
+
+    #[test]
+    fn two_neighbouring_joints_on_one_line_are_an_error() {
+        let mut second = z_axis_at(0.0);
+        second.point_mm.z = 120.0;
+        second.direction = -second.direction;
+        let twin = robot(vec![revolute(z_axis_at(0.0)), revolute(second)]);
+        let problems = twin.problems(&Place::default());
+        assert_eq!(problems[0].severity, Severity::Error);
+        assert!(problems[0].found.contains("joints 1 and 2"));
+        let apart = robot(vec![revolute(z_axis_at(0.0)), revolute(z_axis_at(1.0))]);
+        assert_eq!(apart.problems(&Place::default()), vec![]);
+    }
+
+    #[test]
+    fn four_parallel_axes_are_worth_a_warning() {
+        let planar = robot(
+            [0.0, 100.0, 210.0, 290.0]
+                .map(|x| revolute(z_axis_at(x)))
+                .to_vec(),
+        );
+        let problems = planar.problems(&Place::default());
+        assert_eq!(problems.len(), 1);
+        assert_eq!(problems[0].severity, Severity::Warning);
+        assert!(problems[0].found.contains("only 3 independent ways"));
+    }
+
+    #[test]
+    fn every_broken_number_is_reported_and_not_only_the_first() {
+        let mut joint = revolute(z_axis_at(0.0));
+        joint.limits = Some(Range { from: 1.0, to: 1.0 });
+        joint.link = Some(LinkMass {
+            mass_kg: -2.0,
+            centre_mm: Point3::new(f64::NAN, 0.0, 0.0),
+        });
+        let mut robot = robot(vec![joint]);
+        robot.gravity_m_s2 = Some(Vector3::new(0.0, f64::INFINITY, 0.0));
+        robot.base_from_tool.translation.vector.x = f64::NAN;
+        assert_eq!(robot.problems(&Place::default()).len(), 5);
+    }
+}

@@ -1,1 +1,0 @@
-//! `truepose-model/1` on disk.

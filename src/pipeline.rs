@@ -1,0 +1,111 @@
+//! The whole job on one screen: a session in, a calibration, its proof and a table out.
+//!
+//! The terminal and the window go through these functions, so they cannot give different answers.
+
+use crate::compensation::verification::VerifyError;
+use crate::compensation::{Verification, verify};
+use crate::diagnostic::Rejected;
+use crate::effects::{Inputs, JointValues};
+use crate::export::{DEFAULT_STEP, Export, ExportError, Format, Job};
+use crate::identification::regions::RegionChoice;
+use crate::identification::{
+    DEFAULT_EFFECTS, Identification, IdentifyError, identify_exact, identify_regional,
+};
+use crate::model::Calibration;
+use crate::sessions::{Loaded, Session, load};
+
+/// How a session is to be identified.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Method {
+    /// Nonlinear least squares for these effects.
+    Exact {
+        /// Names of the effects.
+        effects: Vec<String>,
+    },
+    /// The paper's constant corrections by region.
+    Regional(RegionChoice),
+}
+
+impl Default for Method {
+    fn default() -> Self {
+        Self::Exact {
+            effects: DEFAULT_EFFECTS.map(str::to_owned).to_vec(),
+        }
+    }
+}
+
+/// Why the job could not be done.
+#[derive(Debug, thiserror::Error)]
+pub enum PipelineError {
+    /// The session cannot be read.
+    #[error(transparent)]
+    Rejected(#[from] Rejected),
+    /// It cannot be identified.
+    #[error(transparent)]
+    Identify(#[from] IdentifyError),
+    /// The model cannot be checked.
+    #[error(transparent)]
+    Verify(#[from] VerifyError),
+    /// There is no table.
+    #[error(transparent)]
+    Export(#[from] ExportError),
+}
+
+/// Everything that comes out of a session.
+#[derive(Debug, Clone)]
+pub struct Calibrated {
+    /// What was identified, with intervals.
+    pub identification: Identification,
+    /// What the model and its corrections do to the gap.
+    pub verification: Verification,
+    /// The table for the first joint.
+    pub export: Export,
+    /// The session and what was noticed while reading it.
+    pub loaded: Loaded,
+    /// The model, to be saved.
+    pub calibration: Calibration,
+}
+
+/// Reads a session, identifies it, checks the model and makes a table.
+///
+/// # Errors
+/// See [`PipelineError`].
+pub fn calibrate(
+    path: &std::path::Path,
+    method: &Method,
+    format: &Format,
+    file_name: &str,
+) -> Result<Calibrated, PipelineError> {
+    let loaded = load(path)?;
+    let (identification, calibration) = identify(&loaded.session, method, JointValues::Commanded)?;
+    let verification = verify(&calibration, &loaded.session)?;
+    let job = Job {
+        step: DEFAULT_STEP,
+        ..Job::new(&calibration, file_name)
+    };
+    let export = format.exporter.export(&job)?;
+    Ok(Calibrated {
+        identification,
+        verification,
+        export,
+        loaded,
+        calibration,
+    })
+}
+
+/// Identifies a session by one method, and makes the calibration that goes with the answer.
+///
+/// # Errors
+/// See [`IdentifyError`].
+pub fn identify(
+    session: &Session,
+    method: &Method,
+    values: JointValues,
+) -> Result<(Identification, Calibration), IdentifyError> {
+    let identification = match method {
+        Method::Exact { effects } => identify_exact(session, effects, values)?,
+        Method::Regional(choice) => identify_regional(session, choice, values)?,
+    };
+    let calibration = identification.calibration(session, &Inputs::new(session, values));
+    Ok((identification, calibration))
+}

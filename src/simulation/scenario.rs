@@ -1,0 +1,394 @@
+//! What a scenario is, in inner units (mm, rad, s, kg, °C).
+
+use nalgebra::Point3;
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::effects::{Setting, Stage, Term};
+use crate::kinematics::Robot;
+use crate::sessions::{Instrument, Region, Target};
+
+/// See the module. Begin with [`Scenario::new`] and set what differs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenario {
+    /// Name of the session.
+    pub name: String,
+    /// Free text for the session.
+    pub note: String,
+    /// The robot as its controller believes it to be.
+    pub robot: Robot,
+    /// Reflectors; every stop is measured on each of them, in this order.
+    pub targets: Vec<Target>,
+    /// The instrument as the session describes it; what it really adds is `noise`.
+    pub instrument: Instrument,
+    /// Tolerance of the session, mm.
+    pub tolerance_mm: Option<f64>,
+    /// Regions of the session.
+    pub regions: Vec<Region>,
+    /// Whether z is left unmeasured.
+    pub planar: bool,
+    /// Where the robot goes.
+    pub poses: Poses,
+    /// Speeds, loads, temperatures, time.
+    pub circumstances: Circumstances,
+    /// What makes the real robot differ from the nominal one.
+    pub effects: Vec<Term>,
+    /// What the instrument adds to each coordinate.
+    pub noise: Option<Noise>,
+    /// Measurements that went wrong.
+    pub outliers: Option<Outliers>,
+    /// Coordinates are rounded to multiples of this, mm.
+    pub resolution_mm: Option<f64>,
+    /// Seed where nobody gives another.
+    pub seed: u64,
+}
+
+/// Where the robot goes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Poses {
+    /// One joint from end to end, the others at home.
+    Sweep(Sweep),
+    /// These stops in this order.
+    List(Vec<Stop>),
+    /// So many, every joint anywhere between its limits.
+    Random(usize),
+}
+
+/// See [`Poses::Sweep`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// Joint, counted from 0.
+    pub joint: usize,
+    /// First stop, rad or mm.
+    pub from: f64,
+    /// Last stop, where the steps lead there; rad or mm.
+    pub to: f64,
+    /// Way between two stops, rad or mm; its sign does not matter.
+    pub step: f64,
+    /// Whether every sweep is made back as well.
+    pub both_ways: bool,
+    /// How often the whole is made.
+    pub repeats: usize,
+    /// In which order the stops are visited.
+    pub order: Order,
+}
+
+/// The order of a sweep's stops.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Order {
+    /// One after the other.
+    #[default]
+    Sweep,
+    /// Shuffled; the side from which a stop is reached follows from the stop before.
+    Random,
+}
+
+/// One pose and how it is reached.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// Joint values, rad or mm.
+    pub q: Vec<f64>,
+    /// Sides: +1 moving positive, −1, 0 unknown; `None`: not known at all.
+    pub dir: Option<Vec<f64>>,
+}
+
+/// Conditions under which the stops are measured. Every list holds the values that occur; each
+/// combination of speed, load and temperature occurs equally often, dealt from a shuffled deck, so
+/// that no condition goes along with the angle or with another condition.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Circumstances {
+    /// Speeds without sign, rad/s or mm/s; empty: the session says nothing of it.
+    pub speeds: Vec<f64>,
+    /// Loads, kg; empty: the session says nothing of it.
+    pub loads_kg: Vec<f64>,
+    /// Temperature.
+    pub temperature: Option<Temperature>,
+    /// Time from stop to stop, s; `None`: the session has no time.
+    pub seconds_per_pose: Option<f64>,
+}
+
+/// Temperature of the stops.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Temperature {
+    /// These values, dealt like speeds and loads.
+    Values(Vec<f64>),
+    /// `to + (from − to) e^(−t/τ)`.
+    WarmUp {
+        /// At the first sample, °C.
+        from_c: f64,
+        /// In the end, °C.
+        to_c: f64,
+        /// τ, s.
+        time_constant_s: f64,
+    },
+}
+
+/// What the instrument adds to each coordinate; its root mean square is `sigma_mm`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Noise {
+    /// Root mean square over the axes, mm.
+    pub sigma_mm: f64,
+    /// How it is distributed.
+    pub kind: NoiseKind,
+}
+
+/// How noise is distributed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum NoiseKind {
+    /// Normal, independent.
+    #[default]
+    Gauss,
+    /// Student's t with four degrees of freedom: heavy tails.
+    T4,
+    /// Normal, each value correlated by 0.7 with the one before (autoregressive).
+    Ar1,
+}
+
+/// Measurements that went wrong: a share of the samples is moved by a length in any direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outliers {
+    /// Share of the samples, rounded to a whole number of them.
+    pub share: f64,
+    /// How far, mm.
+    pub mm: f64,
+}
+
+/// More samples than this are a slip of the keyboard.
+pub const MOST_SAMPLES: f64 = 2e7;
+
+impl Scenario {
+    /// One reflector at the tool's origin, no effect, no noise.
+    pub fn new(name: impl Into<String>, robot: Robot, poses: Poses) -> Self {
+        Self {
+            name: name.into(),
+            note: String::new(),
+            robot,
+            targets: vec![Target {
+                name: "tool".to_owned(),
+                position_mm: Point3::origin(),
+            }],
+            instrument: Instrument::default(),
+            tolerance_mm: None,
+            regions: Vec::new(),
+            planar: false,
+            poses,
+            circumstances: Circumstances::default(),
+            effects: Vec::new(),
+            noise: None,
+            outliers: None,
+            resolution_mm: None,
+            seed: 0,
+        }
+    }
+
+    /// Everything that makes the scenario unusable (errors) or pointless in part (warnings). The
+    /// reader of files has checked each value by itself; this looks at what they mean together.
+    pub fn problems(&self) -> Vec<Diagnostic> {
+        let mut problems = Vec::new();
+        self.check_poses(&mut problems);
+        self.check_numbers(&mut problems);
+        for (k, term) in self.effects.iter().enumerate() {
+            if let Some(reason) = self.why_idle(term) {
+                problems.push(Diagnostic::warning(
+                    field(format!("effects[{k}]")),
+                    format!("{} does nothing here: {reason}", term.effect.about().id),
+                    "a condition under which it shows",
+                ));
+            }
+        }
+        problems
+    }
+
+    fn check_poses(&self, problems: &mut Vec<Diagnostic>) {
+        let joints = self.robot.joints.len();
+        let mut wrong = |at: &str, found: String, expected: &str| {
+            problems.push(Diagnostic::error(field(at), found, expected));
+        };
+        let outside = |joint: usize, q: f64| {
+            let limits = self.robot.joints[joint].limits;
+            // Conversion may have moved a value that is on a limit.
+            limits.filter(|l| q < l.from - 1e-9 || q > l.to + 1e-9)
+        };
+        let inside = "values within the joint's limits";
+        match &self.poses {
+            Poses::Sweep(sweep) => {
+                if sweep.joint >= joints {
+                    let found = format!("joint {}", sweep.joint + 1);
+                    wrong("poses.sweep.joint", found, "a joint of the robot");
+                    return;
+                }
+                let usable = sweep.from.is_finite() && sweep.to.is_finite();
+                if !usable || !sweep.step.is_finite() || sweep.step == 0.0 || sweep.repeats == 0 {
+                    let found = "a sweep without a step, a range or repeats".to_owned();
+                    wrong(
+                        "poses.sweep",
+                        found,
+                        "finite ends, a step that is not 0, repeats from 1 on",
+                    );
+                    return;
+                }
+                for (key, q) in [("from_deg", sweep.from), ("to_deg", sweep.to)] {
+                    if outside(sweep.joint, q).is_some() {
+                        let found = "a stop beyond the joint's limits".to_owned();
+                        wrong(&format!("poses.sweep.{key}"), found, inside);
+                    }
+                }
+            }
+            Poses::List(stops) => {
+                if stops.is_empty() {
+                    wrong("poses.list", "no pose".to_owned(), "at least one");
+                }
+                for (k, stop) in stops.iter().enumerate() {
+                    let at = format!("poses.list[{k}]");
+                    let fits = |column: &Vec<f64>| column.len() == joints;
+                    if !fits(&stop.q) || !stop.dir.as_ref().is_none_or(fits) {
+                        let found = "another number of values".to_owned();
+                        wrong(&at, found, "one value for each joint");
+                    } else if (0..joints)
+                        .any(|j| !stop.q[j].is_finite() || outside(j, stop.q[j]).is_some())
+                    {
+                        let found = "a stop beyond a joint's limits".to_owned();
+                        wrong(&at, found, inside);
+                    }
+                }
+            }
+            Poses::Random(count) => {
+                if *count == 0 {
+                    wrong("poses.random.count", "0".to_owned(), "at least 1");
+                }
+                if self.robot.joints.iter().any(|j| j.limits.is_none()) {
+                    let found = "a joint without limits".to_owned();
+                    wrong("poses.random", found, "limits for every joint");
+                }
+            }
+        }
+        let samples = self.poses.stops() * self.targets.len() as f64;
+        if !(1.0..=MOST_SAMPLES).contains(&samples) {
+            let found = format!("{samples} samples");
+            wrong("poses", found, "between 1 and 20 000 000 samples");
+        }
+    }
+
+    fn check_numbers(&self, problems: &mut Vec<Diagnostic>) {
+        let mut wrong = |at: &str, fine: bool, expected: &str| {
+            if !fine {
+                problems.push(Diagnostic::error(field(at), "an unusable value", expected));
+            }
+        };
+        let positive = |v: f64| v.is_finite() && v > 0.0;
+        let not_negative = |v: &f64| v.is_finite() && *v >= 0.0;
+        let c = &self.circumstances;
+        wrong(
+            "conditions.speed_deg_s",
+            c.speeds.iter().all(not_negative),
+            "speeds from 0 on",
+        );
+        wrong(
+            "conditions.load_kg",
+            c.loads_kg.iter().all(not_negative),
+            "loads from 0 kg on",
+        );
+        let time = c.seconds_per_pose;
+        wrong(
+            "conditions.seconds_per_pose",
+            time.is_none_or(positive),
+            "a time above 0 s",
+        );
+        let warm_up = match &c.temperature {
+            Some(Temperature::WarmUp {
+                from_c,
+                to_c,
+                time_constant_s,
+            }) => {
+                let finite = from_c.is_finite() && to_c.is_finite();
+                wrong(
+                    "conditions.temperature_c",
+                    finite && positive(*time_constant_s),
+                    "finite temperatures and a time constant above 0 s",
+                );
+                true
+            }
+            Some(Temperature::Values(values)) => {
+                let finite = values.iter().all(|v| v.is_finite());
+                wrong("conditions.temperature_c", finite, "finite temperatures");
+                false
+            }
+            None => false,
+        };
+        wrong(
+            "conditions.seconds_per_pose",
+            !warm_up || time.is_some(),
+            "a time from pose to pose, as the machine warms up",
+        );
+        let noise = self.noise.is_none_or(|n| not_negative(&n.sigma_mm));
+        wrong("noise.sigma_mm", noise, "a length from 0 mm on");
+        let outliers = self
+            .outliers
+            .is_none_or(|o| (0.0..=1.0).contains(&o.share) && not_negative(&o.mm));
+        wrong(
+            "outliers",
+            outliers,
+            "a share from 0 to 1 and a length from 0 mm on",
+        );
+        wrong(
+            "noise.resolution_mm",
+            self.resolution_mm.is_none_or(positive),
+            "a length above 0 mm",
+        );
+        wrong("targets", !self.targets.is_empty(), "at least one target");
+    }
+
+    /// Why an effect cannot show in this scenario.
+    fn why_idle(&self, term: &Term) -> Option<&'static str> {
+        let about = term.effect.about();
+        let c = &self.circumstances;
+        let from_a_side = match &self.poses {
+            Poses::List(stops) => stops.iter().any(|s| s.dir.is_some()),
+            _ => true,
+        };
+        let of_time = about.id == "frame-drift" || about.setting == Setting::Time;
+        let of_warmth = about.id.starts_with("thermal");
+        if of_time && c.seconds_per_pose.is_none() {
+            Some("the scenario has no seconds_per_pose")
+        } else if of_warmth && c.temperature.is_none() {
+            Some("the scenario has no temperature")
+        } else if about.id == "link-droop"
+            && (c.loads_kg.is_empty() || self.robot.gravity_m_s2.is_none())
+        {
+            Some("the scenario has no load, or the robot no gravity")
+        } else if about.id == "tracking-lag" && c.speeds.iter().all(|v| *v == 0.0) {
+            Some("every pose is measured at standstill")
+        } else if about.stage == Stage::Joint
+            && ["backlash", "lost-motion"].contains(&about.id)
+            && !from_a_side
+        {
+            Some("the list does not say from which side the poses are reached")
+        } else {
+            None
+        }
+    }
+}
+
+impl Poses {
+    /// How many stops they make.
+    pub fn stops(&self) -> f64 {
+        match self {
+            Self::List(stops) => stops.len() as f64,
+            Self::Random(count) => *count as f64,
+            Self::Sweep(sweep) => {
+                let ways = if sweep.both_ways { 2.0 } else { 1.0 };
+                sweep.steps() * ways * sweep.repeats as f64
+            }
+        }
+    }
+}
+
+impl Sweep {
+    /// How many stops one way has: the end counts where the steps lead there.
+    pub fn steps(&self) -> f64 {
+        ((self.to - self.from).abs() / self.step.abs() + 1e-6).floor() + 1.0
+    }
+}
+
+fn field(path: impl Into<String>) -> Place {
+    Place::default().in_field(path)
+}

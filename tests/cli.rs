@@ -1,0 +1,337 @@
+//! The terminal, as a person or another program uses it: the binary itself, its exit status, its
+//! standard output and its files.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn truepose(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_truepose"))
+        .args(arguments)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("WAYLAND_SOCKET")
+        .output()
+        .expect("the program starts")
+}
+
+fn bundled(name: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
+    path.join(name)
+        .to_str()
+        .expect("a path in UTF-8")
+        .to_owned()
+}
+
+/// Copies a bundled session into a folder whose name is not a simple one.
+fn copied(folder: &Path, name: &str) -> PathBuf {
+    let folder = folder.join("Prüfung 1 µm");
+    std::fs::create_dir_all(&folder).unwrap();
+    for ending in ["json", "csv"] {
+        let file = format!("{name}.{ending}");
+        std::fs::copy(bundled(&file), folder.join(file)).unwrap();
+    }
+    folder.join(format!("{name}.json"))
+}
+
+fn json(output: &Output) -> Value {
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{errors}");
+    serde_json::from_slice(&output.stdout).expect("exactly one JSON document")
+}
+
+fn refusal(arguments: &[&str]) -> String {
+    let output = truepose(arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(output.stdout.is_empty(), "{arguments:?}");
+    message
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn regional_identification_prints_the_papers_twelve_corrections() {
+    let session = bundled("paper-30.json");
+    let answer = json(&truepose(&[
+        "identify", &session, "--method", "regional", "--json",
+    ]));
+    assert_eq!(answer["format"], "truepose-identification/1");
+    assert_eq!(answer["method"], "regional");
+    assert_eq!(answer["samples"], 30);
+    let expected = [
+        (0.0547690, 1.1001417),
+        (0.0496316, -5.8933702),
+        (0.0311955, -11.3077583),
+        (0.0417224, 8.9381311),
+        (0.0182564, 12.9559532),
+        (-0.0101014, 13.5022381),
+    ];
+    let regions = answer["regions"].as_array().unwrap();
+    assert_eq!(regions.len(), expected.len());
+    for (k, (region, (theta, l1))) in regions.iter().zip(expected).enumerate() {
+        assert_eq!(region["name"], (k + 1).to_string());
+        assert_eq!(region["samples"], 5);
+        let of = |key: &str| region["correction"][key].as_f64().unwrap();
+        assert!((of("theta_rad") - theta).abs() < 1e-7);
+        assert!((of("l1_mm") - l1).abs() < 1e-7);
+    }
+    let notes = answer["notes"].to_string();
+    assert!(notes.contains("z is not used"), "{notes}");
+}
+
+#[test]
+fn exact_identification_finds_the_papers_one_error() {
+    let answer = json(&truepose(&[
+        "identify",
+        &bundled("paper-30.json"),
+        "--json",
+    ]));
+    let value = |name: &str| {
+        let parameters = answer["parameters"].as_array().unwrap();
+        let found = parameters.iter().find(|p| p["name"] == name).unwrap();
+        assert_eq!(found["joint"], 1);
+        found["value"].as_f64().unwrap()
+    };
+    assert!((value("offset_deg") + 3.0).abs() < 1e-10);
+    assert!((value("delta_mm") + 5.0).abs() < 1e-9);
+    assert!(answer["gap"]["after_mm"].as_f64().unwrap() < 1e-9);
+    assert!(answer["gap"]["max_after_mm"].as_f64().unwrap() < 1e-9);
+}
+
+#[test]
+fn the_main_job_runs_from_a_scenario_to_a_table_in_a_folder_with_an_awkward_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let scenario = bundled("lamp-commissioning.scenario.json");
+    let made = truepose(&[
+        "simulate",
+        &scenario,
+        "--out",
+        &at("s ü.json"),
+        "--truth",
+        &at("truth.json"),
+    ]);
+    assert_eq!(
+        made.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&made.stderr)
+    );
+    assert_eq!(
+        std::fs::read(folder.path().join("s ü.csv")).unwrap(),
+        std::fs::read(bundled("lamp-commissioning.csv")).unwrap(),
+        "the bundled session is what its scenario makes"
+    );
+    let session_text = std::fs::read_to_string(folder.path().join("s ü.json")).unwrap();
+    assert!(
+        !session_text.contains("eccentricity"),
+        "the session must not tell"
+    );
+
+    let answer = json(&truepose(&[
+        "identify",
+        &at("s ü.json"),
+        "--out",
+        &at("m.json"),
+        "--json",
+        "--effects",
+        "joint-zero-offset,link-length,encoder-eccentricity,backlash,link-droop,axis-tilt,base-offset",
+    ]));
+    let truth: Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("truth.json")).unwrap()).unwrap();
+    for effect in truth["effects"].as_array().unwrap() {
+        for parameter in answer["parameters"].as_array().unwrap() {
+            if parameter["effect"] != effect["effect"] {
+                continue;
+            }
+            let name = parameter["name"].as_str().unwrap();
+            let hidden = effect["parameters"][name].as_f64().unwrap();
+            let [low, high] = [0, 1].map(|k| parameter["ci95"][k].as_f64().unwrap());
+            // Twice the interval: a dozen 95 % intervals seldom hold all at once.
+            let half = high - low;
+            let value = parameter["value"].as_f64().unwrap();
+            assert!(
+                (value - hidden).abs() < half,
+                "{name}: {value}, hidden {hidden}"
+            );
+        }
+    }
+    let verification = json(&truepose(&[
+        "verify",
+        &at("m.json"),
+        &at("s ü.json"),
+        "--json",
+    ]));
+    assert_eq!(verification["format"], "truepose-verification/1");
+    let after = answer["gap"]["after_mm"].as_f64().unwrap();
+    let verified = verification["gap"]["model_mm"].as_f64().unwrap();
+    assert!(
+        (after - verified).abs() < 1e-12,
+        "a saved model predicts the same: {after} {verified}"
+    );
+
+    for (format, file) in [("csv", "table.csv"), ("c-header", "table.h")] {
+        let done = truepose(&["export", &at("m.json"), "--to", format, "--out", &at(file)]);
+        assert_eq!(
+            done.status.code(),
+            Some(0),
+            "{}",
+            String::from_utf8_lossy(&done.stderr)
+        );
+    }
+    let table = std::fs::read_to_string(folder.path().join("table.csv")).unwrap();
+    assert!(table.starts_with("commanded_deg,correction_forward_deg,correction_reverse_deg\n"));
+    assert!(names_in(folder.path()).contains(&"table.csv.meta.json".to_owned()));
+}
+
+#[test]
+fn an_output_never_replaces_an_input_not_even_by_force() {
+    let folder = tempfile::tempdir().unwrap();
+    let session = copied(folder.path(), "paper-30");
+    let before = std::fs::read(session.with_extension("csv")).unwrap();
+    let session = session.to_str().unwrap();
+    for out in [session.to_owned(), session.replace(".json", ".csv")] {
+        let message = refusal(&["identify", session, "--out", &out, "--force"]);
+        assert!(message.contains("would replace the input"), "{message}");
+    }
+    assert_eq!(
+        std::fs::read(session.replace(".json", ".csv")).unwrap(),
+        before
+    );
+}
+
+#[test]
+fn an_existing_file_is_replaced_only_by_force() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("m.json");
+    std::fs::write(&out, "mine").unwrap();
+    let out = out.to_str().unwrap();
+    let session = bundled("paper-30.json");
+    let message = refusal(&["identify", &session, "--out", out]);
+    assert!(message.contains("--force"), "{message}");
+    assert_eq!(std::fs::read(out).unwrap(), b"mine");
+    assert_eq!(
+        truepose(&["identify", &session, "--out", out, "--force"])
+            .status
+            .code(),
+        Some(0)
+    );
+    assert!(
+        std::fs::read_to_string(out)
+            .unwrap()
+            .contains("truepose-model/1")
+    );
+    assert_eq!(names_in(folder.path()), ["m.json"], "no droppings");
+}
+
+#[test]
+fn wrong_arguments_are_refused_with_what_was_expected() {
+    let session = bundled("paper-30.json");
+    let message = refusal(&["identify", &session, "--effects", "warp-drive"]);
+    assert!(
+        message.contains("warp-drive") && message.contains("truepose effects"),
+        "{message}"
+    );
+    let message = refusal(&[
+        "identify",
+        &session,
+        "--method",
+        "regional",
+        "--regions",
+        "six",
+    ]);
+    assert!(message.contains("six"), "{message}");
+    let message = refusal(&[
+        "identify",
+        &session,
+        "--method",
+        "regional",
+        "--regions",
+        "0",
+    ]);
+    assert!(message.contains("expected"), "{message}");
+    let message = refusal(&[
+        "identify",
+        &session,
+        "--method",
+        "regional",
+        "--regions",
+        "30,0",
+    ]);
+    assert!(message.contains("ascending"), "{message}");
+    let message = refusal(&["identify", &session, "--json", "--out", "-"]);
+    assert!(message.contains("standard output"), "{message}");
+    refusal(&["identify"]);
+    refusal(&["frobnicate", "a", "b"]);
+    let message = refusal(&["identify", "no such file.json"]);
+    assert!(message.contains("no such file.json"), "{message}");
+}
+
+#[test]
+fn regions_can_be_given_as_a_number_or_as_boundaries() {
+    let session = bundled("paper-30.json");
+    let names = |regions: &str| {
+        let answer = json(&truepose(&[
+            "identify",
+            &session,
+            "--method",
+            "regional",
+            "--regions",
+            regions,
+            "--json",
+        ]));
+        let regions = answer["regions"].as_array().unwrap().clone();
+        regions
+            .iter()
+            .map(|r| {
+                (
+                    r["from_deg"].as_f64().unwrap(),
+                    r["to_deg"].as_f64().unwrap(),
+                )
+            })
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(names("2"), [(-90.0, 0.0), (0.0, 90.0)]);
+    assert_eq!(
+        names("-90,-30,0,90"),
+        [(-90.0, -30.0), (-30.0, 0.0), (0.0, 90.0)]
+    );
+}
+
+#[test]
+fn without_a_display_the_window_says_which_command_does_the_job() {
+    let output = truepose(&[]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("truepose identify"), "{message}");
+}
+
+#[test]
+fn the_list_of_effects_is_complete_and_machine_readable() {
+    let listing = json(&truepose(&["effects", "--json"]));
+    let ids: Vec<&str> = listing["effects"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|e| e["effect"].as_str().unwrap())
+        .collect();
+    assert_eq!(ids.len(), truepose::effects::CATALOGUE.len());
+    assert!(ids.contains(&"joint-zero-offset") && ids.contains(&"frame-drift"));
+}
+
+#[test]
+fn a_model_goes_to_standard_output_alone() {
+    let output = truepose(&["identify", &bundled("paper-30.json"), "--out", "-"]);
+    assert_eq!(json(&output)["format"], "truepose-model/1");
+}

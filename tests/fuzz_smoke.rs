@@ -1,0 +1,177 @@
+//! What the fuzzers do, in small: valid files that are cut, flipped and spliced. No reader may
+//! panic or hang, and whatever is accepted keeps its promises. The fuzzers themselves are in
+//! `fuzz/`.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot prepare its files has failed"
+)]
+
+use proptest::prelude::*;
+use truepose::sessions::{Loaded, parse, parse_robot, parse_with_csv, write_inline};
+
+const DOCUMENT: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
+{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-90,90]}],
+"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]},"gravity_m_s2":[0,0,-9.81]},
+"targets":{"T1":[0,0,0],"T2":[1e1,-2.5,0]},"instrument":{"name":"tracker","sigma_mm":[0.03,0.03,0.05]},
+"tolerance_mm":0.2,"regions":[{"name":"1","from_deg":0,"to_deg":30}],"compensated_by":null,
+"samples":{"columns":{"q1_deg":[-9.25,0,null,90],"x_mm":[1,2,3,4],"y_mm":[1.5,2,3,1e-3],"target":["T1","T2","T1","T1"],
+"dir1":[1,-1,0,null],"use":["fit","held-out",null,"fit"],"setup":["a","a","b","b"],"remark":["x",1,null,true]}}}"#;
+
+const ROBOT: &[u8] = br#"{"name":"r","dh":[{"a_mm":100,"alpha_deg":90,"d_mm":0,"theta_deg":0,"convention":"standard"},
+{"a_mm":0,"alpha_deg":-45.5,"d_mm":20,"theta_deg":10,"convention":"modified"}]}"#;
+
+const CSV: &[u8] = b"\xef\xbb\xbfq1_deg,x_mm,y_mm,z_m,target,dir1,speed1_rad_s,load_kg,use,setup,remark\r\n\
+-9.25,249.895665,-0.38,0.3,T1,1,0.5,,fit,a,\"quoted, \"\"twice\"\"\"\n\
+0,1e2,+5, 7 ,T2,-1,-0,3,held-out,b,\n\n90,,2,123456789012345678901234567890,T1,0,.5,6.,,b,\"two\nlines\"\n";
+
+/// One change to a file.
+#[derive(Debug, Clone)]
+enum Change {
+    Truncate(prop::sample::Index),
+    Flip(prop::sample::Index, u8),
+    Insert(prop::sample::Index, Vec<u8>),
+    Copy(prop::sample::Index, prop::sample::Index, usize),
+    Remove(prop::sample::Index, usize),
+}
+
+fn any_change() -> impl Strategy<Value = Change> {
+    let at = any::<prop::sample::Index>;
+    let word = prop::sample::select(vec![
+        "\"",
+        "{",
+        "[",
+        ",",
+        "\n",
+        "\r",
+        "\0",
+        "-",
+        "1e400",
+        "nan",
+        "\\u",
+        "\"\"",
+        "9999999999",
+        ".",
+        ";",
+        "é",
+    ]);
+    prop_oneof![
+        1 => at().prop_map(Change::Truncate),
+        4 => (at(), any::<u8>()).prop_map(|(at, mask)| Change::Flip(at, mask)),
+        4 => (at(), word).prop_map(|(at, word)| Change::Insert(at, word.as_bytes().to_vec())),
+        2 => (at(), at(), 1..40usize).prop_map(|(from, to, length)| Change::Copy(from, to, length)),
+        2 => (at(), 1..40usize).prop_map(|(at, length)| Change::Remove(at, length)),
+    ]
+}
+
+fn changed(bytes: &[u8], changes: &[Change]) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    for change in changes {
+        if bytes.is_empty() {
+            break;
+        }
+        let length = bytes.len();
+        match change {
+            Change::Truncate(at) => bytes.truncate(at.index(length)),
+            Change::Flip(at, mask) => bytes[at.index(length)] ^= mask,
+            Change::Insert(at, word) => {
+                let at = at.index(length);
+                bytes.splice(at..at, word.iter().copied());
+            }
+            Change::Copy(from, to, count) => {
+                let from = from.index(length);
+                let part = bytes[from..(from + count).min(length)].to_vec();
+                let to = to.index(length);
+                bytes.splice(to..to, part);
+            }
+            Change::Remove(at, count) => {
+                let at = at.index(length);
+                bytes.drain(at..(at + count).min(length));
+            }
+        }
+    }
+    bytes
+}
+
+/// What the domain types promise of every session that was accepted.
+fn assert_promises(loaded: &Loaded) {
+    let session = &loaded.session;
+    let samples = &session.samples;
+    let rows = samples.len();
+    assert!(rows > 0 && !session.targets.is_empty() && !session.robot.joints.is_empty());
+    assert_eq!(samples.q.len(), session.robot.joints.len());
+    let optional = [
+        &samples.z_mm,
+        &samples.load_kg,
+        &samples.temperature_c,
+        &samples.time_s,
+    ];
+    let columns = samples
+        .q
+        .iter()
+        .chain([&samples.x_mm, &samples.y_mm])
+        .chain(optional.into_iter().flatten())
+        .chain(
+            samples
+                .q_read
+                .iter()
+                .chain(&samples.dir)
+                .chain(&samples.speed)
+                .flatten(),
+        );
+    for column in columns {
+        assert_eq!(column.len(), rows);
+        assert!(column.iter().all(|value| !value.is_infinite()));
+    }
+    for target in samples.target.iter().flatten() {
+        assert!((*target as usize) < session.targets.len());
+    }
+    for joint in &session.robot.joints {
+        assert!((joint.axis.direction.norm() - 1.0).abs() < 1e-12);
+        assert!(joint.limits.is_none_or(|limits| limits.from <= limits.to));
+    }
+    let mut document = Vec::new();
+    write_inline(session, &mut document).unwrap();
+    let again = parse(&document)
+        .unwrap_or_else(|rejected| panic!("{rejected}"))
+        .session;
+    assert_eq!(
+        again.samples.x_mm.len(),
+        rows,
+        "what was accepted can be written and read again"
+    );
+}
+
+#[test]
+fn the_seeds_are_accepted() {
+    assert_promises(&parse(DOCUMENT).unwrap());
+    let with_file = String::from_utf8_lossy(DOCUMENT).into_owned();
+    let (head, _) = with_file.split_once("\"samples\"").unwrap();
+    let document = format!("{head}\"samples\":{{\"file\":\"s.csv\"}}}}");
+    let loaded = parse_with_csv(document.as_bytes(), CSV).unwrap();
+    assert_eq!(loaded.session.samples.len(), 3);
+    assert_promises(&loaded);
+    assert!(parse_robot(ROBOT).is_ok());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn documents_that_are_damaged_do_no_harm(changes in prop::collection::vec(any_change(), 1..5)) {
+        if let Ok(loaded) = parse(&changed(DOCUMENT, &changes)) {
+            assert_promises(&loaded);
+        }
+        let _ = parse_robot(&changed(ROBOT, &changes));
+    }
+
+    #[test]
+    fn tables_that_are_damaged_do_no_harm(changes in prop::collection::vec(any_change(), 1..5)) {
+        let text = String::from_utf8_lossy(DOCUMENT).into_owned();
+        let (head, _) = text.split_once("\"samples\"").unwrap();
+        let document = format!("{head}\"samples\":{{\"file\":\"s.csv\"}}}}");
+        if let Ok(loaded) = parse_with_csv(document.as_bytes(), &changed(CSV, &changes)) {
+            assert_promises(&loaded);
+        }
+    }
+}

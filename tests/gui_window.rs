@@ -1,0 +1,238 @@
+//! The whole job in the window, without a display: what a person would see, press, type and drag.
+#![cfg(feature = "gui")]
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use truepose::gui::{App, Runner};
+
+fn window() -> Harness<'static, App> {
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
+    window.run_steps(4);
+    window
+}
+
+fn press(window: &mut Harness<'_, App>, label: &str) {
+    window.get_by_label(label).click();
+    window.run_steps(4);
+}
+
+/// The line at the bottom of the window.
+fn status(window: &Harness<'_, App>) -> String {
+    let lines = window.get_all_by_label_contains("samples · gap");
+    let labels = lines.filter_map(|node| node.accesskit_node().label().or(node.value()));
+    labels.into_iter().next().expect("the status bar is there")
+}
+
+/// The first number after "gap", and the one after the arrow.
+fn gaps(window: &Harness<'_, App>) -> (f64, Option<f64>) {
+    let line = status(window);
+    let (_, gaps) = line.split_once("gap ").expect("the gap is named");
+    let mut numbers = gaps
+        .split([' ', '→'])
+        .filter_map(|word| word.parse::<f64>().ok());
+    (numbers.next().expect("the gap is a number"), numbers.next())
+}
+
+#[test]
+fn it_opens_on_the_bundled_commissioning_session() {
+    let window = window();
+    assert!(status(&window).starts_with("208 samples"));
+    assert_eq!(gaps(&window).1, None);
+    window.get_by_label("lamp commissioning");
+    window.get_by_label("workspace plot, 208 samples");
+    window.get_by_label("deviation chart, tangential");
+}
+
+#[test]
+fn the_whole_job_from_a_file_to_a_table_and_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window();
+
+    // Open, by typing the path.
+    let session = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-30.json");
+    window.get_by_label("Path of a session").focus();
+    window.get_by_label("Path of a session").type_text(session);
+    window.run_steps(2);
+    press(&mut window, "Open");
+    assert!(
+        status(&window).starts_with("30 samples"),
+        "{}",
+        status(&window)
+    );
+    let (nominal, none) = gaps(&window);
+    assert!((nominal - 13.8).abs() < 0.5 && none.is_none());
+
+    // Divide evenly, and drag a boundary on the plot: the identification follows.
+    press(&mut window, "2 Regions");
+    press(&mut window, "Divide");
+    let handle = window.get_by_label("boundary at 30°").rect().center();
+    window.drag_at(handle);
+    window.step();
+    for k in 1_u8..=6 {
+        window.hover_at(handle + Vec2::new(0.0, 4.0) * f32::from(k));
+        window.step();
+    }
+    let (_, while_dragging) = gaps(&window);
+    assert!(while_dragging.is_some(), "the answer follows the hand");
+    window.drop_at(handle + Vec2::new(0.0, 24.0));
+    window.run_steps(4);
+    assert!(window.query_by_label("boundary at 30°").is_none());
+
+    // One gesture, one step back and forth.
+    window.get_by_label("Undo move boundary").click();
+    window.run_steps(4);
+    window.get_by_label("boundary at 30°");
+    window.key_press_modifiers(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+    window.run_steps(4);
+    assert!(window.query_by_label("boundary at 30°").is_none());
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    window.run_steps(4);
+    window.get_by_label("boundary at 30°");
+
+    // The exact fit explains every sample.
+    press(&mut window, "3 Identify");
+    press(&mut window, "Exact");
+    press_if_there(&mut window, "Identify");
+    let (_, left) = gaps(&window);
+    assert!(left.expect("identified") < 1e-9);
+    window.get_by_label("What the robot really is");
+
+    // Export: seen first, then written, with what it means beside it.
+    press(&mut window, "4 Export");
+    window.get_by_label("correction table as a curve");
+    window.get_by_label_contains("corrections: add them to the command");
+    let table = folder.path().join("table.csv");
+    export_to(&mut window, &table);
+    let written = std::fs::read_to_string(&table).expect("the table is there");
+    let line = written.lines().nth(1).expect("a line of the table");
+    let correction: f64 = line
+        .split(',')
+        .nth(1)
+        .and_then(|cell| cell.parse().ok())
+        .expect("a number");
+    assert!((correction - 3.0).abs() < 1e-9, "{line}");
+    assert!(folder.path().join("table.csv.meta.json").exists());
+}
+
+fn press_if_there(window: &mut Harness<'_, App>, label: &str) {
+    if window.query_by_label(label).is_some() {
+        press(window, label);
+    }
+}
+
+/// The dialog of the system cannot be driven; the path is typed.
+fn export_to(window: &mut Harness<'_, App>, path: &std::path::Path) {
+    window.state_mut().type_export_path(path);
+    window.run_steps(4);
+    press(window, "Save");
+    window.run_steps(4);
+}
+
+#[test]
+fn a_boundary_moves_with_the_keys_and_stands_in_a_field() {
+    let mut window = window();
+    press(&mut window, "2 Regions");
+    let handle = window.get_by_role_and_label(Role::Slider, "boundary at 50°");
+    handle.focus();
+    window.run_steps(2);
+    window.key_press(Key::ArrowUp);
+    window.run_steps(3);
+    window.get_by_label("boundary at 50.5°");
+    window.key_press_modifiers(Modifiers::SHIFT, Key::ArrowDown);
+    window.run_steps(3);
+    window.get_by_label("boundary at 45.5°");
+    let field = window.get_by_label("To, region 4");
+    field.focus();
+    window.run_steps(2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.get_by_label("To, region 4").type_text("62");
+    window.run_steps(2);
+    window.key_press(Key::Enter);
+    window.run_steps(3);
+    window.get_by_label("boundary at 62°");
+}
+
+#[test]
+fn a_wrong_file_is_explained_and_nothing_is_lost() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("wrong.json");
+    std::fs::write(&path, "{\n  \"format\": \"truepose-session/9\"\n}").expect("written");
+    let mut window = window();
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    let before = status(&window);
+    press(&mut window, "1 Session");
+    window.get_by_label("Path of a session").focus();
+    let typed = path.to_str().expect("a path in UTF-8");
+    window.get_by_label("Path of a session").type_text(typed);
+    window.run_steps(2);
+    press(&mut window, "Open");
+    window.get_by_label_contains("could not be opened; nothing was changed");
+    window.get_by_label_contains("line 2");
+    assert_eq!(status(&window), before);
+    press(&mut window, "Dismiss");
+    assert!(
+        window
+            .query_by_label_contains("could not be opened")
+            .is_none()
+    );
+}
+
+#[test]
+fn a_session_made_by_simulation_gives_back_what_went_in() {
+    let mut window = window();
+    press(&mut window, "New by simulation…");
+    press(&mut window, "Simulate");
+    assert!(
+        status(&window).starts_with("122 samples"),
+        "{}",
+        status(&window)
+    );
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    let (before, after) = gaps(&window);
+    assert!(before > 10.0 && after.expect("identified") < 0.1);
+}
+
+#[test]
+fn every_control_has_a_name() {
+    let mut window = window();
+    for step in ["1 Session", "2 Regions", "3 Identify", "4 Export"] {
+        press(&mut window, step);
+        let unnamed = window.unnamed_widgets();
+        assert!(unnamed.is_empty(), "{step}: {unnamed:?}");
+    }
+}
+
+#[test]
+fn a_path_that_is_given_at_the_start_is_opened() {
+    let session = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-run.json");
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .build_eframe(|cc| App::new(&cc.egui_ctx, Some(session.into()), Runner::AtOnce));
+    window.run_steps(4);
+    assert!(status(&window).starts_with("361 samples"));
+}
+
+#[test]
+fn on_threads_the_window_goes_on_and_the_answer_arrives() {
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::Threads));
+    window.run_steps(4);
+    press(&mut window, "3 Identify");
+    window.get_by_label("Identify").click();
+    // No clock: as many frames as it takes, each yielding to the task.
+    for _ in 0..200_000 {
+        window.step();
+        if gaps(&window).1.is_some() {
+            return;
+        }
+        std::thread::yield_now();
+    }
+    panic!("no answer arrived");
+}
