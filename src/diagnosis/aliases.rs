@@ -116,9 +116,7 @@ fn try_without(arena: &Arena, fit: &Fit, removed: Vec<Term>, trials: &mut Vec<Tr
     let mut scores = arena.scan(&rest);
     let is_new = |s: &Score| {
         let term = arena.table.candidates[s.candidate].what.term();
-        term.is_some_and(|t| {
-            compatible(&there, t) && !removed.iter().any(|r| r.same_column(t))
-        })
+        term.is_some_and(|t| compatible(&there, t) && !removed.iter().any(|r| r.same_column(t)))
     };
     scores.retain(is_new);
     let mut push = |instead: Vec<usize>, ln_odds: f64| {

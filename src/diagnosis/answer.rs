@@ -230,7 +230,11 @@ pub(super) fn answer(
     // explains is told apart.
     let with_shapes = fit;
     let names = arena.fit(&fit.model, Vec::new());
-    let fit = if with_shapes.shapes.is_empty() { with_shapes } else { &names };
+    let fit = if with_shapes.shapes.is_empty() {
+        with_shapes
+    } else {
+        &names
+    };
     let final_model = on_all_samples(prepared, fit);
     let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
     let identified = deviations(problem, &on_all_samples(prepared, &base));
@@ -347,7 +351,13 @@ fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
             from: FloorFrom::Instrument,
         },
         Some(Sigma::PerAxis(sigma)) => Floor {
-            mm: arena.rows.axes.iter().map(|a| sigma[*a].powi(2)).sum::<f64>().sqrt(),
+            mm: arena
+                .rows
+                .axes
+                .iter()
+                .map(|a| sigma[*a].powi(2))
+                .sum::<f64>()
+                .sqrt(),
             from: FloorFrom::Instrument,
         },
         None => Floor {
@@ -457,9 +467,8 @@ fn held_out(
     let arena = &prepared.arena;
     let problem = &prepared.problem;
     let by_file = problem.session.samples.held_out.as_deref();
-    let apart = |i: usize| {
-        problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]))
-    };
+    let apart =
+        |i: usize| problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]));
     let count = (0..problem.usable.len()).filter(|i| apart(*i)).count();
     if count > 0 {
         let how = if prepared.locked.contains(&true) {
@@ -475,7 +484,9 @@ fn held_out(
                 .collect();
             lengths.sort_by(f64::total_cmp);
             let limit = 5.0 * lengths[lengths.len() / 2];
-            let spread = Spread::of(&d.length_mm, apart, |i| count >= 8 && d.length_mm[i] > limit);
+            let spread = Spread::of(&d.length_mm, apart, |i| {
+                count >= 8 && d.length_mm[i] > limit
+            });
             spread.map_or(0.0, |s| s.rms_mm)
         };
         return HeldOut {
@@ -521,7 +532,12 @@ fn covariance_of_model(all: &DMatrix<f64>, model: &Model) -> Option<DMatrix<f64>
     (own > 0 && all.nrows() >= own).then(|| all.view((0, 0), (own, own)).into_owned())
 }
 
-fn parameters_of(arena: &Arena, fit: &Fit, covariance: &DMatrix<f64>, term: &Term) -> Vec<Estimate> {
+fn parameters_of(
+    arena: &Arena,
+    fit: &Fit,
+    covariance: &DMatrix<f64>,
+    term: &Term,
+) -> Vec<Estimate> {
     let mut first = 0;
     for other in fit.model.terms() {
         if other.same_column(term) {
@@ -538,7 +554,13 @@ fn parameters_of(arena: &Arena, fit: &Fit, covariance: &DMatrix<f64>, term: &Ter
     let thinning = thinning(arena);
     let factor = half_width_factor(freedom) * thinning;
     let kind = fit.model.robot.joints[term.joint].kind;
-    let mut all = estimates(term, (freedom > 0).then_some(&own), factor, &undetermined, kind);
+    let mut all = estimates(
+        term,
+        (freedom > 0).then_some(&own),
+        factor,
+        &undetermined,
+        kind,
+    );
     if term.effect.about().setting == Setting::Time
         && let Some(time) = all.first_mut()
     {
@@ -581,7 +603,10 @@ fn found(
     covariance: &DMatrix<f64>,
 ) -> Vec<Found> {
     let arena = &prepared.arena;
-    let explained: f64 = steps.iter().map(|s| s.gap_mm[0].powi(2) - s.gap_mm[1].powi(2)).sum();
+    let explained: f64 = steps
+        .iter()
+        .map(|s| s.gap_mm[0].powi(2) - s.gap_mm[1].powi(2))
+        .sum();
     let one = |step: &Step| {
         let about = step.term.effect.about();
         let fitted = fit.model.terms().iter().find(|t| t.same_column(&step.term));
@@ -598,8 +623,8 @@ fn found(
             if other.same_column(term) {
                 own_surprise = score.surprise;
             }
-            let same_name =
-                other.effect.about().id == about.id && (!about.per_joint || other.joint == term.joint);
+            let same_name = other.effect.about().id == about.id
+                && (!about.per_joint || other.joint == term.joint);
             if !same_name && next.as_ref().is_none_or(|n| score.ln_odds > n.0) {
                 next = Some((score.ln_odds, other.effect.about().id.to_owned()));
             }
@@ -608,13 +633,23 @@ fn found(
         let p_family = arena.family_p(own_surprise, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
-        let says = says(step, &p_family, odds, next.as_ref().map(|n| n.1.as_str()), floor);
+        let says = says(
+            step,
+            &p_family,
+            odds,
+            next.as_ref().map(|n| n.1.as_str()),
+            floor,
+        );
         Found {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
             parameters: parameters_of(arena, fit, covariance, term),
             p_family,
-            share: if explained > 0.0 { (share / explained).clamp(0.0, 1.0) } else { 0.0 },
+            share: if explained > 0.0 {
+                (share / explained).clamp(0.0, 1.0)
+            } else {
+                0.0
+            },
             gap_mm: step.gap_mm,
             held_out_mm: step.held_out_mm,
             odds_over_next: odds,
@@ -628,9 +663,15 @@ fn found(
 
 fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> String {
     let chance = if p.bound {
-        format!("noise alone would look like this in fewer than 1 of {:.0} sessions", 1.0 / p.p)
+        format!(
+            "noise alone would look like this in fewer than 1 of {:.0} sessions",
+            1.0 / p.p
+        )
     } else {
-        format!("noise alone would look like this in 1 of {:.0} sessions", 1.0 / p.p)
+        format!(
+            "noise alone would look like this in 1 of {:.0} sessions",
+            1.0 / p.p
+        )
     };
     let over = match next {
         Some(next) if odds > 1000.0 => format!("more than 1000 : 1 over the next name ({next})"),
@@ -638,7 +679,10 @@ fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) 
         None => "no other name was tried".to_owned(),
     };
     let unseen = step.held_out_mm.map_or_else(String::new, |h| {
-        format!("; held-out gap {:.4} → {:.4} mm, floor {:.4}", h[0], h[1], floor.mm)
+        format!(
+            "; held-out gap {:.4} → {:.4} mm, floor {:.4}",
+            h[0], h[1], floor.mm
+        )
     });
     format!("{chance}; {over}{unseen}")
 }
@@ -686,7 +730,10 @@ fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexp
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     let names = |fit: &Fit| -> Vec<(&'static str, usize)> {
         let added = arena.added(fit);
-        added.iter().map(|t| (t.effect.about().id, t.joint)).collect()
+        added
+            .iter()
+            .map(|t| (t.effect.about().id, t.joint))
+            .collect()
     };
     let kept = names(fit);
     let mut resembles: Vec<&'static str> = names(&end.names_only)
@@ -711,7 +758,8 @@ fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexp
     let freedom = (arena.m() - fit.basis.rank() as f64).max(1.0);
     let k = fit.shapes[main].white.ncols();
     let test = super::significance::Significance::new(k, freedom);
-    let surprise = test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
+    let surprise =
+        test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
     Unexplained {
         present: true,
         p: arena.family_p(surprise, fit).p,
@@ -741,7 +789,10 @@ fn not_testable(prepared: &Prepared, base: &Fit) -> Vec<NotTestable> {
         };
         let about = term.effect.about();
         let visible = arena.factor(&projected, candidate).1 > 0;
-        match seen.iter_mut().find(|s| s.0 == about.id && s.1 == term.joint) {
+        match seen
+            .iter_mut()
+            .find(|s| s.0 == about.id && s.1 == term.joint)
+        {
             Some(one) => one.2 |= visible,
             None => seen.push((about.id, term.joint, visible, about.per_joint)),
         }
@@ -751,8 +802,9 @@ fn not_testable(prepared: &Prepared, base: &Fit) -> Vec<NotTestable> {
             all.push(NotTestable {
                 effect,
                 joint: per_joint.then_some(joint),
-                because: "in these samples it cannot be told from joint-zero-offset and link-length"
-                    .to_owned(),
+                because:
+                    "in these samples it cannot be told from joint-zero-offset and link-length"
+                        .to_owned(),
             });
         }
     }

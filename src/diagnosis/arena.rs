@@ -128,7 +128,8 @@ impl<'a> Arena<'a> {
             all.columns_mut(0, own).copy_from(&jacobian);
             let mut at = own;
             for shape in &shapes {
-                all.columns_mut(at, shape.white.ncols()).copy_from(&shape.white);
+                all.columns_mut(at, shape.white.ncols())
+                    .copy_from(&shape.white);
                 at += shape.white.ncols();
             }
             let basis = Basis::new(&all);
@@ -301,11 +302,6 @@ impl<'a> Arena<'a> {
             .collect();
         let rank = small_cholesky(&mut gram, k, &tolerance);
         (gram, rank)
-    }
-
-    /// Squared norm of a column as it is.
-    pub(super) fn norm(&self, column: usize) -> f64 {
-        self.norms[column]
     }
 
     /// A shape ready to be fitted.

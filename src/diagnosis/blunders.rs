@@ -121,7 +121,10 @@ fn size_mm(session: &Session) -> f64 {
         let z = samples.z_mm.as_ref().map_or(0.0, |z| z[i]);
         samples.x_mm[i].powi(2) + samples.y_mm[i].powi(2) + z * z
     };
-    let all: Vec<f64> = (0..samples.len()).map(square).filter(|v| v.is_finite()).collect();
+    let all: Vec<f64> = (0..samples.len())
+        .map(square)
+        .filter(|v| v.is_finite())
+        .collect();
     (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt()
 }
 
@@ -141,7 +144,12 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
     let start = Model::new(session.robot.clone(), terms);
     let fitted = solve(&problem, &start);
     let after = deviations(&problem, &fitted.model);
-    let mut lengths: Vec<f64> = after.length_mm.iter().copied().filter(|v| v.is_finite()).collect();
+    let mut lengths: Vec<f64> = after
+        .length_mm
+        .iter()
+        .copied()
+        .filter(|v| v.is_finite())
+        .collect();
     lengths.sort_by(f64::total_cmp);
     lengths.get(lengths.len() / 2).copied()
 }
@@ -159,7 +167,9 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         let number = joint + 1;
         push(
             format!("joint {number} counts the other way round"),
-            format!("reverse the sign of joint {number} in the robot's description or in the samples"),
+            format!(
+                "reverse the sign of joint {number} in the robot's description or in the samples"
+            ),
             Box::new(move |s| scale_joint(s, joint, -1.0)),
         );
         if session.robot.joints[joint].kind != JointKind::Revolute {
@@ -199,7 +209,11 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             "correct the unit in the headings of x, y and z".to_owned(),
             Box::new(move |s| {
                 let samples = &mut s.samples;
-                let columns = [Some(&mut samples.x_mm), Some(&mut samples.y_mm), samples.z_mm.as_mut()];
+                let columns = [
+                    Some(&mut samples.x_mm),
+                    Some(&mut samples.y_mm),
+                    samples.z_mm.as_mut(),
+                ];
                 for column in columns.into_iter().flatten() {
                     column.iter_mut().for_each(|v| *v *= factor);
                 }
@@ -284,7 +298,11 @@ fn scale_joint(session: &mut Session, joint: usize, factor: f64) {
 /// The column that now stands at place `order[k]` becomes the k-th.
 fn permute(samples: &mut Samples, order: [usize; 3]) {
     let Some(z) = samples.z_mm.take() else { return };
-    let old = [std::mem::take(&mut samples.x_mm), std::mem::take(&mut samples.y_mm), z];
+    let old = [
+        std::mem::take(&mut samples.x_mm),
+        std::mem::take(&mut samples.y_mm),
+        z,
+    ];
     samples.x_mm.clone_from(&old[order[0]]);
     samples.y_mm.clone_from(&old[order[1]]);
     samples.z_mm = Some(old[order[2]].clone());
@@ -385,7 +403,10 @@ fn mislocked(session: &Session, options: &Options, problems: &mut Vec<DataProble
         if !close.is_empty() {
             let name = &session.targets[other].name;
             problems.push(DataProblem {
-                what: format!("the instrument saw reflector {name} instead in {}", listed(&close)),
+                what: format!(
+                    "the instrument saw reflector {name} instead in {}",
+                    listed(&close)
+                ),
                 evidence: format!("the points lie where {name} should be"),
                 proposal: "these samples are left out; correct their target or measure them again"
                     .to_owned(),
@@ -403,7 +424,10 @@ fn mislocked(session: &Session, options: &Options, problems: &mut Vec<DataProble
         .collect();
     if !stuck.is_empty() {
         problems.push(DataProblem {
-            what: format!("the instrument was locked on a point that does not move in {}", listed(&stuck)),
+            what: format!(
+                "the instrument was locked on a point that does not move in {}",
+                listed(&stuck)
+            ),
             evidence: "the measured point stays while the robot moves".to_owned(),
             proposal: "these samples are left out; measure them again".to_owned(),
         });
@@ -464,9 +488,17 @@ fn slope_through_zero(pairs: &[(f64, f64)]) -> Option<(f64, f64)> {
 
 /// Sample numbers for reading, counted from 1.
 fn listed(samples: &[usize]) -> String {
-    let first: Vec<String> = samples.iter().take(8).map(|i| (i + 1).to_string()).collect();
+    let first: Vec<String> = samples
+        .iter()
+        .take(8)
+        .map(|i| (i + 1).to_string())
+        .collect();
     let more = samples.len().saturating_sub(8);
-    let noun = if samples.len() == 1 { "sample" } else { "samples" };
+    let noun = if samples.len() == 1 {
+        "sample"
+    } else {
+        "samples"
+    };
     if more > 0 {
         format!("{noun} {} and {more} more", first.join(", "))
     } else {

@@ -141,7 +141,8 @@ impl Ground {
             Direction::Frame => (0..self.axes.len()).map(|a| self.frame_axis(a)).collect(),
             Direction::Body => {
                 let across = [self.radial.as_ref(), self.axial.as_ref()];
-                let mut all: Vec<DVector<f64>> = self.tangential.first().into_iter().cloned().collect();
+                let mut all: Vec<DVector<f64>> =
+                    self.tangential.first().into_iter().cloned().collect();
                 all.extend(across.into_iter().flatten().cloned());
                 all
             }
@@ -153,7 +154,9 @@ impl Ground {
         let rows = self.samples * self.axes.len();
         let mut columns = DMatrix::zeros(rows, count * directions.len());
         for sample in 0..self.samples {
-            let of_sample = shape.profile.values(values[sample], origin, self.angle[sample]);
+            let of_sample = shape
+                .profile
+                .values(values[sample], origin, self.angle[sample]);
             for (k, value) in of_sample.into_iter().enumerate() {
                 for (d, direction) in directions.iter().enumerate() {
                     for axis in 0..self.axes.len() {
@@ -188,7 +191,12 @@ impl Table {
             .terms()
             .iter()
             .map(|t| (t.clone(), None))
-            .chain(names.iter().enumerate().map(|(i, c)| (c.0.clone(), Some(i))))
+            .chain(
+                names
+                    .iter()
+                    .enumerate()
+                    .map(|(i, c)| (c.0.clone(), Some(i))),
+            )
             .chain(probes)
             .collect();
         // The same order in which a model keeps its terms.
@@ -228,14 +236,23 @@ impl Table {
             let own = columns.columns(first, size).into_owned();
             first += size;
             if let Some(i) = tag {
-                push(&mut table, What::Named(names[*i].0.clone()), names[*i].1, own);
+                push(
+                    &mut table,
+                    What::Named(names[*i].0.clone()),
+                    names[*i].1,
+                    own,
+                );
             } else if is_probe(term) && tangential.len() == term.joint {
                 tangential.push(own.column(0).into_owned());
             }
         }
         table.ground.tangential = tangential;
-        let waves = !names.iter().any(|c| c.0.effect.about().id == GEAR);
-        for shape in shapes(&table.ground, survey, rows, waves) {
+        let lacks = |id: &str| !names.iter().any(|c| c.0.effect.about().id == id);
+        let missing = Missing {
+            gear: lacks("gear-transmission-error"),
+            shift: lacks("frame-shift"),
+        };
+        for shape in shapes(&table.ground, survey, rows, missing) {
             let own = table.ground.columns(&shape);
             push(&mut table, What::Anonymous(shape), shape.tried, own);
         }
@@ -391,24 +408,29 @@ fn across_the_axis(
     (seen(radial), seen(axial))
 }
 
-const GEAR: &str = "gear-transmission-error";
 const HIGHEST_ORDER: u32 = 360;
 /// A shape must act on at least so many samples.
 const FEWEST: usize = 4;
 
-/// `waves` asks for waves of every order: without the gear's name nothing else looks for them.
-fn shapes(ground: &Ground, survey: &Survey, rows: &Rows, waves: bool) -> Vec<Shape> {
+/// Names that are not candidates and whose shapes nothing else would look for.
+#[derive(Debug, Clone, Copy)]
+struct Missing {
+    gear: bool,
+    shift: bool,
+}
+
+fn shapes(ground: &Ground, survey: &Survey, rows: &Rows, missing: Missing) -> Vec<Shape> {
     let mut all = Vec::new();
     if rows.samples.len() < 2 * FEWEST {
         return all;
     }
     for joint in 0..survey.joints.len() {
         if survey.joints[joint].values >= 6 {
-            over_angle(ground, joint, waves, &mut all);
+            over_angle(ground, joint, missing.gear, &mut all);
         }
     }
     if ground.values(Variable::Time).is_some() {
-        over_time(ground, &mut all);
+        over_time(ground, missing.shift, &mut all);
     }
     over_conditions(ground, survey, &mut all);
     all
@@ -428,7 +450,11 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
     // Half a cycle over the range is as fine as the data can tell cycles apart.
     let step = 0.5 * turn / span;
     let highest = (values / 8.0 * turn / span).min(40.0);
-    let fundamentals: Vec<f64> = (2..).map(|k| step * f64::from(k)).take_while(|c| *c < highest).take(90).collect();
+    let fundamentals: Vec<f64> = (2..)
+        .map(|k| step * f64::from(k))
+        .take_while(|c| *c < highest)
+        .take(90)
+        .collect();
     for cycles in &fundamentals {
         for harmonics in [1, 3] {
             all.push(Shape {
@@ -455,7 +481,11 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
         }));
     }
     let mut smooth = vec![(tangential, Profile::Ramp), (tangential, Profile::Square)];
-    let directions = [Direction::Tangential(joint), Direction::Radial, Direction::Axial];
+    let directions = [
+        Direction::Tangential(joint),
+        Direction::Radial,
+        Direction::Axial,
+    ];
     for direction in directions {
         let missing = match direction {
             Direction::Radial => ground.radial.is_none(),
@@ -485,14 +515,24 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
     }));
 }
 
-fn over_time(ground: &Ground, all: &mut Vec<Shape>) {
+fn over_time(ground: &Ground, shifts: bool, all: &mut Vec<Shape>) {
     let (low, high) = ground.range(Variable::Time);
     let span = high - low;
     if span <= 0.0 {
         return;
     }
     for width in [0.04, 0.1] {
-        bumps(ground, Variable::Time, Direction::Frame, width * span, 1.0, all);
+        bumps(
+            ground,
+            Variable::Time,
+            Direction::Frame,
+            width * span,
+            1.0,
+            all,
+        );
+    }
+    if shifts {
+        plateaus(ground, Variable::Time, Direction::Frame, 24, false, all);
     }
     for joint in 0..ground.tangential.len() {
         let direction = Direction::Tangential(joint);
@@ -566,15 +606,22 @@ fn bumps(
     let count = ((high - low) / (spacing * width)).round().max(1.0) as usize;
     let centre = |k: usize| low + (high - low) * (k as f64 + 0.5) / count as f64;
     let enough = |centre: f64| {
-        let near = values.iter().filter(|v| (**v - centre).abs() <= 1.5 * width);
+        let near = values
+            .iter()
+            .filter(|v| (**v - centre).abs() <= 1.5 * width);
         near.count() >= FEWEST
     };
-    all.extend((0..count).map(centre).filter(|c| enough(*c)).map(|centre| Shape {
-        variable,
-        direction,
-        profile: Profile::Bump { centre, width },
-        tried: 2.0 * count as f64,
-    }));
+    all.extend(
+        (0..count)
+            .map(centre)
+            .filter(|c| enough(*c))
+            .map(|centre| Shape {
+                variable,
+                direction,
+                profile: Profile::Bump { centre, width },
+                tried: 2.0 * count as f64,
+            }),
+    );
 }
 
 /// Steps at up to `count` edges between values, and plateaus between pairs of them.
@@ -659,9 +706,13 @@ fn rich(table: &Table, rows: usize) -> Vec<usize> {
                         tiers[1].extend(own);
                     }
                 }
-                (Profile::Periodic { harmonics: 1, cycles }, Direction::Radial | Direction::Axial)
-                    if cycles < 7.0 =>
-                {
+                (
+                    Profile::Periodic {
+                        harmonics: 1,
+                        cycles,
+                    },
+                    Direction::Radial | Direction::Axial,
+                ) if cycles < 7.0 => {
                     tiers[2].extend(own);
                 }
                 _ => {}

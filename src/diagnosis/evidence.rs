@@ -219,12 +219,7 @@ impl Noise {
 
     /// Variance that is left, and the restricted log-likelihood, up to a constant: from the
     /// Cholesky factor of `[A r]ᵀ [A r]`, whose last pivot is what is left of the residual.
-    fn restricted(
-        &self,
-        rows: &Rows,
-        residual: &DVector<f64>,
-        rich: &DMatrix<f64>,
-    ) -> (f64, f64) {
+    fn restricted(&self, rows: &Rows, residual: &DVector<f64>, rich: &DMatrix<f64>) -> (f64, f64) {
         let p = rich.ncols();
         let mut all = rich.clone().insert_column(p, 0.0);
         all.set_column(p, residual);
@@ -239,8 +234,8 @@ impl Noise {
         let freedom = (rows.len() as f64 - p as f64).max(1.0);
         let s2 = factor[k * k - 1].powi(2) / freedom;
         let log = s2.max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM).ln();
-        let likelihood = -0.5
-            * (freedom * log + ln_determinant + self.ln_determinant_of_correlation(rows));
+        let likelihood =
+            -0.5 * (freedom * log + ln_determinant + self.ln_determinant_of_correlation(rows));
         (s2, likelihood)
     }
 

@@ -71,7 +71,10 @@ impl Arena<'_> {
             };
         }
         if surprise < 2.0 {
-            return FamilyP { p: 1.0, bound: false };
+            return FamilyP {
+                p: 1.0,
+                bound: false,
+            };
         }
         let at = self.null_beside(fit);
         let mut familywise = self.familywise.borrow_mut();
@@ -121,7 +124,11 @@ impl Arena<'_> {
         // A residual is smaller than the noise where the fit follows it.
         let noise = DVector::from_fn(m, |row, _| {
             let kept = (1.0 - fit.basis.leverage(row)).max(0.05);
-            if flip { (fit.residual[row] / kept.sqrt()) as f32 } else { 0.0 }
+            if flip {
+                (fit.residual[row] / kept.sqrt()) as f32
+            } else {
+                0.0
+            }
         });
         let mut null = Null {
             rank,
@@ -158,12 +165,18 @@ impl Arena<'_> {
             let mut own: Vec<Vec<f64>> = Vec::with_capacity(k);
             for i in 0..k {
                 let pivot = factor[i * k + i];
-                let mut column: Vec<f64> =
-                    projected.column(candidate.first + i).iter().copied().collect();
+                let mut column: Vec<f64> = projected
+                    .column(candidate.first + i)
+                    .iter()
+                    .copied()
+                    .collect();
                 for (j, before) in own.iter().enumerate() {
                     let along = factor[i * k + j];
                     if along != 0.0 {
-                        column.iter_mut().zip(before).for_each(|(c, b)| *c -= along * b);
+                        column
+                            .iter_mut()
+                            .zip(before)
+                            .for_each(|(c, b)| *c -= along * b);
                     }
                 }
                 let inverse = if pivot > 0.0 { 1.0 / pivot } else { 0.0 };

@@ -7,8 +7,8 @@ use crate::kinematics::JointKind;
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
-use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
 use super::anonymous::Where;
+use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
 use super::next_poses::NextPose;
 
 /// The document.

@@ -57,7 +57,9 @@ impl Folds {
         }
         let joint = widest.map_or(1, |j| j + 1);
         let how = if n < FEW {
-            format!("{sectors} sectors of joint {joint}, each left out in turn and predicted by a fit without it")
+            format!(
+                "{sectors} sectors of joint {joint}, each left out in turn and predicted by a fit without it"
+            )
         } else {
             format!(
                 "cross-fitted: {count} sets of sectors of joint {joint} ({sectors} sectors in all), each predicted by a fit without it, orders and times scanned afresh"
@@ -140,9 +142,10 @@ fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
         if scanned {
             let same = |i: &usize| {
                 let candidate = &arena.table.candidates[*i];
-                candidate.what.term().is_some_and(|t| {
-                    t.effect.about().id == about.id && t.joint == term.joint
-                })
+                candidate
+                    .what
+                    .term()
+                    .is_some_and(|t| t.effect.about().id == about.id && t.joint == term.joint)
             };
             all.push(Scanned {
                 first,

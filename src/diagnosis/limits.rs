@@ -41,8 +41,11 @@ pub(super) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
         }
     }
     let there = arena.added(fit);
-    let is_there =
-        |id: &str, joint: usize| there.iter().any(|t| t.effect.about().id == id && t.joint == joint);
+    let is_there = |id: &str, joint: usize| {
+        there
+            .iter()
+            .any(|t| t.effect.about().id == id && t.joint == joint)
+    };
     let mut limits = Vec::new();
     for (id, joint, members) in groups {
         if is_there(id, joint) {
@@ -76,7 +79,10 @@ pub(super) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
                     let b = factor[0] * factor[k];
                     let mean = 0.5 * (a + d);
                     let smaller = mean - (0.25 * (a - d) * (a - d) + b * b).sqrt();
-                    vec![(quantity.name, size / smaller.max(1e-300).sqrt() / quantity.inner)]
+                    vec![(
+                        quantity.name,
+                        size / smaller.max(1e-300).sqrt() / quantity.inner,
+                    )]
                 }
             };
             all.push(sizes);
@@ -144,6 +150,9 @@ mod tests {
     fn one_column_needs_the_threshold_and_1_645_more() {
         // For k = 1, √χ² is |N(√λ, 1)|: √λ = √c + 1.645.
         let lambda = noncentrality(20.0, 1);
-        assert!((lambda.sqrt() - (20.0_f64.sqrt() + 1.645)).abs() < 0.02, "{lambda}");
+        assert!(
+            (lambda.sqrt() - (20.0_f64.sqrt() + 1.645)).abs() < 0.02,
+            "{lambda}"
+        );
     }
 }

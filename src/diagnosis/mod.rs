@@ -115,7 +115,13 @@ pub fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
-    let tell = |progress: Progress| if watch(&progress) { Ok(()) } else { Err(Cancelled) };
+    let tell = |progress: Progress| {
+        if watch(&progress) {
+            Ok(())
+        } else {
+            Err(Cancelled)
+        }
+    };
     tell(Progress::Checking)?;
     let mended = blunders::mend(session, options);
     tell(Progress::Preparing)?;

@@ -209,19 +209,29 @@ fn choices(prepared: &Prepared, rivals: &[&Rival]) -> (Vec<Choice>, Session) {
     let joints = &prepared.survey.joints;
     let revolute = joints.iter().any(|j| j.kind == JointKind::Revolute);
     if revolute && prepared.survey.targets < 2 {
-        extended.targets.push(another_reflector(&extended, &joints[0].frame));
+        extended
+            .targets
+            .push(another_reflector(&extended, &joints[0].frame));
     }
     let all_terms = rivals
         .iter()
         .flat_map(|r| r.removed.iter().chain(&r.instead));
-    let uses = |ids: &[&str]| all_terms.clone().any(|t| ids.contains(&t.effect.about().id));
+    let uses = |ids: &[&str]| {
+        all_terms
+            .clone()
+            .any(|t| ids.contains(&t.effect.about().id))
+    };
     let inputs = &prepared.problem.inputs;
     let fastest = joints.iter().map(|j| j.largest_speed).fold(0.0, f64::max);
     let speeds: Vec<f64> = if uses(&["tracking-lag", "backlash", "lost-motion"])
         && prepared.survey.joints[0].speeds > 0
         || uses(&["tracking-lag"])
     {
-        let fast = if fastest > 0.0 { fastest } else { 10.0_f64.to_radians() };
+        let fast = if fastest > 0.0 {
+            fastest
+        } else {
+            10.0_f64.to_radians()
+        };
         vec![0.0, fast, 3.0 * fast]
     } else {
         vec![0.0]
@@ -235,7 +245,11 @@ fn choices(prepared: &Prepared, rivals: &[&Rival]) -> (Vec<Choice>, Session) {
     let thermal = uses(&["thermal-growth", "thermal-zero-drift", "frame-drift"]);
     let warmth = match &inputs.warmth_c {
         Some(w) if thermal => {
-            let (low, high) = w.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(*v), b.max(*v)));
+            let (low, high) = w
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+                    (a.min(*v), b.max(*v))
+                });
             vec![low, high]
         }
         _ => vec![0.0],
@@ -277,18 +291,23 @@ fn choices(prepared: &Prepared, rivals: &[&Rival]) -> (Vec<Choice>, Session) {
 /// Middle, lower and upper end of where a joint may be sent.
 fn range_of(prepared: &Prepared, joint: usize) -> (f64, f64, f64) {
     let session = prepared.problem.session;
-    let travel = crate::effects::term::travel_of(
-        &session.robot,
-        joint,
-        &prepared.problem.inputs.q[joint],
-    );
+    let travel =
+        crate::effects::term::travel_of(&session.robot, joint, &prepared.problem.inputs.q[joint]);
     (0.5 * (travel.from + travel.to), travel.from, travel.to)
 }
 
 /// Half as far again from the axis, and as much higher.
 fn another_reflector(session: &Session, frame: &crate::effects::term::JointFrame) -> Target {
-    let radius = if frame.radius_mm > 0.0 { frame.radius_mm } else { 200.0 };
-    let outward = if frame.radius_mm > 0.0 { frame.radial } else { frame.across_1 };
+    let radius = if frame.radius_mm > 0.0 {
+        frame.radius_mm
+    } else {
+        200.0
+    };
+    let outward = if frame.radius_mm > 0.0 {
+        frame.radial
+    } else {
+        frame.across_1
+    };
     let shift = nalgebra::Vector3::from(outward) * (0.5 * radius)
         + nalgebra::Vector3::from(frame.along) * (0.2 * radius);
     let in_tool = session.robot.base_from_tool.rotation.inverse() * shift;
@@ -335,7 +354,11 @@ fn inputs_of(extended: &Session, choices: &[Choice], prepared: &Prepared) -> Inp
     for (travel, q) in inputs.travel.iter_mut().zip(&inputs.q) {
         if let Some(travel) = travel {
             for (k, t) in travel.iter_mut().enumerate() {
-                *t = if k % 2 == 0 { f64::INFINITY } else { q[k].abs().max(0.1) };
+                *t = if k % 2 == 0 {
+                    f64::INFINITY
+                } else {
+                    q[k].abs().max(0.1)
+                };
             }
         }
     }
@@ -354,11 +377,14 @@ fn contest(arena: &Arena, inputs: &Inputs, truth: &Model, other: &Model) -> Cont
             let at = predicted.get(start + i);
             difference.push(DVector::from_iterator(
                 axes.len(),
-                axes.iter().map(|a| (at[*a] - block.point[*a][i]) / arena.noise.sigma_mm[*a]),
+                axes.iter()
+                    .map(|a| (at[*a] - block.point[*a][i]) / arena.noise.sigma_mm[*a]),
             ));
-            columns.push(DMatrix::from_fn(axes.len(), block.columns.len(), |row, k| {
-                block.columns[k][axes[row]][i] / arena.noise.sigma_mm[axes[row]]
-            }));
+            columns.push(DMatrix::from_fn(
+                axes.len(),
+                block.columns.len(),
+                |row, k| block.columns[k][axes[row]][i] / arena.noise.sigma_mm[axes[row]],
+            ));
         }
     });
     Contest {
@@ -370,12 +396,7 @@ fn contest(arena: &Arena, inputs: &Inputs, truth: &Model, other: &Model) -> Cont
     }
 }
 
-fn pose(
-    choice: &Choice,
-    session: &Session,
-    extended: &Session,
-    why: &str,
-) -> NextPose {
+fn pose(choice: &Choice, session: &Session, extended: &Session, why: &str) -> NextPose {
     let target = &extended.targets[choice.target as usize];
     let is_new = choice.target as usize >= session.targets.len();
     let samples = &session.samples;
@@ -394,6 +415,9 @@ fn pose(
         speed: speed.then(|| vec![choice.speed; joints]),
         load_kg: samples.load_kg.as_ref().map(|_| choice.load_kg),
         temperature_c: (choice.warmth_c != 0.0).then_some(choice.warmth_c + 20.0),
-        why: format!("{why}: the explanations differ most at {}", shown.join(", ")),
+        why: format!(
+            "{why}: the explanations differ most at {}",
+            shown.join(", ")
+        ),
     }
 }

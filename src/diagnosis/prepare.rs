@@ -116,12 +116,7 @@ impl<'a> Prepared<'a> {
 }
 
 /// Terms that belong to every calibration: zero offset and link length, and free frames.
-fn base_model(
-    session: &Session,
-    problem: &Problem,
-    survey: &Survey,
-    options: &Options,
-) -> Model {
+fn base_model(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
     let mut terms = Vec::new();
     for id in DEFAULT_EFFECTS {
         let Some(effect) = find(id) else { continue };
@@ -143,12 +138,7 @@ fn base_model(
     Model::new(session.robot.clone(), terms)
 }
 
-fn arena<'a>(
-    problem: &Problem<'a>,
-    base: &Model,
-    survey: &Survey,
-    options: &Options,
-) -> Arena<'a> {
+fn arena<'a>(problem: &Problem<'a>, base: &Model, survey: &Survey, options: &Options) -> Arena<'a> {
     let problem = thinned(problem);
     let rows = Rows::of(&problem);
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
@@ -200,7 +190,10 @@ fn thinned<'a>(problem: &Problem<'a>) -> Problem<'a> {
     thinned.used.fill(false);
     // A step of the golden ratio inside each stretch, so that no rhythm of the poses is hit.
     for k in 0..MOST_SAMPLES {
-        let (from, to) = (k * used.len() / MOST_SAMPLES, (k + 1) * used.len() / MOST_SAMPLES);
+        let (from, to) = (
+            k * used.len() / MOST_SAMPLES,
+            (k + 1) * used.len() / MOST_SAMPLES,
+        );
         let inside = (k as f64 * 0.618_033_988_749_894_9).fract();
         let at = from + ((to - from) as f64 * inside) as usize;
         thinned.used[used[at.min(to - 1)]] = true;

@@ -181,7 +181,8 @@ impl Search<'_, '_> {
 
     fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
         let mut scores = self.arena.scan(rest);
-        scores.retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
+        scores
+            .retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
         for score in scores.iter().take(3) {
@@ -303,12 +304,11 @@ fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
             let (from, to) = (from + first, to + second);
             (from < to).then_some(Profile::Plateau { from, to })
         }
-        Profile::Periodic { cycles, harmonics } => {
-            (second == 0.0 && cycles + first > 0.0).then_some(Profile::Periodic {
+        Profile::Periodic { cycles, harmonics } => (second == 0.0 && cycles + first > 0.0)
+            .then_some(Profile::Periodic {
                 cycles: cycles + first,
                 harmonics,
-            })
-        }
+            }),
         _ => None,
     }
 }
@@ -325,7 +325,11 @@ fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
 /// Likeliest first; what is equally likely stays in the order of the catalogue.
 pub(super) fn by_odds(scores: &mut [Score]) {
     let key = |s: &Score| (s.ln_odds * 1e5).round();
-    scores.sort_by(|a, b| key(b).total_cmp(&key(a)).then(a.candidate.cmp(&b.candidate)));
+    scores.sort_by(|a, b| {
+        key(b)
+            .total_cmp(&key(a))
+            .then(a.candidate.cmp(&b.candidate))
+    });
 }
 
 /// Whether a name may stand beside those that are there: lost motion is backlash with a setting,
@@ -333,9 +337,9 @@ pub(super) fn by_odds(scores: &mut [Score]) {
 pub(super) fn compatible(there: &[&Term], term: &Term) -> bool {
     let id = |t: &Term| t.effect.about().id;
     let plays = |t: &Term| matches!(id(t), "backlash" | "lost-motion");
-    !there.iter().any(|t| {
-        t.joint == term.joint && (t.same_column(term) || plays(t) && plays(term))
-    })
+    !there
+        .iter()
+        .any(|t| t.joint == term.joint && (t.same_column(term) || plays(t) && plays(term)))
 }
 
 /// Root mean square of σ over the measured axes, mm.
