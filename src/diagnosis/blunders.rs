@@ -128,7 +128,9 @@ fn size_mm(session: &Session) -> f64 {
     (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt()
 }
 
-/// Median length of the deviations after the base fit, mm.
+/// Median length of the deviations after the base fit, mm. A zero offset beyond
+/// [`LARGEST_OFFSET_DEG`] counts as a gap: a joint that reversed with its home a quarter turn off
+/// would pass for two axes that were swapped.
 fn base_gap(session: &Session, options: &Options) -> Option<f64> {
     let problem = Problem::new(session, options.joint_values);
     let mut terms = Vec::new();
@@ -151,8 +153,22 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
         .filter(|v| v.is_finite())
         .collect();
     lengths.sort_by(f64::total_cmp);
-    lengths.get(lengths.len() / 2).copied()
+    let median = lengths.get(lengths.len() / 2).copied()?;
+    let offsets = fitted
+        .model
+        .terms()
+        .iter()
+        .filter(|t| t.effect.about().id == "joint-zero-offset");
+    let largest = offsets
+        .filter(|t| session.robot.joints[t.joint].kind == JointKind::Revolute)
+        .map(|t| t.coefficients[0].sin().atan2(t.coefficients[0].cos()).abs())
+        .fold(0.0, f64::max);
+    let beyond = (largest - rad_from_deg(LARGEST_OFFSET_DEG)).max(0.0);
+    Some(median + beyond * size_mm(session))
 }
+
+/// No joint is calibrated with a zero offset larger than this; its home is a quarter turn off.
+const LARGEST_OFFSET_DEG: f64 = 45.0;
 
 fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     let mut all = Vec::new();

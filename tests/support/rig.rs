@@ -2,6 +2,10 @@
 //! from the contract's table and sharing no code with the model. Sessions leave it as JSON text.
 
 #![allow(dead_code, reason = "each test uses a part of the rig")]
+#![allow(
+    unreachable_pub,
+    reason = "included in tests and in the benchmark alike"
+)]
 
 use std::fmt::Write as _;
 
@@ -125,7 +129,9 @@ impl Hidden {
             "encoder-eccentricity" => Self::Eccentricity(1e-4, phase),
             "encoder-two-cycle" => Self::TwoCycle(1e-4, phase),
             "gear-transmission-error" => {
-                let orders = [3.0, 4.0, 5.0, 7.0, 9.0, 12.0, 16.0, 21.0, 30.0, 48.0, 60.0, 100.0];
+                let orders = [
+                    3.0, 4.0, 5.0, 7.0, 9.0, 12.0, 16.0, 21.0, 30.0, 48.0, 60.0, 100.0,
+                ];
                 Self::Gear(orders[random.below(orders.len())], 1e-4, phase)
             }
             "backlash" => Self::Backlash(2e-4),
@@ -285,7 +291,11 @@ impl Rig {
                 way
             };
             let speeds = [0.0_f64, 5.0, 20.0];
-            let speed = if design.one_speed { 10.0 } else { speeds[random.below(3)] };
+            let speed = if design.one_speed {
+                10.0
+            } else {
+                speeds[random.below(3)]
+            };
             let load = [0.0, 3.0, 6.0][random.below(3)];
             let warmth = 1.5 * random.normal();
             let travel = match last {
@@ -323,7 +333,11 @@ impl Rig {
     }
 
     fn gravity(&self) -> [f64; 3] {
-        if self.design.gravity_across { [0.0, -9.81, 0.0] } else { [0.0, 0.0, -9.81] }
+        if self.design.gravity_across {
+            [0.0, -9.81, 0.0]
+        } else {
+            [0.0, 0.0, -9.81]
+        }
     }
 
     /// Where the reflector is, exactly.
@@ -354,7 +368,13 @@ impl Rig {
                 Hidden::ThermalZero(k) => k * shot.warmth,
                 Hidden::Bump(a, c, w) => a * (-0.5 * ((q - c) / w).powi(2)).exp(),
                 Hidden::Sawtooth(a, p) => a * ((q / p) - (q / p).floor() - 0.5),
-                Hidden::Plateau(a, x, y) => if q >= *x && q < *y { *a } else { 0.0 },
+                Hidden::Plateau(a, x, y) => {
+                    if q >= *x && q < *y {
+                        *a
+                    } else {
+                        0.0
+                    }
+                }
                 _ => 0.0,
             };
         }
@@ -369,7 +389,11 @@ impl Rig {
             }
         }
         let target = self.targets[shot.target];
-        let mut home = [HOME[0] + target[0] + self.length, HOME[1] + target[1], HOME[2] + target[2]];
+        let mut home = [
+            HOME[0] + target[0] + self.length,
+            HOME[1] + target[1],
+            HOME[2] + target[2],
+        ];
         for h in &hidden {
             if let Hidden::ThermalGrowth(a) = h {
                 home[0] *= 1.0 + a * shot.warmth;
@@ -377,7 +401,11 @@ impl Rig {
             }
         }
         let (s, c) = theta.sin_cos();
-        let mut p = [home[0] * c - home[1] * s, home[0] * s + home[1] * c, home[2]];
+        let mut p = [
+            home[0] * c - home[1] * s,
+            home[0] * s + home[1] * c,
+            home[2],
+        ];
         let radius = home[0].hypot(home[1]);
         for h in &hidden {
             match h {
@@ -408,7 +436,11 @@ impl Rig {
                     }
                 }
                 Hidden::Drift(v) => {
-                    p = [p[0] + v[0] * shot.time, p[1] + v[1] * shot.time, p[2] + v[2] * shot.time];
+                    p = [
+                        p[0] + v[0] * shot.time,
+                        p[1] + v[1] * shot.time,
+                        p[2] + v[2] * shot.time,
+                    ];
                 }
                 _ => {}
             }
@@ -468,7 +500,11 @@ impl Rig {
                     }
                     Kind::Correlated => {
                         let own = random.normal();
-                        if k == 0 { own } else { 0.5 * before[axis] + 0.75_f64.sqrt() * own }
+                        if k == 0 {
+                            own
+                        } else {
+                            0.5 * before[axis] + 0.75_f64.sqrt() * own
+                        }
                     }
                     Kind::Unequal => random.normal() * [0.5, 1.0, 1.33][axis],
                 };
@@ -520,14 +556,27 @@ impl Rig {
             columns.push(("temperature_c", number(&|s| s.warmth + 20.0)));
         }
         if self.targets.len() > 1 {
-            columns.push(("target", column(&|i| format!("\"T{}\"", self.shots[i].target + 1))));
+            columns.push((
+                "target",
+                column(&|i| format!("\"T{}\"", self.shots[i].target + 1)),
+            ));
         }
         let mut targets = String::new();
         for (k, t) in self.targets.iter().enumerate() {
             let comma = if k > 0 { "," } else { "" };
-            let _ = write!(targets, "{comma}\"T{}\":[{},{},{}]", k + 1, t[0], t[1], t[2]);
+            let _ = write!(
+                targets,
+                "{comma}\"T{}\":[{},{},{}]",
+                k + 1,
+                t[0],
+                t[1],
+                t[2]
+            );
         }
-        let columns: Vec<String> = columns.iter().map(|(n, c)| format!("\"{n}\":{c}")).collect();
+        let columns: Vec<String> = columns
+            .iter()
+            .map(|(n, c)| format!("\"{n}\":{c}"))
+            .collect();
         let g = self.gravity();
         format!(
             r#"{{"format":"truepose-session/1","name":"{name}","robot":{{"name":"rig","joints":[{{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-180,180]}}],"tool":{{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"gravity_m_s2":[{},{},{}]}},"targets":{{{targets}}},"instrument":{{"name":"tracker","sigma_mm":{}}},"samples":{{"columns":{{{}}}}}}}"#,
