@@ -196,6 +196,7 @@ impl Diagnosis {
             targets: session.targets.clone(),
             measured: self.measured.clone(),
             tolerance_mm: session.tolerance_mm,
+            compensated_by: session.compensated_by.clone(),
             history: self.history.clone(),
             samples_hash: crate::sessions::hash_of_samples(session),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
