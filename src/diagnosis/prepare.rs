@@ -20,7 +20,7 @@ use super::search::{Found, Search};
 use super::{DiagnoseError, Options, Watch};
 
 /// A session of more samples than this is long …
-const LONG: usize = 1000;
+const LONG: usize = 600;
 /// … and the search looks at so many of them.
 const MOST_SAMPLES: usize = 500;
 
