@@ -155,7 +155,7 @@ fn in_words(d: &Diagnosis) -> String {
             let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
         }
     }
-    for pose in d.not_testable.iter() {
+    for pose in &d.not_testable {
         let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
     }
     for limit in &d.not_found {

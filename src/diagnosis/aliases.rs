@@ -50,7 +50,7 @@ fn name(term: &Term) -> (&'static str, usize) {
 }
 
 /// Rivals without those that only add a name to another rival.
-pub(super) fn without_idle_names(rivals: Vec<&Rival>) -> Vec<&Rival> {
+pub(super) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
     let names = |terms: &[Term]| -> Vec<(&'static str, usize)> { terms.iter().map(name).collect() };
     let idle = |one: &Rival| {
         let own = names(&one.instead);
@@ -76,12 +76,12 @@ pub(super) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
     let added: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
     let mut trials: Vec<Trial> = Vec::new();
     for (i, first) in added.iter().enumerate() {
-        try_without(arena, fit, vec![first.clone()], &mut trials);
+        try_without(arena, fit, std::slice::from_ref(first), &mut trials);
         if added.len() > MOST_FOR_PAIRS {
             continue;
         }
         for second in &added[i + 1..] {
-            try_without(arena, fit, vec![first.clone(), second.clone()], &mut trials);
+            try_without(arena, fit, &[first.clone(), second.clone()], &mut trials);
         }
     }
     trials.sort_by(|a, b| b.ln_evidence.total_cmp(&a.ln_evidence));
@@ -106,7 +106,7 @@ pub(super) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
     rivals
 }
 
-fn try_without(arena: &Arena, fit: &Fit, removed: Vec<Term>, trials: &mut Vec<Trial>) {
+fn try_without(arena: &Arena, fit: &Fit, removed: &[Term], trials: &mut Vec<Trial>) {
     let model = fit
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
@@ -121,7 +121,7 @@ fn try_without(arena: &Arena, fit: &Fit, removed: Vec<Term>, trials: &mut Vec<Tr
     scores.retain(is_new);
     let mut push = |instead: Vec<usize>, ln_odds: f64| {
         trials.push(Trial {
-            removed: removed.clone(),
+            removed: removed.to_vec(),
             rest: rest.clone(),
             instead,
             ln_evidence: rest.ln_evidence + ln_odds,
@@ -131,7 +131,7 @@ fn try_without(arena: &Arena, fit: &Fit, removed: Vec<Term>, trials: &mut Vec<Tr
     for score in scores.iter().filter(|s| s.ln_odds > enough).take(6) {
         push(vec![score.candidate], score.ln_odds);
     }
-    let short = short_list(arena, &scores, &removed);
+    let short = short_list(arena, &scores, removed);
     for (a, b, ln_odds) in best_pairs(arena, &rest, &short, enough) {
         push(vec![a, b], ln_odds);
     }

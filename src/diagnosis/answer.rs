@@ -22,7 +22,7 @@ use super::limits::{self, Limit};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
-use super::{DiagnoseError, Options, Progress, Watch};
+use super::{DiagnoseError, Progress, Watch};
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -210,8 +210,7 @@ const MOST_EQUIVALENT: usize = 6;
 pub(super) fn answer(
     mended: &Mended,
     prepared: &Prepared,
-    end: SearchEnd,
-    options: &Options,
+    end: &SearchEnd,
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     let arena = &prepared.arena;
@@ -262,12 +261,12 @@ pub(super) fn answer(
         .iter()
         .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
         .collect();
-    let equivalent = aliases::without_idle_names(equivalent);
+    let equivalent = aliases::without_idle_names(&equivalent);
     go_on(Progress::Planning)?;
     let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
     let covariance = covariance(arena, fit);
     let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
-    let unexplained = unexplained(prepared, &end, session);
+    let unexplained = unexplained(prepared, end, session);
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
@@ -312,9 +311,6 @@ pub(super) fn answer(
         model: final_model,
         history,
         measured: measured(problem.inputs.q.iter().map(|q| &**q)),
-    })
-    .inspect(|_| {
-        let _ = options;
     })
 }
 

@@ -273,14 +273,14 @@ impl<'a> Arena<'a> {
         residual: &DVector<f64>,
     ) -> Option<(f64, usize)> {
         let k = candidate.size;
-        let (mut factor, rank) = self.factor(projected, candidate);
+        let (factor, rank) = self.factor(projected, candidate);
         if rank == 0 {
             return None;
         }
         let mut h: Vec<f64> = (0..k)
             .map(|i| projected.column(candidate.first + i).dot(residual))
             .collect();
-        Some((small_gain(&mut factor, k, &mut h), rank))
+        Some((small_gain(&factor, k, &mut h), rank))
     }
 
     /// Cholesky factor of a candidate's projected columns.

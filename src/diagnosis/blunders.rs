@@ -170,6 +170,10 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
 /// No joint is calibrated with a zero offset larger than this; its home is a quarter turn off.
 const LARGEST_OFFSET_DEG: f64 = 45.0;
 
+#[allow(
+    clippy::too_many_lines,
+    reason = "a list of hypotheses reads best in one piece"
+)]
 fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     let mut all = Vec::new();
     let mut push = |what: String, proposal: String, change: Box<dyn Fn(&mut Session)>| {
@@ -231,7 +235,9 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                     samples.z_mm.as_mut(),
                 ];
                 for column in columns.into_iter().flatten() {
-                    column.iter_mut().for_each(|v| *v *= factor);
+                    for value in column {
+                        *value *= factor;
+                    }
                 }
             }),
         );

@@ -679,6 +679,8 @@ pub(super) fn edges(values: &[f64], count: usize) -> Vec<f64> {
     edges
 }
 
+const MOST_RICH: usize = 120;
+
 /// Columns for a rich fit, the likeliest sources of structure first, at most a quarter of the rows.
 fn rich(table: &Table, rows: usize) -> Vec<usize> {
     let low_order = |t: &Term| match t.effect.about().setting {
@@ -721,6 +723,6 @@ fn rich(table: &Table, rows: usize) -> Vec<usize> {
         }
     }
     let mut chosen: Vec<usize> = tiers.into_iter().flatten().collect();
-    chosen.truncate(rows / 4);
+    chosen.truncate((rows / 4).min(MOST_RICH));
     chosen
 }

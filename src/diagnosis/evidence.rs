@@ -263,7 +263,9 @@ impl Noise {
         for (a, axis) in rows.axes.iter().enumerate() {
             let own = &mut values[a * n..(a + 1) * n];
             let scale = 1.0 / self.sigma_mm[*axis];
-            own.iter_mut().for_each(|v| *v *= scale);
+            for value in own.iter_mut() {
+                *value *= scale;
+            }
             if self.rho == 0.0 {
                 continue;
             }

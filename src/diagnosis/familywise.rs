@@ -180,7 +180,9 @@ impl Arena<'_> {
                     }
                 }
                 let inverse = if pivot > 0.0 { 1.0 / pivot } else { 0.0 };
-                column.iter_mut().for_each(|c| *c *= inverse);
+                for value in &mut column {
+                    *value *= inverse;
+                }
                 if pivot > 0.0 {
                     groups[at].2.extend(column.iter().map(|c| *c as f32));
                 }

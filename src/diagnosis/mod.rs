@@ -14,6 +14,12 @@
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "indices come from small non-negative numbers, simulated residuals are single precision"
+)]
+
 pub mod aliases;
 pub mod anonymous;
 pub mod answer;
@@ -56,7 +62,7 @@ pub struct Options {
 }
 
 /// How far the diagnosis is.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Progress {
     /// Looking for blunders.
     Checking,
@@ -131,7 +137,7 @@ pub fn diagnose(
     if prepared.reconsider(&found) {
         found = prepared.search(options, watch)?;
     }
-    answer::answer(&mended, &prepared, found, options, watch)
+    answer::answer(&mended, &prepared, &found, watch)
 }
 
 impl Options {

@@ -318,7 +318,7 @@ fn another_reflector(session: &Session, frame: &crate::effects::term::JointFrame
     }
     Target {
         name,
-        position_mm: first + in_tool.map(|v| v.round()),
+        position_mm: first + in_tool.map(f64::round),
     }
 }
 
