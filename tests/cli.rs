@@ -336,6 +336,8 @@ fn without_a_display_the_window_says_which_command_does_the_job() {
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{message}");
     assert!(message.contains("truepose identify"), "{message}");
+    assert!(message.contains("there is no display"), "{message}");
+    assert!(!message.contains(".rs"), "{message}");
 }
 
 #[test]

@@ -54,8 +54,10 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
 
     // Open, by typing the path.
     let session = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-30.json");
-    window.get_by_label("Path of a session").focus();
-    window.get_by_label("Path of a session").type_text(session);
+    window.get_by_label("Path of a session or model").focus();
+    window
+        .get_by_label("Path of a session or model")
+        .type_text(session);
     window.run_steps(2);
     press(&mut window, "Open");
     assert!(
@@ -166,9 +168,11 @@ fn a_wrong_file_is_explained_and_nothing_is_lost() {
     press(&mut window, "Identify");
     let before = status(&window);
     press(&mut window, "1 Session");
-    window.get_by_label("Path of a session").focus();
+    window.get_by_label("Path of a session or model").focus();
     let typed = path.to_str().expect("a path in UTF-8");
-    window.get_by_label("Path of a session").type_text(typed);
+    window
+        .get_by_label("Path of a session or model")
+        .type_text(typed);
     window.run_steps(2);
     press(&mut window, "Open");
     window.get_by_label_contains("could not be opened; nothing was changed");

@@ -68,6 +68,8 @@ pub struct Verification {
     pub within_tolerance: Option<WithinTolerance>,
     /// `None` for a session that was compensated already.
     pub compensated: Option<Compensated>,
+    /// Measured − model, sample by sample.
+    pub after: Deviations,
     /// Suspected outliers, counted from 0.
     pub outliers: Vec<usize>,
     /// What else there is to say.
@@ -143,6 +145,7 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
             of: samples,
         }),
         compensated: compensated.flatten(),
+        after,
         outliers: (0..outlier.len()).filter(|i| outlier[*i]).collect(),
         notes,
     })

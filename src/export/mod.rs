@@ -13,7 +13,7 @@
 mod c_header;
 mod csv;
 mod read_back;
-mod sidecar;
+pub(crate) mod sidecar;
 
 pub use read_back::{ReadBack, gap_left};
 

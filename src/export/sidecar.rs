@@ -215,7 +215,7 @@ fn reached(job: &Job, table: &JointTable, command: f64) -> f64 {
 
 /// Poses that fill the measured range: evenly for one joint; for several, points of a lattice that
 /// fills the box evenly (Korobov; the golden ratio's powers, Roberts 2018).
-fn measured_poses(job: &Job) -> Inputs<'static> {
+pub(crate) fn measured_poses(job: &Job) -> Inputs<'static> {
     let compensation = Compensation::new(job.calibration);
     let measured = &job.calibration.measured;
     let joints = measured.len();

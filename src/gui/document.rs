@@ -5,8 +5,10 @@ use std::sync::Arc;
 use crate::export::{DEFAULT_STEP, EXPORTERS, find};
 use crate::identification::DEFAULT_EFFECTS;
 use crate::identification::regions::RegionChoice;
+use crate::model::RegionalCorrection;
 use crate::sessions::{Region, Session};
 
+use super::given::Given;
 use super::subject::Subject;
 
 /// How the robot is identified.
@@ -75,6 +77,8 @@ pub(crate) struct Document {
     pub(crate) tolerance_mm: Option<f64>,
     /// How the table is exported.
     pub(crate) export: ExportChoice,
+    /// A model that takes the place of the identification.
+    pub(crate) given: Option<Arc<Given>>,
     /// Whether the robot is to be identified; from then on the answer follows every change.
     pub(crate) identified: bool,
 }
@@ -87,6 +91,7 @@ impl PartialEq for Document {
             && self.effects == other.effects
             && self.tolerance_mm == other.tolerance_mm
             && self.export == other.export
+            && self.given == other.given
             && self.identified == other.identified
     }
 }
@@ -94,7 +99,7 @@ impl PartialEq for Document {
 impl Document {
     /// A session as it is opened: its own regions and tolerance, nothing identified yet.
     pub(crate) fn new(subject: Arc<Subject>) -> Self {
-        let regions = if subject.single_revolute() {
+        let regions = if subject.single_revolute() && !subject.is_empty() {
             // A session at one angle has no range to divide, and so no regions.
             RegionChoice::FromSession
                 .resolve(&subject.session)
@@ -108,8 +113,29 @@ impl Document {
             effects: DEFAULT_EFFECTS.to_vec(),
             tolerance_mm: subject.session.tolerance_mm,
             export: ExportChoice::default(),
+            given: None,
             identified: false,
             subject,
+        }
+    }
+
+    /// The same with a model that was read from a file.
+    pub(crate) fn with_model(self, given: Arc<Given>) -> Self {
+        let of_model = |c: &RegionalCorrection| Region {
+            name: c.name.clone(),
+            from_rad: c.from_rad,
+            to_rad: c.to_rad,
+        };
+        let regions = if self.subject.is_empty() {
+            given.calibration.regions.iter().map(of_model).collect()
+        } else {
+            self.regions
+        };
+        Self {
+            regions,
+            given: Some(given),
+            identified: true,
+            ..self
         }
     }
 
@@ -125,9 +151,10 @@ impl Document {
     pub(crate) fn question(&self) -> Option<Question> {
         self.identified.then(|| Question {
             subject: Arc::clone(&self.subject),
-            asks: match self.method {
-                Method::Exact => Asks::Exact(self.effects.clone()),
-                Method::Regional => Asks::Regional(Arc::clone(&self.regions)),
+            asks: match (&self.given, self.method) {
+                (Some(given), _) => Asks::Given(Arc::clone(given)),
+                (None, Method::Exact) => Asks::Exact(self.effects.clone()),
+                (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
             },
         })
     }
@@ -149,6 +176,8 @@ pub(crate) enum Asks {
     Exact(Vec<&'static str>),
     /// A correction for each of these regions.
     Regional(Arc<[Region]>),
+    /// What this model says.
+    Given(Arc<Given>),
 }
 
 impl PartialEq for Question {

@@ -7,6 +7,7 @@ use crate::identification::regions::RegionChoice;
 
 use super::boundaries;
 use super::document::{Document, ExportChoice, Method};
+use super::given::Given;
 use super::subject::Subject;
 
 /// One change.
@@ -14,6 +15,13 @@ use super::subject::Subject;
 pub(crate) enum Edit {
     /// Another session.
     Open(Arc<Subject>),
+    /// A model: beside the open session, or by itself.
+    OpenModel {
+        /// The model.
+        given: Arc<Given>,
+        /// Whether the open session is one of its robot.
+        beside: bool,
+    },
     /// So many regions of the same width.
     Divide(usize),
     /// Move a boundary (counted in ascending order) to this angle, rad.
@@ -45,6 +53,7 @@ impl Edit {
     pub(crate) fn what(&self) -> &'static str {
         match self {
             Self::Open(_) => "open session",
+            Self::OpenModel { .. } => "open model",
             Self::Divide(_) => "divide into regions",
             Self::MoveBoundary(..) => "move boundary",
             Self::Split(_) => "split region",
@@ -59,11 +68,48 @@ impl Edit {
         }
     }
 
+    /// Whether it asks something of the samples; the answer then takes the place of a model that
+    /// was read from a file.
+    fn asks_samples(&self) -> bool {
+        !matches!(
+            self,
+            Self::Open(_)
+                | Self::OpenModel { .. }
+                | Self::Rename(..)
+                | Self::Tolerance(_)
+                | Self::Export(_)
+        )
+    }
+
     /// The document after the change; the reason where it cannot be made.
     pub(crate) fn apply(&self, document: &Document) -> Result<Document, String> {
         let mut next = document.clone();
+        if self.asks_samples() {
+            if document.subject.is_empty() {
+                return Err(
+                    "nothing was measured yet: open a session that was measured on this robot"
+                        .to_owned(),
+                );
+            }
+            next.given = None;
+        }
         match self {
-            Self::Open(subject) => return Ok(Document::new(Arc::clone(subject))),
+            Self::Open(subject) => {
+                let opened = Document::new(Arc::clone(subject));
+                let given = document.given.as_ref();
+                return Ok(match given.filter(|given| given.is_of(&subject.session)) {
+                    Some(given) => opened.with_model(Arc::clone(given)),
+                    None => opened,
+                });
+            }
+            Self::OpenModel { given, beside } => {
+                let beneath = if *beside {
+                    next
+                } else {
+                    Document::new(Arc::new(given.alone()))
+                };
+                return Ok(beneath.with_model(Arc::clone(given)));
+            }
             Self::Divide(number) => {
                 let regions = RegionChoice::Uniform(*number)
                     .resolve(&document.subject.session)

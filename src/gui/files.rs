@@ -7,10 +7,11 @@ use std::sync::Arc;
 use crate::atomic::{WriteError, write_atomically};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::export::{Document, Job, find};
-use crate::model::format_v1::write_model;
+use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
+use super::given::Given;
 use super::preview::{Preview, Wanted};
 use super::simulate::Form;
 use super::subject::{Origin, Subject};
@@ -85,10 +86,43 @@ fn opened(loaded: Result<Loaded, Rejected>, origin: Origin, name: &str) -> Repor
     })
 }
 
-/// Reads a session file.
+/// Reads a session or a model: its key `format` says which it is.
 pub(crate) fn open(path: &Path) -> Report {
+    if is_model(path) {
+        return Report::OpenedModel(match load_model(path) {
+            Ok(calibration) => Ok(Arc::new(Given::new(calibration, path))),
+            Err(rejected) => Err(Message {
+                wrong: true,
+                title: format!(
+                    "{} could not be opened; nothing was changed",
+                    path.display()
+                ),
+                details: listed(&rejected.diagnostics),
+            }),
+        });
+    }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
+}
+
+/// What every version of the model's format begins with.
+const MODEL: &str = "truepose-model/";
+
+/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
+/// which says why.
+pub(crate) fn is_model(path: &Path) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Tag {
+        format: String,
+    }
+    let Ok(bytes) = sessions::files::read_document(path) else {
+        return false;
+    };
+    match serde_json::from_slice::<Tag>(&bytes) {
+        Ok(tag) => tag.format.starts_with(MODEL),
+        // Broken, but it may still say what it was meant to be.
+        Err(_) => memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some(),
+    }
 }
 
 /// Findings as lines, no more than can be read.
@@ -159,7 +193,7 @@ pub(crate) fn save(session: &Session, path: &Path, replace: bool) -> Report {
 /// Asks the user for a session file.
 pub(crate) fn choose_to_open() -> Report {
     let dialog = rfd::FileDialog::new()
-        .set_title("Open session")
+        .set_title("Open session or model")
         .add_filter("Sessions and models", &["json"]);
     Report::ChosenToOpen(dialog.pick_file())
 }

@@ -7,7 +7,7 @@
 //! - `document`: what can be undone, as one value (`edit` changes it, `undo` keeps it);
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
-//!   ready for drawing.
+//!   ready for drawing; `given`: a model that was read from a file instead.
 //! - `preview`: an export as it would be written.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
@@ -19,6 +19,7 @@ mod commands;
 mod document;
 mod edit;
 mod files;
+mod given;
 mod outcome;
 mod panels;
 mod plots;
@@ -50,9 +51,21 @@ const TITLE: &str = "truepose";
 /// There is no display, or nothing to draw with; the message names the terminal command that does
 /// the main job.
 pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
-    let session = path
-        .as_ref()
-        .map_or_else(|| "SESSION".to_owned(), |p| p.display().to_string());
+    let session = path.as_ref().map_or_else(
+        || "sessions/lamp-commissioning.json".to_owned(),
+        |p| p.display().to_string(),
+    );
+    let job = if path.as_ref().is_some_and(|p| files::is_model(p)) {
+        format!(
+            "what a model does on a session: truepose verify {session} SESSION; what a session says: truepose identify SESSION --json"
+        )
+    } else {
+        format!("truepose identify {session} --json")
+    };
+    let instead = format!("in the terminal the same job is done by: {job}");
+    if !has_display() {
+        return Err(anyhow!("there is no display for the window\n{instead}"));
+    }
     let viewport = egui::ViewportBuilder::default()
         .with_title(TITLE)
         .with_app_id("truepose")
@@ -72,11 +85,17 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
     .map_err(|error| {
         let error = error.to_string();
         let because = plainly(&error);
-        anyhow!(
-            "the window cannot be opened: {because}\nwithout a display, use the terminal: \
-             truepose identify {session} --json"
-        )
+        anyhow!("the window cannot be opened: {because}\n{instead}")
     })
+}
+
+/// Whether there may be something to open a window on. Only Linux tells beforehand.
+fn has_display() -> bool {
+    let named = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !cfg!(target_os = "linux")
+        || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"]
+            .map(named)
+            .contains(&true)
 }
 
 /// An error without the place in somebody's source code at which it came up.

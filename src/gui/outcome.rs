@@ -1,11 +1,13 @@
 //! What an identification answers, made ready for drawing.
 
+use crate::compensation::Verification;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues};
 use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::regions::{Assignment, RegionChoice};
 use crate::identification::{Identification, identify_exact, identify_regional};
+use crate::model::Calibration;
 
 use super::document::{Asks, Question};
 use super::subject::Subject;
@@ -24,12 +26,25 @@ pub(crate) struct Outcome {
 pub(crate) struct Answer {
     /// The identification.
     pub(crate) identification: Identification,
+    /// The model that goes with it, to be saved and exported.
+    pub(crate) calibration: Calibration,
+    /// Where the model was read from, if it was.
+    pub(crate) loaded: Option<Loaded>,
     /// What is left of the deviations, mm; NaN for samples that cannot be used.
     pub(crate) after_mm: [Vec<f64>; 3],
     /// Their lengths, mm.
     pub(crate) lengths_mm: Vec<f64>,
     /// Suspected outliers.
     pub(crate) suspected: Vec<bool>,
+}
+
+/// What there is to say about a model that was read from a file.
+#[derive(Debug, Clone)]
+pub(crate) struct Loaded {
+    /// The file's name.
+    pub(crate) file: String,
+    /// What it does on the session; `None` where nothing was measured.
+    pub(crate) verification: Option<Verification>,
 }
 
 impl Answer {
@@ -67,6 +82,7 @@ fn answer(question: &Question) -> Result<Answer, String> {
             let after = after_regional(subject, &identification);
             (identification, after)
         }
+        Asks::Given(given) => return given.answer(subject),
     };
     let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
     let lengths_mm = (0..subject.len()).map(length).collect();
@@ -74,8 +90,11 @@ fn answer(question: &Question) -> Result<Answer, String> {
     for outlier in &identification.outliers {
         suspected[outlier.sample] = true;
     }
+    let calibration = identification.calibration(session, &Inputs::new(session, values));
     Ok(Answer {
         identification,
+        calibration,
+        loaded: None,
         after_mm,
         lengths_mm,
         suspected,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::compensation::{JointTable, Remainder};
 use crate::effects::{Inputs, JointValues};
+use crate::export::sidecar::measured_poses;
 use crate::export::{Document, Export, Job, find, gap_after_export};
 use crate::identification::gap::Spread;
 use crate::model::Calibration;
@@ -69,13 +70,17 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
     let Wanted { outcome, choice } = wanted;
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
-    let inputs = Inputs::new(session, JointValues::Commanded);
-    let calibration = answer.identification.calibration(session, &inputs);
+    let calibration = answer.calibration.clone();
     let name = choice.file_name(&session.name);
     let job = Job {
         joint: choice.joint,
         step: choice.step,
         ..Job::new(&calibration, &name)
+    };
+    let inputs = if outcome.question.subject.is_empty() {
+        measured_poses(&job)
+    } else {
+        Inputs::new(session, JointValues::Commanded)
     };
     let format = find(choice.format).ok_or("there is no such format")?;
     let table = job.table().map_err(|e| e.to_string())?;

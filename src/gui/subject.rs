@@ -8,7 +8,7 @@ use crate::effects::term::JointFrame;
 use crate::effects::{CATALOGUE, Inputs, JointValues, Survey};
 use crate::identification::gap::{Deviations, Spread, deviations};
 use crate::identification::problem::Problem;
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Range};
 use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
@@ -21,6 +21,8 @@ pub(crate) enum Origin {
     File(PathBuf),
     /// It was made by simulation.
     Simulated,
+    /// There is none: a model was read from this file, and nothing was measured.
+    Model(PathBuf),
 }
 
 /// An effect that this session cannot show, and why.
@@ -106,6 +108,8 @@ pub(crate) struct Subject {
     pub(crate) not_testable: Vec<NotTestable>,
     /// Axis and directions of joint 1 at home.
     pub(crate) joint: JointFrame,
+    /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
+    pub(crate) measured_range: Option<Range>,
 }
 
 impl Subject {
@@ -129,6 +133,7 @@ impl Subject {
             session,
             findings,
             origin,
+            measured_range: None,
         }
     }
 
@@ -151,6 +156,21 @@ impl Subject {
     /// Number of samples.
     pub(crate) fn len(&self) -> usize {
         self.session.samples.len()
+    }
+
+    /// Whether nothing was measured: a model stands by itself.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Lengths of the nominal robot's deviations in the plane in which joint 1 turns, mm.
+    pub(crate) fn in_plane_before(&self) -> Vec<f64> {
+        let length = |i: usize| {
+            let e = self.deviation_before(i);
+            let along = |c: Component| self.component(e, i, c);
+            along(Component::Radial).hypot(along(Component::Tangential))
+        };
+        (0..self.len()).map(length).collect()
     }
 
     /// Where a sample was measured, mm; z of a planar session is that of the nominal robot.
@@ -242,6 +262,8 @@ impl Subject {
             crate::effects::term::travel_of(&self.session.robot, 0, &self.session.samples.q[0]);
         if range.from <= range.to {
             (range.from, range.to)
+        } else if let Some(measured) = self.measured_range {
+            (measured.from, measured.to)
         } else {
             (0.0, 0.0)
         }

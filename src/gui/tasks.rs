@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::document::Question;
+use super::given::Given;
 use super::outcome::Outcome;
 use super::preview::{Preview, Wanted};
 use super::subject::Subject;
@@ -22,6 +23,8 @@ use super::view::Message;
 pub(crate) enum Report {
     /// A session was read or made.
     Opened(Result<Arc<Subject>, Message>),
+    /// A model was read.
+    OpenedModel(Result<Arc<Given>, Message>),
     /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.
     ChosenToOpen(Option<PathBuf>),
     /// A path was chosen to save to.

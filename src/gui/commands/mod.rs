@@ -16,6 +16,7 @@ pub(crate) use command::Command;
 use crate::gui::document::Document;
 use crate::gui::edit::Edit;
 use crate::gui::files;
+use crate::gui::given::Given;
 use crate::gui::outcome::{Answer, Outcome};
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::subject::Subject;
@@ -27,6 +28,8 @@ use crate::gui::view::{Message, Plane, Step, ViewState};
 /// Document, view, answer and tasks.
 pub(crate) struct Workbench {
     history: History<Document>,
+    /// The session that nobody opened: the window began with it.
+    first: Arc<Subject>,
     /// The document as it was last saved or opened.
     saved: Arc<Document>,
     view: ViewState,
@@ -39,8 +42,10 @@ pub(crate) struct Workbench {
 impl Workbench {
     /// A workbench with a session on it.
     pub(crate) fn new(subject: Arc<Subject>, tasks: Tasks) -> Self {
+        let first = Arc::clone(&subject);
         let history = History::new(Document::new(subject));
         let mut workbench = Self {
+            first,
             saved: Arc::clone(history.present()),
             history,
             view: ViewState::default(),
@@ -94,9 +99,23 @@ impl Workbench {
     /// Whether something would be lost that a file can hold.
     pub(crate) fn unsaved(&self) -> bool {
         let (now, saved) = (self.document(), &*self.saved);
+        if now.subject.is_empty() {
+            return false;
+        }
         now.regions != saved.regions
             || now.tolerance_mm != saved.tolerance_mm
             || !Arc::ptr_eq(&now.subject, &saved.subject)
+    }
+
+    /// Whether a model can be held against the open session: both are of the same robot. The
+    /// session that the window began with counts only where the model came from it.
+    fn has_a_session_for(&self, given: &Given) -> bool {
+        let subject = self.subject();
+        if Arc::ptr_eq(subject, &self.first) {
+            given.came_from(&subject.session)
+        } else {
+            !subject.is_empty() && given.is_of(&subject.session)
+        }
     }
 
     /// The newest answer for the present session, or why there is none. While a newer question is
@@ -170,6 +189,12 @@ impl Workbench {
                 self.tasks
                     .start("reading an example", move |_| files::open_example(index));
             }
+            Command::ChooseWhereToSave | Command::SaveAs { .. } if self.subject().is_empty() => {
+                self.complain(
+                    "There is no session to save",
+                    vec!["A model by itself is saved in the Export step".to_owned()],
+                );
+            }
             Command::ChooseWhereToSave => {
                 let name = files::file_name_for(&self.document().subject.session);
                 self.tasks.start("waiting for a file name", move |_| {
@@ -240,12 +265,13 @@ impl Workbench {
     }
 
     fn edit(&mut self, edit: &Edit, within_gesture: bool) {
+        let before = Arc::clone(self.subject());
         match edit.apply(self.document()) {
             Err(because) => self.complain("This change cannot be made", vec![because]),
             Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
             Ok(next) => self.history.change(next, edit.what()),
         }
-        if matches!(edit, Edit::Open(_)) {
+        if matches!(edit, Edit::Open(_)) || !Arc::ptr_eq(&before, self.subject()) {
             self.saved = Arc::clone(self.history.present());
             self.exported = None;
             self.after_travel();
@@ -314,7 +340,9 @@ impl Workbench {
 
     /// Asks for the preview that the export step shows.
     fn keep_preparing(&mut self) {
-        if self.view.step != Step::Export || self.answer().is_none() {
+        // A model by itself has nothing to show but its table.
+        let shown = self.view.step == Step::Export || self.subject().is_empty();
+        if !shown || self.answer().is_none() {
             return;
         }
         let Some(outcome) = self.outcome.clone() else {

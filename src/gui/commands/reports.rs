@@ -28,7 +28,12 @@ impl Workbench {
     fn take(&mut self, report: Report) {
         match report {
             Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
+            Report::OpenedModel(Ok(given)) => {
+                let beside = self.has_a_session_for(&given);
+                self.execute(Command::Edit(Edit::OpenModel { given, beside }));
+            }
             Report::Opened(Err(message))
+            | Report::OpenedModel(Err(message))
             | Report::Saved(Err(message))
             | Report::Exported(Err(message)) => {
                 self.view.message = Some(message);

@@ -125,10 +125,14 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         ui.label(RichText::new(text).font(strong(size::BODY)));
     };
     widgets::card(ui, |ui| {
-        ui.label(RichText::new("Gap that the table leaves").color(palette.muted));
-        let left = made
-            .gap
-            .map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
+        let measured = !workbench.subject().is_empty();
+        let stays = units.length(made.remainder.rms_mm);
+        let (says, left) = match made.gap {
+            Some(gap) => ("Gap that the table leaves", units.length(gap.rms_mm)),
+            // Without samples there is only what the model itself says.
+            None => ("What no joint can remove", stays.clone()),
+        };
+        ui.label(RichText::new(says).color(palette.muted));
         ui.label(
             RichText::new(left)
                 .font(strong(size::DISPLAY))
@@ -137,31 +141,22 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         if let Some(before) = workbench.subject().gap_before {
             widgets::fact(ui, "without it", units.length(before.rms_mm));
         }
-        if let Some(answer) = workbench.answer() {
+        if let Some(answer) = workbench.answer().filter(|_| measured) {
             let after = answer.identification.gap.after.rms_mm;
             widgets::fact(ui, "model and measurement", units.length(after));
         }
-        widgets::fact(
-            ui,
-            "no joint can remove",
-            units.length(made.remainder.rms_mm),
-        );
+        if made.gap.is_some() {
+            widgets::fact(ui, "no joint can remove", stays);
+        }
         for line in made.remainder.says() {
             widgets::hint(ui, line);
         }
     });
     widgets::card(ui, |ui| {
         title(ui, "What the numbers mean");
+        // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
-        let mut lines: Vec<&String> = said.collect();
-        let notes = made.export.notes.iter().chain(&made.table.notes);
-        let above = made.remainder.says();
-        for note in notes {
-            if !lines.contains(&note) && !above.contains(note) {
-                lines.push(note);
-            }
-        }
-        for line in lines {
+        for line in said.chain(&made.table.notes) {
             widgets::hint(ui, line);
         }
     });

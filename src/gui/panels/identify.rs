@@ -13,6 +13,26 @@ use crate::gui::widgets;
 /// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
+    if let Some(given) = &document.given {
+        widgets::hint(
+            ui,
+            format!(
+                "The model in {} takes the place of an identification",
+                given.file_name()
+            ),
+        );
+        if workbench.subject().is_empty() {
+            widgets::hint(
+                ui,
+                "To identify the robot anew, open a session that was measured on it",
+            );
+            return;
+        }
+        if widgets::secondary(ui, "Identify from this session").clicked() {
+            commands.push(Command::Edit(Edit::Identify));
+        }
+        return;
+    }
     widgets::section(ui, "Method");
     let methods = [(Method::Exact, "Exact"), (Method::Regional, "By region")];
     let offered = if workbench.subject().single_revolute() {
@@ -98,7 +118,9 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         return;
     }
-    widgets::hint(ui, "Identified; the result follows every change");
+    if document.given.is_none() {
+        widgets::hint(ui, "Identified; the result follows every change");
+    }
     if let Some(step) = Step::Identify.next()
         && widgets::primary(ui, &format!("Continue to {}", step.name().to_lowercase())).clicked()
     {

@@ -64,9 +64,14 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     let origin = match &subject.origin {
         Origin::Bundled => "example".to_owned(),
         Origin::Simulated => "simulated".to_owned(),
-        Origin::File(path) => path
+        Origin::File(path) | Origin::Model(path) => path
             .file_name()
             .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+    };
+    let origin = match (&workbench.document().given, &subject.origin) {
+        (Some(_), Origin::Model(_)) => format!("model {origin}"),
+        (Some(given), _) => format!("{origin} · model {}", given.file_name()),
+        (None, _) => origin,
     };
     let says = if workbench.unsaved() {
         format!("{origin} · not saved")
@@ -102,8 +107,10 @@ fn file(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ui.close();
     }
     ui.separator();
-    item(ui, "Save session…", Action::Save, true, commands);
-    if ui.button("Save session to path…").clicked() {
+    let measured = !workbench.subject().is_empty();
+    item(ui, "Save session…", Action::Save, measured, commands);
+    let to_path = Button::new("Save session to path…");
+    if ui.add_enabled(measured, to_path).clicked() {
         let path = crate::gui::files::file_name_for(&workbench.document().subject.session);
         let replace = false;
         commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
@@ -137,7 +144,8 @@ fn edit(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         commands,
     );
     ui.separator();
-    item(ui, "Identify", Action::Identify, true, commands);
+    let measured = !workbench.subject().is_empty();
+    item(ui, "Identify", Action::Identify, measured, commands);
 }
 
 fn view(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {

@@ -4,6 +4,7 @@ pub(super) mod dropped;
 mod export;
 mod identify;
 pub(super) mod menu;
+mod model;
 mod regions;
 pub(super) mod results;
 mod samples;

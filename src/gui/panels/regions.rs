@@ -29,6 +29,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         );
         return;
     }
+    if workbench.subject().is_empty() {
+        widgets::hint(
+            ui,
+            "Regions divide what was measured: open a session that was measured on this robot",
+        );
+        return;
+    }
     widgets::hint(
         ui,
         "Each region gets a correction of its own. Drag a boundary on the plot, or type it; \
@@ -233,7 +240,8 @@ fn more(ui: &mut Ui, region: usize, name: &str, regions: usize, commands: &mut V
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
-    if workbench.subject().single_revolute() && !regional {
+    let subject = workbench.subject();
+    if subject.single_revolute() && !subject.is_empty() && !regional {
         if widgets::primary(ui, "Identify by region").clicked() {
             commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
         }

@@ -4,6 +4,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 
 use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::given;
 use crate::gui::outcome::Answer;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{significant, trimmed, with_interval};
@@ -12,7 +13,7 @@ use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};
 use crate::units::deg_from_rad;
 
-use super::samples;
+use super::{model, samples};
 
 /// Shows the right-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -88,7 +89,15 @@ fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
-    gap_card(ui, workbench, answer);
+    if let Some(loaded) = &answer.loaded {
+        model::about(ui, workbench, answer, loaded);
+    }
+    if !workbench.subject().is_empty() {
+        gap_card(ui, workbench, answer);
+    }
+    if let Some(verification) = answer.loaded.as_ref().and_then(|l| l.verification.as_ref()) {
+        model::verified(ui, workbench.units(), verification);
+    }
     let found = &answer.identification;
     if !found.parameters.is_empty() {
         let joints = workbench.subject().session.robot.joints.len();
@@ -135,6 +144,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     widgets::card(ui, |ui| {
         let method = match found.method {
             "regional" => "Gap, by region",
+            given::METHOD => "Gap, model from a file",
             _ => "Gap, exact fit",
         };
         ui.label(RichText::new(method).color(palette.muted));
@@ -241,6 +251,7 @@ fn named(parameter: &str) -> (String, &'static str) {
 fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
+    let is_given = workbench.document().given.is_some();
     title(ui, "Correction of each region");
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
     Grid::new("region results")
@@ -269,6 +280,8 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 ];
                 for (value, interval) in numbers {
                     let (value, half) = with_interval(value, interval);
+                    // A model keeps no interval of a region.
+                    let half = if is_given { String::new() } else { half };
                     ui.vertical(|ui| {
                         ui.spacing_mut().item_spacing.y = 0.0;
                         ui.label(value);
@@ -285,7 +298,14 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 ui.end_row();
             }
         });
-    widgets::hint(ui, "What to add, ± half the 95 % interval");
+    widgets::hint(
+        ui,
+        if is_given {
+            "What to add"
+        } else {
+            "What to add, ± half the 95 % interval"
+        },
+    );
 }
 
 fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

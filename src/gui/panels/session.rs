@@ -19,7 +19,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
     findings(ui, workbench);
-    widgets::section(ui, "Another session");
+    widgets::section(ui, "Another session or model");
     if widgets::secondary(ui, "Open…").clicked() {
         commands.push(Command::ChooseFile);
     }
@@ -27,7 +27,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if widgets::secondary(ui, "New by simulation…").clicked() {
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
-    widgets::hint(ui, "A session can also be dropped on the window");
+    widgets::hint(ui, "A file can also be dropped on the window");
 }
 
 fn facts(ui: &mut Ui, workbench: &Workbench) {
@@ -45,6 +45,10 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact(ui, "joint", format!("{}, {range}", joint.name));
     } else {
         widgets::fact(ui, "joints", session.robot.joints.len().to_string());
+    }
+    if subject.is_empty() {
+        widgets::fact(ui, "samples", "none: this is a model");
+        return;
     }
     let held_out = session.samples.held_out.as_deref().unwrap_or(&[]);
     let held_out = held_out.iter().filter(|h| **h).count();
@@ -141,8 +145,9 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);
         let field = ui.add(field);
-        ui.ctx()
-            .accesskit_node_builder(field.id, |node| node.set_label("Path of a session"));
+        ui.ctx().accesskit_node_builder(field.id, |node| {
+            node.set_label("Path of a session or model");
+        });
         let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
         let path = typed.trim();
         let button = ui.add_enabled(!path.is_empty(), egui::Button::new("Open"));
@@ -159,7 +164,9 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if subject.origin == Origin::Bundled {
         widgets::hint(ui, "This is an example that comes with the program");
     }
-    let (step, text) = if subject.single_revolute() {
+    let (step, text) = if workbench.document().given.is_some() {
+        (Step::Export, "Continue to export")
+    } else if subject.single_revolute() {
         (Step::Regions, "Continue to regions")
     } else {
         (Step::Identify, "Continue to identify")

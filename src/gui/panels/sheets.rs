@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use egui::{Grid, Id, Key, Modal, RichText, TextEdit, Ui};
+use egui::{Grid, Id, Key, Margin, Modal, RichText, TextEdit, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::tasks::What;
@@ -12,12 +12,18 @@ use crate::gui::widgets;
 
 use super::{shortcuts, simulation};
 
+/// Room around what a sheet says, points: half as much again as in a panel, which has the
+/// window's edge beside it.
+const SHEET: i8 = space::PANEL + space::PANEL / 2;
+
 /// Shows the open sheet, if there is one.
 pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(sheet) = &workbench.view().sheet else {
         return;
     };
-    let shown = Modal::new(Id::unique("sheet")).show(ui.ctx(), |ui| {
+    let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(SHEET));
+    let modal = Modal::new(Id::unique("sheet")).frame(frame);
+    let shown = modal.show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
         match sheet {
             Sheet::SavePath { path, replace } => {

@@ -4,7 +4,7 @@ use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
 
 use crate::gui::commands::Command;
 use crate::gui::simulate::{Chosen, Form};
-use crate::gui::tokens::{Palette, size};
+use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 
@@ -18,10 +18,15 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
          identification should find",
     );
     let mut filled = form.clone();
+    ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;
     ui.columns(2, |columns| {
+        for column in columns.iter_mut() {
+            column.spacing_mut().item_spacing.x = space::ROW;
+        }
         robot(&mut columns[0], &mut filled);
         measurement(&mut columns[1], &mut filled);
     });
+    ui.spacing_mut().item_spacing.x = space::ROW;
     effects(ui, &mut filled);
     let problem = filled.problem();
     if let Some(problem) = &problem {

@@ -23,7 +23,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .size_range(140.0..=(0.7 * height).max(150.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
-            if let (Step::Export, Some(Ok(made))) = (view.step, workbench.export()) {
+            let table = view.step == Step::Export || workbench.subject().is_empty();
+            if let (true, Some(Ok(made))) = (table, workbench.export()) {
                 ui.horizontal(|ui| {
                     title(ui, "Correction table");
                     caption(ui, &correction::caption(made));
@@ -83,6 +84,7 @@ fn title(ui: &mut Ui, text: &str) {
 
 fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let view = workbench.view();
+    let measured = !workbench.subject().is_empty();
     ui.horizontal(|ui| {
         title(ui, "Workspace");
         let planes = Plane::ALL.map(|plane| (plane, plane.name()));
@@ -90,12 +92,14 @@ fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
             commands.push(Command::Look(plane));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if workbench.answer().is_some() {
+            if workbench.answer().is_some() && measured {
                 blend(ui, workbench, commands);
             }
         });
     });
-    ui.horizontal(|ui| magnification(ui, workbench, commands));
+    if measured {
+        ui.horizontal(|ui| magnification(ui, workbench, commands));
+    }
 }
 
 /// The sliders of the bars are finer than those of forms.

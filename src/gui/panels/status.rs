@@ -9,6 +9,12 @@ use crate::gui::units::significant;
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
     let subject = workbench.subject();
+    if subject.is_empty() {
+        return format!(
+            "model of {} · open a session measured on this robot to see what the model does",
+            subject.session.robot.name
+        );
+    }
     let units = workbench.units();
     let count = subject.len();
     let samples = if count == 1 { "sample" } else { "samples" };

@@ -56,10 +56,16 @@ fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
         if done { Progress::Done } else { Progress::Open }
     };
     match step {
+        Step::Session if workbench.subject().is_empty() => {
+            ("a model, nothing measured".to_owned(), Progress::Done)
+        }
         Step::Session => {
             let n = workbench.subject().len();
             let samples = if n == 1 { "sample" } else { "samples" };
             (format!("{n} {samples}"), Progress::Done)
+        }
+        Step::Regions if workbench.subject().is_empty() && document.regions.is_empty() => {
+            ("nothing measured".to_owned(), Progress::Open)
         }
         Step::Regions if document.regions.is_empty() => {
             ("not for this robot".to_owned(), Progress::Open)
@@ -72,6 +78,7 @@ fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
         }
         Step::Identify => {
             let caption = match (document.identified, document.method) {
+                _ if document.given.is_some() => "model from a file".to_owned(),
                 (false, _) => "not yet".to_owned(),
                 (true, Method::Regional) => "by region".to_owned(),
                 (true, Method::Exact) => {

@@ -4,7 +4,7 @@ use egui::{Color32, Role, Stroke, Ui, WidgetInfo};
 use egui_plot::{Axis, Line, Plot, PlotPoints};
 
 use crate::gui::commands::Workbench;
-use crate::gui::plots::{MOST_POINTS, axis, steps, stride, thinned};
+use crate::gui::plots::{LEAST_SPAN, MOST_POINTS, axis, steps, stride, thinned};
 use crate::gui::preview::Made;
 use crate::gui::tokens::Palette;
 use crate::kinematics::JointKind;
@@ -17,6 +17,15 @@ fn curve(made: &Made, values: &[f64]) -> Vec<[f64; 2]> {
     all.map(|(at, value)| [*at, table.outer(*value)]).collect()
 }
 
+/// What the upward axis has to show: zero, every correction, and no less than can be read. A
+/// constant correction is a straight line then, not the noise of its last digit.
+fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
+    let finite = points.map(|p| p[1]).filter(|v| v.is_finite());
+    let [low, high] = finite.fold([0.0_f64, 0.0_f64], |[a, b], v| [a.min(v), b.max(v)]);
+    let more = 0.5 * (LEAST_SPAN - (high - low)).max(0.0);
+    [low - more, high + more]
+}
+
 /// Shows the curve in the space that is left.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let palette = Palette::of(ui);
@@ -25,14 +34,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let unit = if degrees { "°" } else { "mm" };
     let forward = curve(made, &table.forward);
     let reverse = table.has_sides().then(|| curve(made, &table.reverse));
+    let [low, high] = span(forward.iter().chain(reverse.iter().flatten()));
     let plot = Plot::new(("correction", workbench.view().fitted))
         .show_x(false)
         .show_y(false)
         .show_background(false)
         .show_crosshair(false)
         .grid_color(palette.line)
-        // A constant correction is a straight line, not the noise of its last digit.
-        .include_y(0.0)
+        .include_y(low)
+        .include_y(high)
         .set_margin_fraction(egui::vec2(0.03, 0.2))
         .x_grid_spacer(move |input| steps(input.bounds, degrees, 9.0))
         .y_grid_spacer(|input| steps(input.bounds, false, 4.0))
@@ -80,4 +90,19 @@ pub(crate) fn caption(made: &Made) -> String {
         says = format!("{says} · {note}");
     }
     says
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_constant_table_is_shown_from_zero() {
+        let table = [[0.0, 0.3614], [1.0, 0.3614 + 1e-15]];
+        let [low, high] = span(table.iter());
+        assert_eq!(low, 0.0);
+        assert!((high - 0.3614).abs() < 1e-12);
+        let [low, high] = span([[0.0, 1e-17], [1.0, -1e-17]].iter());
+        assert!(high - low >= 0.999 * LEAST_SPAN, "{low} {high}");
+    }
 }

@@ -1,6 +1,7 @@
 //! Where the parts of the deviation chart go.
 
 use super::model::Series;
+use crate::gui::plots::LEAST_SPAN;
 
 /// What the chart has to show.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +38,7 @@ pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
     Extent {
         q: margin(q, [0.03, 0.03], 1e-3),
         // The legend stands at the top.
-        mm: margin(mm, [0.08, 0.25], 1e-6),
+        mm: margin(mm, [0.08, 0.25], 0.5 * LEAST_SPAN),
     }
 }
 
@@ -84,6 +85,13 @@ mod tests {
     fn an_empty_chart_has_an_extent() {
         let extent = extent(&series(&[]), false);
         assert!(extent.q[0] < extent.q[1] && extent.mm[0] < extent.mm[1]);
+    }
+
+    #[test]
+    fn rounding_noise_does_not_fill_the_chart() {
+        let exact = series(&[(0.0, 0.0, Some(3e-14)), (1.0, 0.0, Some(-2e-14))]);
+        let [low, high] = extent(&exact, true).mm;
+        assert!(high - low >= LEAST_SPAN, "{low} {high}");
     }
 
     #[test]

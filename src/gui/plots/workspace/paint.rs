@@ -30,7 +30,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let units = workbench.units();
     let name = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
     let hints = |side, k: usize| axis(side, name(k), &palette, move |mm| units.length_value(mm));
-    let editing = view.step == Step::Regions;
+    let measured = !workbench.subject().is_empty();
+    let editing = view.step == Step::Regions && measured;
     let regions = &workbench.document().regions;
     let plot = Plot::new(("workspace", view.plane.name(), view.fitted))
         .data_aspect(1.0)
@@ -74,7 +75,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         )
     });
     names_of_regions(ui, &scene, &transform, regions, &palette);
-    legend::show(ui, &scene, &transform, workbench, &palette);
+    if measured {
+        legend::show(ui, &scene, &transform, workbench, &palette);
+    }
 
     let on = |p: [f64; 2]| screen(&transform, p);
     let pointer = response.hover_pos();
