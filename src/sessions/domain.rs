@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use nalgebra::Point3;
 
 use crate::kinematics::Robot;
+use crate::sessions::lines::Lines;
 
 /// A reflector that the instrument sees, fixed in the tool frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,7 +103,7 @@ pub struct Samples {
     pub unknown: Vec<UnknownColumn>,
     /// Line in the samples file of each sample, so that a finding can name its place;
     /// empty for inline or simulated samples, where a sample is named by its number.
-    pub line: Vec<u64>,
+    pub line: Lines,
 }
 
 impl Samples {

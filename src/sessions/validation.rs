@@ -305,13 +305,7 @@ fn which(samples: &Samples, rows: &[usize]) -> String {
     } else {
         ("line", "lines")
     };
-    let number = |&row: &usize| {
-        samples
-            .line
-            .get(row)
-            .map_or(row as u64 + 1, |line| *line)
-            .to_string()
-    };
+    let number = |&row: &usize| samples.line.get(row).unwrap_or(row as u64 + 1).to_string();
     let named: Vec<String> = rows.iter().take(NAMED).map(number).collect();
     let more = match rows.len().saturating_sub(NAMED) {
         0 => String::new(),
