@@ -51,10 +51,7 @@ fn mark(bytes: &[u8; 64]) -> (u64, u64) {
     let half = |bytes: &[u8; 32]| {
         let bytes = load_two(bytes);
         let equal = |byte: u8| _mm256_cmpeq_epi8(bytes, _mm256_set1_epi8(byte.cast_signed()));
-        (
-            _mm256_or_si256(equal(b','), equal(b'\n')),
-            equal(b'"'),
-        )
+        (_mm256_or_si256(equal(b','), equal(b'\n')), equal(b'"'))
     };
     let bits = |found| u64::from(_mm256_movemask_epi8(found).cast_unsigned());
     let [(ends, quotes), (more_ends, more_quotes)] = [half(&halves[0]), half(&halves[1])];

@@ -75,7 +75,10 @@ impl Starts {
                 *start = base + ends.trailing_zeros();
                 ends &= ends.wrapping_sub(1);
             }
-            for start in self.list[self.count..self.count + found].iter_mut().skip(AT_ONCE) {
+            for start in self.list[self.count..self.count + found]
+                .iter_mut()
+                .skip(AT_ONCE)
+            {
                 *start = base + ends.trailing_zeros();
                 ends &= ends.wrapping_sub(1);
             }
