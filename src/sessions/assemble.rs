@@ -138,13 +138,16 @@ impl Column<'_> {
 
     /// In inner units.
     fn scaled(&mut self, mut values: Vec<f64>, factor: f64) -> Vec<f64> {
-        if factor != 1.0 {
-            for value in &mut values {
-                *value *= factor;
-            }
-        }
         // Numbers as they are read are finite, but 1e308 m is not a finite number of mm.
-        if let Some(row) = values.iter().position(|value| value.is_infinite()) {
+        if factor == 1.0 {
+            return values;
+        }
+        let mut overflow = false;
+        for value in &mut values {
+            *value *= factor;
+            overflow |= value.is_infinite();
+        }
+        if overflow && let Some(row) = values.iter().position(|value| value.is_infinite()) {
             let place = (self.locate)(self.index, row);
             self.findings.push(Diagnostic::error(
                 place,

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use nalgebra::Point3;
 
 use crate::kinematics::Robot;
+use crate::sessions::lines::Lines;
 
 /// A reflector that the instrument sees, fixed in the tool frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,7 +103,7 @@ pub struct Samples {
     pub unknown: Vec<UnknownColumn>,
     /// Line in the samples file of each sample, so that a finding can name its place;
     /// empty for inline or simulated samples, where a sample is named by its number.
-    pub line: Vec<u64>,
+    pub line: Lines,
 }
 
 impl Samples {
@@ -127,6 +128,10 @@ impl Samples {
     /// Samples without a commanded value or a measured x or y: they are kept, but no fit can use
     /// them.
     pub fn incomplete(&self) -> Vec<usize> {
+        let mut columns = self.q.iter().chain([&self.x_mm, &self.y_mm]);
+        if !columns.any(|column| has_missing(column)) {
+            return Vec::new();
+        }
         (0..self.len())
             .filter(|&i| {
                 let commanded = self.q.iter().map(|q| q[i]);
@@ -136,6 +141,12 @@ impl Samples {
             })
             .collect()
     }
+}
+
+/// Whether a column has a missing value: quicker than to ask which.
+pub(crate) fn has_missing(column: &[f64]) -> bool {
+    let found = |missing: bool, value: &f64| missing | value.is_nan();
+    column.iter().fold(false, found)
 }
 
 /// Everything that one file of measurements says.

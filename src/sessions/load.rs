@@ -266,10 +266,11 @@ fn samples_from(
     let names = table.names.clone();
     let lines = std::mem::take(&mut table.line);
     let locate = |column: usize, row: usize| {
-        let place = file
-            .clone()
-            .at_line(lines[row])
-            .at_column(column as u64 + 1);
+        let place = match lines.get(row) {
+            Some(line) => file.clone().at_line(line),
+            None => file.clone(),
+        };
+        let place = place.at_column(column as u64 + 1);
         place.in_field(names[column].as_str())
     };
     let mut samples = assemble::samples(table, targets, &locate, file, findings);

@@ -18,6 +18,7 @@ pub(crate) mod files;
 pub(crate) mod format_v1;
 mod hash;
 pub(crate) mod json;
+mod lines;
 mod load;
 pub(crate) mod number;
 mod save;
@@ -27,6 +28,7 @@ pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
 pub use hash::hash_of_samples;
+pub use lines::Lines;
 pub use load::{Loaded, LoadedRobot, load, load_robot, parse, parse_robot, parse_with_csv};
 pub use save::{
     Replacing, commanded_heading, samples_path, save, write_csv, write_inline, write_robot,

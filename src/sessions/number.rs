@@ -172,7 +172,7 @@ pub(crate) fn short_decimal(bytes: &[u8], at: usize, length: usize) -> Option<f6
     }
     let whole = eight_digits(values << (64 - whole_bits));
     if bits == whole_bits {
-        return Some(exact(whole) / SIGNED_TEN[negative][0]);
+        return Some(ratio(whole, negative, 0));
     }
     // At most seven bytes before the point: nothing of what stands behind is shifted out.
     let from_point = low >> whole_bits;
@@ -188,7 +188,13 @@ pub(crate) fn short_decimal(bytes: &[u8], at: usize, length: usize) -> Option<f6
     // At most 7 + 8 digits: below 2^53.
     let digits = (digit_bits / 8) & 15;
     let mantissa = whole * TEN_U64[digits] + eight_digits(values);
-    Some(exact(mantissa) / SIGNED_TEN[negative][digits])
+    Some(ratio(mantissa, negative, digits))
+}
+
+/// `±mantissa / 10^decimals` for a mantissa up to 2^53 and up to 15 decimals; −0 stays −0.
+#[inline]
+pub(crate) fn ratio(mantissa: u64, negative: usize, decimals: usize) -> f64 {
+    exact(mantissa) / SIGNED_TEN[negative & 1][decimals & 15]
 }
 
 /// The double of a whole number up to 2^53.

@@ -4,6 +4,7 @@
 //! makes [`Samples`](super::Samples) of it.
 
 use crate::sessions::columns::{CellKind, Layout};
+use crate::sessions::lines::Lines;
 
 /// Few different names in many cells.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -112,7 +113,7 @@ pub(crate) struct Table {
     /// One for each heading, all of the same length.
     pub(crate) columns: Vec<Cells>,
     /// Line of each row in its file; empty when the table was inside a JSON document.
-    pub(crate) line: Vec<u64>,
+    pub(crate) line: Lines,
 }
 
 impl Table {

@@ -6,7 +6,7 @@
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::domain::{Region, Samples, Session};
+use crate::sessions::domain::{Region, Samples, Session, has_missing};
 use crate::sessions::number::quoted;
 use crate::units::deg_from_rad;
 
@@ -156,17 +156,16 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
             let found = "no column for the measured z: the session is planar";
             findings.push(Diagnostic::note(file.clone(), found));
         }
-        Some(z) => {
+        Some(z) if has_missing(z) => {
             let lacking: Vec<usize> = (0..count).filter(|&i| z[i].is_nan()).collect();
-            if !lacking.is_empty() {
-                let found = format!(
-                    "{} of {count} samples lack z: {}",
-                    lacking.len(),
-                    which(samples, &lacking)
-                );
-                findings.push(Diagnostic::note(file.clone(), found));
-            }
+            let found = format!(
+                "{} of {count} samples lack z: {}",
+                lacking.len(),
+                which(samples, &lacking)
+            );
+            findings.push(Diagnostic::note(file.clone(), found));
         }
+        Some(_) => {}
     }
     if let Some(held_out) = &samples.held_out
         && held_out.iter().all(|held_out| *held_out)
@@ -237,13 +236,11 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
             ));
         }
     };
-    let rows_where = |column: &Option<Vec<f64>>, is_wrong: fn(f64) -> bool| match column {
-        None => Vec::new(),
-        Some(column) => (0..column.len()).filter(|&i| is_wrong(column[i])).collect(),
-    };
-    let negative_load = rows_where(&samples.load_kg, |kg| kg < 0.0);
+    let negative_load = rows_where(samples.load_kg.as_deref(), |kg| kg < 0.0);
     warn("load_kg", negative_load, "negative loads", "0 kg or more");
-    let too_cold = rows_where(&samples.temperature_c, |celsius| celsius < -273.15);
+    let too_cold = rows_where(samples.temperature_c.as_deref(), |celsius| {
+        celsius < -273.15
+    });
     warn(
         "temperature_c",
         too_cold,
@@ -284,6 +281,12 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     }
 }
 
+fn rows_where(column: Option<&[f64]>, is_wrong: impl Fn(f64) -> bool) -> Vec<usize> {
+    let values = column.unwrap_or_default().iter().enumerate();
+    let wrong = values.filter(|(_, value)| is_wrong(**value));
+    wrong.map(|(row, _)| row).collect()
+}
+
 /// Samples whose time is before that of an earlier one.
 fn backwards(time_s: &[f64]) -> Vec<usize> {
     let mut latest = f64::NEG_INFINITY;
@@ -305,13 +308,7 @@ fn which(samples: &Samples, rows: &[usize]) -> String {
     } else {
         ("line", "lines")
     };
-    let number = |&row: &usize| {
-        samples
-            .line
-            .get(row)
-            .map_or(row as u64 + 1, |line| *line)
-            .to_string()
-    };
+    let number = |&row: &usize| samples.line.get(row).unwrap_or(row as u64 + 1).to_string();
     let named: Vec<String> = rows.iter().take(NAMED).map(number).collect();
     let more = match rows.len().saturating_sub(NAMED) {
         0 => String::new(),

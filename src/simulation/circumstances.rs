@@ -75,7 +75,7 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
         setups: None,
         held_out: None,
         unknown: Vec::new(),
-        line: Vec::new(),
+        line: crate::sessions::Lines::default(),
     }
 }
 

@@ -126,6 +126,23 @@ impl<'a> Cell<'a> {
         }
     }
 
+    /// The text without the spaces around it; those in quotes belong to it.
+    fn plain<'t>(&self, text: &'t str) -> &'t str {
+        if self.in_quotes { text } else { trimmed(text) }
+    }
+
+    /// Appends the cell to its column of names or text; false, and nothing done, if there is
+    /// anything to say about it.
+    pub(crate) fn store_text(&self, column: &mut Cells) -> bool {
+        let Ok(text) = self.text() else { return false };
+        match column {
+            Cells::Text(cells) => cells.push(text.to_owned()),
+            Cells::Names(names) => names.push(self.plain(text)),
+            Cells::Numbers(_) => return false,
+        }
+        true
+    }
+
     /// Appends the cell to its column.
     pub(crate) fn store(
         &self,
@@ -143,11 +160,7 @@ impl<'a> Cell<'a> {
                 return;
             }
         };
-        let plain = if self.in_quotes {
-            text
-        } else {
-            text.trim_matches([' ', '\t'])
-        };
+        let plain = self.plain(text);
         match column {
             Cells::Text(cells) => cells.push(text.to_owned()),
             Cells::Names(names) => names.push(plain),
@@ -171,6 +184,11 @@ impl<'a> Cell<'a> {
             },
         }
     }
+}
+
+/// A cell without quotes may have spaces around it.
+pub(crate) fn trimmed(cell: &str) -> &str {
+    cell.trim_matches([' ', '\t'])
 }
 
 /// Length of a cell without quotes and what ends it.

@@ -1,8 +1,9 @@
 //! Reads a CSV file of samples, in one pass and large blocks.
 //!
 //! The file is never mapped (a mapped file that shrinks kills the program) and never held whole:
-//! a block is read, its complete rows go cell by cell straight into their columns, and what is
-//! left of the last row moves to the front of the next block. Numbers take the exact short cut of
+//! a block is read, its complete rows go straight into their columns, and what is left of the last
+//! row moves to the front of the next block. Regular rows go column by column, a [`stretch`] at a
+//! time; the others row by row and cell by cell. Numbers take the exact short cut of
 //! [`number`](super::number); everything else, quotes and every complaint included, is off the hot
 //! path in [`cells`].
 //!
@@ -13,6 +14,9 @@
 mod blocks;
 mod cells;
 mod header;
+#[cfg(target_arch = "x86_64")]
+mod lanes;
+mod stretch;
 
 use std::io::{self, Read};
 
@@ -21,6 +25,8 @@ use crate::kinematics::JointKind;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
+use crate::sessions::csv::stretch::{Decimal, Mark, Starts, Tools};
+use crate::sessions::lines::Lines;
 use crate::sessions::number::{plain_decimal, short_cell, short_decimal};
 use crate::sessions::table::{Cells, Table};
 
@@ -57,8 +63,9 @@ pub(crate) fn read(
         .collect();
     let mut rows = Rows {
         columns,
-        line: Vec::with_capacity(rows),
+        line: Lines::default(),
         next_line: 2,
+        starts: Starts::new(),
         complaints: Complaints::new(file, &names),
     };
     while let Some(block) = blocks.next_rows()? {
@@ -94,8 +101,9 @@ pub(crate) fn read(
 /// The rows so far.
 struct Rows<'a> {
     columns: Vec<Cells>,
-    line: Vec<u64>,
+    line: Lines,
     next_line: u64,
+    starts: Starts,
     complaints: Complaints<'a>,
 }
 
@@ -104,19 +112,53 @@ impl Rows<'_> {
     /// padding. Returns how many bytes it used: less than `end` only when a quoted cell goes on in
     /// the next block.
     fn take(&mut self, bytes: &[u8], end: usize, last_block: bool) -> usize {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(used) = lanes::take(self, bytes, end, last_block) {
+            return used;
+        }
+        self.take_with(bytes, end, last_block, &stretch::PORTABLE)
+    }
+
+    /// As [`Rows::take`], with these tools.
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "as in wide::Loop: lanes compiles it for wide registers"
+    )]
+    fn take_with(
+        &mut self,
+        bytes: &[u8],
+        end: usize,
+        last_block: bool,
+        tools: &Tools<impl Mark, impl Decimal>,
+    ) -> usize {
         let mut at = 0;
         while at < end {
-            if bytes[at] == b'\n' || bytes[at..].starts_with(b"\r\n") {
-                at += if bytes[at] == b'\n' { 1 } else { 2 };
-                self.next_line += 1;
+            let until = end.min(at + stretch::LONGEST);
+            if let Some(next) = self.take_stretch(bytes, at, until, tools) {
+                at = next;
                 continue;
             }
-            match self.take_row(bytes, at, end, last_block) {
-                Some(next) => at = next,
-                None => break,
+            while at < until {
+                match self.take_line(bytes, at, end, last_block) {
+                    Some(next) => at = next,
+                    None => return at,
+                }
             }
         }
         at
+    }
+
+    /// Takes a row or a blank line and returns where the next one starts; `None` if its end is in
+    /// the next block.
+    fn take_line(&mut self, bytes: &[u8], at: usize, end: usize, last: bool) -> Option<usize> {
+        let line_end = match bytes[at..] {
+            [b'\n', ..] => 1,
+            [b'\r', b'\n', ..] => 2,
+            _ => return self.take_row(bytes, at, end, last),
+        };
+        self.next_line += 1;
+        Some(at + line_end)
     }
 
     /// Takes one row and returns where the next one starts; `None` if its end is in the next block.
@@ -167,7 +209,7 @@ impl Rows<'_> {
                 .too_many_cells(self.next_line, count + cells, count);
             at = after;
         }
-        self.line.push(first_line);
+        self.line.add(first_line, 1);
         self.next_line += 1;
         Some(at)
     }

@@ -42,13 +42,17 @@ fn numbers(table: &Table, quantity: Quantity) -> &[f64] {
     }
 }
 
+fn lines(table: &Table) -> Vec<u64> {
+    (0..).map_while(|row| table.line.get(row)).collect()
+}
+
 #[test]
 fn a_plain_file_is_read_with_lines() {
     let (table, findings) = read_text("q1_deg,x_mm,y_mm\n1,2.5,-3e2\n\n4,5,6");
     let table = table.unwrap();
     assert_eq!(findings, [""; 0]);
     assert_eq!(numbers(&table, Quantity::Y), [-300.0, 6.0]);
-    assert_eq!(table.line, [2, 4]);
+    assert_eq!(lines(&table), [2, 4]);
 }
 
 #[test]
@@ -62,7 +66,7 @@ fn byte_order_mark_crlf_quotes_and_spaces_change_nothing() {
     assert_eq!(plain, other);
     let table = plain.0.unwrap();
     assert_eq!(
-        table.line,
+        lines(&table),
         [2, 3, 5],
         "a line feed in quotes is a line of the file"
     );
@@ -152,7 +156,7 @@ fn a_quoted_cell_longer_than_a_block_is_read_whole() {
     );
     let table = table.unwrap();
     assert_eq!(table.columns[3], Cells::Text(vec![long, "x".into()]));
-    assert_eq!(table.line, [2, 200_003]);
+    assert_eq!(lines(&table), [2, 200_003]);
 }
 
 #[test]
@@ -178,5 +182,97 @@ fn other_dialects_are_recognised_and_sent_to_import() {
             findings[0].contains(says) && findings[0].contains("truepose import"),
             "{findings:?}"
         );
+    }
+}
+
+/// A file that has everything in it that ends a stretch, each a few hundred rows from the next.
+fn regular_rows_with_exceptions(line_end: &str) -> String {
+    let mut text = format!("q1_deg,x_mm,y_mm,load_kg,target,remark{line_end}");
+    for i in 0..30_000 {
+        let v = f64::from(i) * 0.37;
+        let load = ["3", "", "2.50", "1e-5", "-0", ".5", " 7 "][i as usize % 7];
+        let row = match i {
+            700 => "1,2,3".to_owned(),
+            1_400 => "1,2,3,4,T1,a,b".to_owned(),
+            2_100 => String::new(),
+            2_800 => "1,2,3,4,\"T,1\",a".to_owned(),
+            3_500 => "1,2,3,4,T1,\"a\nb\"".to_owned(),
+            4_200 => "1,2,nan,4,T1,a".to_owned(),
+            4_900 => "1,2,-,4,T1,a".to_owned(),
+            5_600 => "1,2,3,.,T1,a".to_owned(),
+            6_300 => "1,2,1.2.3,4,T1,a".to_owned(),
+            7_000 => "1,2,1-2,4,T1,a".to_owned(),
+            7_700 => "1,123456789012345,1234567890.12345,4,T1,a".to_owned(),
+            8_400 => "1,9007199254740993,0.12345678901234567,1e300,T1,a".to_owned(),
+            _ => format!("{v:.5},{},{:.3},{load}, T{},{i}", v.sin(), -v, i % 3),
+        };
+        text += &row;
+        text += line_end;
+    }
+    text
+}
+
+#[test]
+fn stretches_and_single_rows_say_the_same() {
+    for line_end in ["\n", "\r\n"] {
+        let text = regular_rows_with_exceptions(line_end);
+        let at_once = read_text(&text);
+        let findings = at_once.1.join("\n");
+        for part in [
+            "line 702",
+            "line 1402",
+            "line 4203",
+            "line 4903",
+            "1.2.3",
+            "1-2",
+        ] {
+            assert!(findings.contains(part), "{part}: {findings}");
+        }
+        // A block of a single line has no stretch in it that is longer than a row.
+        let file = Place::file("s.csv");
+        let names: Vec<String> = at_once.0.as_ref().unwrap().names.clone();
+        let take = |portable: bool, one_by_one: bool| {
+            let table = at_once.0.as_ref().unwrap();
+            let mut rows = Rows {
+                columns: table
+                    .layout
+                    .headings
+                    .iter()
+                    .map(|heading| Cells::of(heading.cells(), 0))
+                    .collect(),
+                line: Lines::default(),
+                next_line: 2,
+                starts: Starts::new(),
+                complaints: Complaints::new(&file, &names),
+            };
+            let mut bytes = text.as_bytes()[text.find('\n').unwrap() + 1..].to_vec();
+            let end = bytes.len();
+            bytes.resize(end + crate::sessions::number::PADDING, 0);
+            let mut at = 0;
+            while one_by_one && at < end {
+                at = rows.take_line(&bytes, at, end, true).unwrap();
+            }
+            if !one_by_one && portable {
+                assert_eq!(rows.take_with(&bytes, end, true, &stretch::PORTABLE), end);
+            } else if !one_by_one {
+                assert_eq!(rows.take(&bytes, end, true), end);
+            }
+            let bits: Vec<Vec<u64>> = rows
+                .columns
+                .iter()
+                .filter_map(|column| match column {
+                    Cells::Numbers(values) => Some(values.iter().map(|v| v.to_bits()).collect()),
+                    _ => None,
+                })
+                .collect();
+            let others: Vec<Cells> = rows.columns.drain(..).skip(4).collect();
+            let mut findings = Vec::new();
+            rows.complaints.into(&mut findings);
+            (bits, others, rows.line, findings)
+        };
+        let single = take(false, true);
+        assert_eq!(single.0[0].len(), 29_999);
+        assert_eq!(take(true, false), single);
+        assert_eq!(take(false, false), single);
     }
 }

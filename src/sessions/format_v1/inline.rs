@@ -88,7 +88,7 @@ pub(crate) fn read(
             layout,
             names,
             columns: cells,
-            line: Vec::new(),
+            line: crate::sessions::Lines::default(),
         },
         columns,
     })

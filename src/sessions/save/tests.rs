@@ -78,7 +78,7 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                     name: "remark".to_owned(),
                     cells: remarks,
                 }],
-                line: Vec::new(),
+                line: crate::sessions::Lines::default(),
                 x_mm,
                 y_mm,
                 z_mm,
@@ -167,7 +167,7 @@ fn any_session() -> impl Strategy<Value = Session> {
 fn shown(session: &Session) -> String {
     let mut plain = session.clone();
     plain.path = None;
-    plain.samples.line.clear();
+    plain.samples.line = crate::sessions::Lines::default();
     format!("{plain:?}")
 }
 
