@@ -306,12 +306,15 @@ fn one_name_left_out(n: usize) {
     row("without its name, all: flagged", all, of, "≥ 90 %");
 }
 
+/// Name and measurement of a row of the table.
+type Row = (&'static str, fn(usize));
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let n = arguments.first().and_then(|n| n.parse().ok()).unwrap_or(25);
     let only = arguments.get(1).map(String::as_str);
     println!("| what | measured | bar |\n| --- | --- | --- |");
-    let rows: [(&str, fn(usize)); 6] = [
+    let rows: [Row; 6] = [
         ("noise", false_alarms),
         ("one", one_effect),
         ("three", three_effects),

@@ -6,6 +6,11 @@
     unreachable_pub,
     reason = "included in tests and in the benchmark alike"
 )]
+#![allow(
+    clippy::struct_excessive_bools,
+    clippy::too_many_lines,
+    reason = "a design is a list of what is measured, the geometry one equation for each effect"
+)]
 
 use std::fmt::Write as _;
 
@@ -32,7 +37,7 @@ impl Random {
         r * (std::f64::consts::TAU * self.unit()).cos()
     }
     pub fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
+        usize::try_from(self.next() % n as u64).expect("below a usize")
     }
 }
 
@@ -368,13 +373,7 @@ impl Rig {
                 Hidden::ThermalZero(k) => k * shot.warmth,
                 Hidden::Bump(a, c, w) => a * (-0.5 * ((q - c) / w).powi(2)).exp(),
                 Hidden::Sawtooth(a, p) => a * ((q / p) - (q / p).floor() - 0.5),
-                Hidden::Plateau(a, x, y) => {
-                    if q >= *x && q < *y {
-                        *a
-                    } else {
-                        0.0
-                    }
-                }
+                Hidden::Plateau(a, x, y) if q >= *x && q < *y => *a,
                 _ => 0.0,
             };
         }
@@ -430,10 +429,8 @@ impl Rig {
                 }
                 Hidden::BaseOffset(v) => p = [p[0] + v[0], p[1] + v[1], p[2] + v[2]],
                 Hidden::InstrumentScale(s) => p = p.map(|x| x * (1.0 + s)),
-                Hidden::Shift(t, v) => {
-                    if shot.time >= *t {
-                        p = [p[0] + v[0], p[1] + v[1], p[2] + v[2]];
-                    }
+                Hidden::Shift(t, v) if shot.time >= *t => {
+                    p = [p[0] + v[0], p[1] + v[1], p[2] + v[2]];
                 }
                 Hidden::Drift(v) => {
                     p = [
