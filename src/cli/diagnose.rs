@@ -108,7 +108,7 @@ fn in_words(d: &Diagnosis) -> String {
     }
     let verdict = match d.verdict {
         Verdict::Noise => "nothing is missing: what is left is noise",
-        Verdict::Explained => "explained",
+        Verdict::Explained => "what was missing has a name; what is left is noise",
         Verdict::PartlyExplained => "partly explained: something is left that no name explains",
         Verdict::Unexplained => "something is left that no name explains",
     };
@@ -162,7 +162,7 @@ fn in_words(d: &Diagnosis) -> String {
         let sizes: Vec<String> = limit
             .sizes
             .iter()
-            .map(|(name, size)| format!("{name} {size:.3e}"))
+            .map(|(name, size)| format!("{name} {}", three_digits(*size)))
             .collect();
         let _ = writeln!(
             text,
@@ -187,6 +187,18 @@ fn in_words(d: &Diagnosis) -> String {
         );
     }
     text
+}
+
+/// A size with three significant digits.
+fn three_digits(size: f64) -> String {
+    let magnitude = if size == 0.0 { 0.0 } else { size.abs().log10().floor() };
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to a small whole number"
+    )]
+    let decimals = (2.0 - magnitude).clamp(0.0, 9.0) as usize;
+    format!("{size:.decimals$}")
 }
 
 fn estimate_in_words(estimate: &Estimate) -> String {
