@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::motion::side;
 use super::scenario::{Circumstances, Scenario, Stop, Temperature};
-use crate::sessions::Samples;
+use crate::sessions::{Lines, Samples};
 
 /// The samples of these stops, their points still at zero.
 pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> Samples {
@@ -75,7 +75,7 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
         setups: None,
         held_out: None,
         unknown: Vec::new(),
-        line: crate::sessions::Lines::default(),
+        line: Lines::default(),
     }
 }
 

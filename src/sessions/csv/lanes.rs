@@ -98,8 +98,8 @@ fn decimal(bytes: &[u8; SHORT], length: usize) -> Option<f64> {
 #[target_feature(enable = "avx2")]
 #[inline]
 fn load(bytes: &[u8; 16]) -> __m128i {
-    let both = u128::from_le_bytes(*bytes);
-    let [low, high] = [both, both >> 64].map(|half| (half as u64).cast_signed());
+    let (halves, _) = bytes.as_chunks::<8>();
+    let [low, high] = [halves[0], halves[1]].map(i64::from_le_bytes);
     _mm_set_epi64x(high, low)
 }
 

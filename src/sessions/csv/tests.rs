@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::*;
 use crate::sessions::columns::Quantity;
 
@@ -188,9 +190,9 @@ fn other_dialects_are_recognised_and_sent_to_import() {
 /// A file that has everything in it that ends a stretch, each a few hundred rows from the next.
 fn regular_rows_with_exceptions(line_end: &str) -> String {
     let mut text = format!("q1_deg,x_mm,y_mm,load_kg,target,remark{line_end}");
-    for i in 0..30_000 {
-        let v = f64::from(i) * 0.37;
-        let load = ["3", "", "2.50", "1e-5", "-0", ".5", " 7 "][i as usize % 7];
+    for i in 0..30_000_usize {
+        let v = i as f64 * 0.37;
+        let load = ["3", "", "2.50", "1e-5", "-0", ".5", " 7 "][i % 7];
         let row = match i {
             700 => "1,2,3".to_owned(),
             1_400 => "1,2,3,4,T1,a,b".to_owned(),
@@ -228,7 +230,6 @@ fn stretches_and_single_rows_say_the_same() {
         ] {
             assert!(findings.contains(part), "{part}: {findings}");
         }
-        // A block of a single line has no stretch in it that is longer than a row.
         let file = Place::file("s.csv");
         let names: Vec<String> = at_once.0.as_ref().unwrap().names.clone();
         let take = |portable: bool, one_by_one: bool| {
@@ -274,5 +275,31 @@ fn stretches_and_single_rows_say_the_same() {
         assert_eq!(single.0[0].len(), 29_999);
         assert_eq!(take(true, false), single);
         assert_eq!(take(false, false), single);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn every_cell_of_a_stretch_equals_the_standard_library_to_the_last_bit(
+        cells in prop::collection::vec("-?[0-9]{1,9}(\\.[0-9]{0,9})?|-?\\.[0-9]{1,16}|[0-9]{14,17}", 3..300),
+    ) {
+        let mut text = "q1_deg,x_mm,y_mm\n".to_owned();
+        for row in cells.chunks_exact(3) {
+            text += &row.join(",");
+            text.push('\n');
+        }
+        let (table, findings) = read_text(&text);
+        prop_assert_eq!(findings, [""; 0]);
+        let table = table.unwrap();
+        for (column, quantity) in [Quantity::Commanded(0), Quantity::X, Quantity::Y].into_iter().enumerate() {
+            let bits: Vec<u64> = numbers(&table, quantity).iter().map(|v| v.to_bits()).collect();
+            let expected: Vec<u64> = cells
+                .chunks_exact(3)
+                .map(|row| row[column].parse::<f64>().unwrap().to_bits())
+                .collect();
+            prop_assert_eq!(bits, expected);
+        }
     }
 }

@@ -6,6 +6,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::kinematics::JointKind;
 use crate::sessions::columns::{CellKind, Layout};
 use crate::sessions::json::{Fields, Member, Node, Path, Source, Value, element_offset};
+use crate::sessions::lines::Lines;
 use crate::sessions::table::{Cells, Names, Table};
 
 /// A table and where its columns stand in the document, so that a finding can name its place.
@@ -88,7 +89,7 @@ pub(crate) fn read(
             layout,
             names,
             columns: cells,
-            line: crate::sessions::Lines::default(),
+            line: Lines::default(),
         },
         columns,
     })

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::kinematics::{Axis, Joint, LinkMass, Pose, Range};
 use crate::sessions::domain::{Instrument, Region, Samples, Setups, Sigma, Target, UnknownColumn};
-use crate::sessions::{load, parse};
+use crate::sessions::{Lines, load, parse};
 use crate::units::rad_from_deg;
 
 /// A number as files hold it, or a missing one.
@@ -78,7 +78,7 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                     name: "remark".to_owned(),
                     cells: remarks,
                 }],
-                line: crate::sessions::Lines::default(),
+                line: Lines::default(),
                 x_mm,
                 y_mm,
                 z_mm,
@@ -167,7 +167,7 @@ fn any_session() -> impl Strategy<Value = Session> {
 fn shown(session: &Session) -> String {
     let mut plain = session.clone();
     plain.path = None;
-    plain.samples.line = crate::sessions::Lines::default();
+    plain.samples.line = Lines::default();
     format!("{plain:?}")
 }
 
