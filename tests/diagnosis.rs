@@ -83,8 +83,8 @@ fn noise_of_every_kind_is_left_alone() {
     for kind in kinds {
         for (seed, shuffled) in [(1, true), (2, false)] {
             let design = Design {
-                kind,
                 shuffled,
+                kind,
                 ..Design::default()
             };
             let answer = diagnosed(&measured(&design, &[], 0.0, seed), &Options::default());
@@ -271,7 +271,9 @@ fn blunders_are_named_and_the_search_goes_on_without_them() {
         in_metres.samples.y_mm[i] /= 1000.0;
     }
     if let Some(z) = &mut in_metres.samples.z_mm {
-        z.iter_mut().for_each(|z| *z /= 1000.0);
+        for z in z.iter_mut() {
+            *z /= 1000.0;
+        }
     }
     let answer = diagnose(&in_metres, &Options::default(), &|_| true).expect("a diagnosis");
     assert!(

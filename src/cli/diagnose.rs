@@ -191,7 +191,11 @@ fn in_words(d: &Diagnosis) -> String {
 
 /// A size with three significant digits.
 fn three_digits(size: f64) -> String {
-    let magnitude = if size == 0.0 { 0.0 } else { size.abs().log10().floor() };
+    let magnitude = if size == 0.0 {
+        0.0
+    } else {
+        size.abs().log10().floor()
+    };
     #[allow(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
