@@ -190,32 +190,38 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
     title(ui, "What the robot really is");
     dense(ui);
     let mut last = None;
-    Grid::new("parameters")
-        .num_columns(3)
-        .spacing([10.0, 4.0])
-        .min_col_width(0.0)
-        .show(ui, |ui| {
-            for one in estimates {
-                if last != Some((one.effect, one.joint)) {
-                    last = Some((one.effect, one.joint));
-                    let title = find(one.effect).map_or(one.effect, |e| e.about().title);
-                    let name = match one.joint {
-                        Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
-                        _ => title.to_owned(),
-                    };
-                    ui.label(RichText::new(name).color(palette.muted).size(size::SMALL));
-                    ui.end_row();
-                }
-                let (name, unit) = named(one.name);
-                let (value, half) = with_interval(one.value, one.ci95);
-                ui.label(name);
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    ui.label(RichText::new(value).font(strong(size::BODY)));
+    for one in estimates {
+        if last != Some((one.effect, one.joint)) {
+            last = Some((one.effect, one.joint));
+            let title = find(one.effect).map_or(one.effect, |e| e.about().title);
+            let name = match one.joint {
+                Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
+                _ => title.to_owned(),
+            };
+            ui.label(RichText::new(name).color(palette.muted).size(size::SMALL));
+        }
+        let (name, unit) = named(one.name);
+        let (value, half) = with_interval(one.value, one.ci95);
+        let half = RichText::new(format!("{half} {unit}")).size(size::SMALL);
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 8.0;
+            // Columns of one width throughout: a long title must not push the numbers out.
+            let cell = |ui: &mut Ui, width: f32, layout: egui::Layout, text: RichText| {
+                let room = egui::vec2(width, ui.spacing().interact_size.y);
+                ui.allocate_ui_with_layout(room, layout, |ui| {
+                    ui.set_min_width(width);
+                    ui.label(text);
                 });
-                ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));
-                ui.end_row();
-            }
+            };
+            let middle = egui::Align::Center;
+            let to_the_left = egui::Layout::left_to_right(middle);
+            let to_the_right = egui::Layout::right_to_left(middle);
+            cell(ui, 80.0, to_the_left, RichText::new(name));
+            let value = RichText::new(value).font(strong(size::BODY));
+            cell(ui, 72.0, to_the_right, value);
+            ui.label(half.color(palette.muted));
         });
+    }
     widgets::hint(ui, "± half the 95 % interval");
 }
 
