@@ -8,9 +8,10 @@
 //! 2. [`effects`] holds the physics: one file for each way in which a real robot differs from its
 //!    drawing. [`model`] strings them along the robot's [`kinematics`], with exact derivatives.
 //! 3. [`identification`] finds how large the effects are, and how sure that is.
-//! 4. [`compensation`] turns the model round: what to add to a command so that the tool arrives
+//! 4. [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
+//! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
 //!    where it was meant to, and what no joint can remove.
-//! 5. [`export`] writes the table that the controller reads, and reads it back to see what it does.
+//! 6. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
 //! [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
 //!
@@ -46,6 +47,8 @@ pub mod model;
 
 pub mod identification;
 pub mod simulation;
+
+pub mod diagnosis;
 
 pub mod compensation;
 

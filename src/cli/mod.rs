@@ -4,6 +4,7 @@
 //! no display for the window. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
+mod diagnose;
 mod effects;
 mod export;
 mod failure;
@@ -35,6 +36,8 @@ enum Command {
     Simulate(simulate::Simulate),
     /// Identify a session's robot: the exact fit, or the paper's method by regions
     Identify(identify::Identify),
+    /// Find what is missing, name it, and prove it on unseen samples
+    Diagnose(diagnose::Diagnose),
     /// Check a model on another session
     Verify(verify::Verify),
     /// Write the table that a controller reads
@@ -52,6 +55,7 @@ pub(crate) fn run() -> ExitCode {
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
+        Some(Command::Diagnose(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),

@@ -42,6 +42,8 @@ pub struct Inputs<'a> {
     pub target: Option<Cow<'a, [u32]>>,
     /// Reflectors at home, base frame, mm; at least one.
     pub reflectors_at_home: Vec<[f64; 3]>,
+    /// Time from which drifts count, s, where it is not that of the first sample.
+    pub start_s: Option<f64>,
     len: usize,
 }
 
@@ -71,6 +73,7 @@ impl<'a> Inputs<'a> {
             load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
             warmth_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
             time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
+            start_s: None,
             setup: samples
                 .setups
                 .as_ref()
@@ -80,6 +83,36 @@ impl<'a> Inputs<'a> {
             len: samples.len(),
             q,
             dir,
+        }
+    }
+
+    /// Some of the samples, in the given order, as they were in the whole: travel and the start
+    /// of time do not begin anew.
+    pub fn select(&self, samples: &[usize]) -> Inputs<'static> {
+        let pick = |column: &[f64]| -> Vec<f64> { samples.iter().map(|i| column[*i]).collect() };
+        let owned = |column: &[f64]| Cow::Owned(pick(column));
+        let each = |columns: &[Option<Cow<'a, [f64]>>]| {
+            columns
+                .iter()
+                .map(|c| c.as_deref().map(owned))
+                .collect::<Vec<_>>()
+        };
+        Inputs {
+            q: self.q.iter().map(|q| owned(q)).collect(),
+            dir: each(&self.dir),
+            speed: each(&self.speed),
+            travel: self.travel.iter().map(|t| t.as_deref().map(pick)).collect(),
+            load_kg: self.load_kg.as_deref().map(owned),
+            warmth_c: self.warmth_c.as_deref().map(pick),
+            time_s: self.time_s.as_deref().map(owned),
+            setup: self.setup.as_deref().map(pick),
+            target: self
+                .target
+                .as_deref()
+                .map(|t| Cow::Owned(samples.iter().map(|i| t[*i]).collect())),
+            reflectors_at_home: self.reflectors_at_home.clone(),
+            start_s: Some(self.start_s()),
+            len: samples.len(),
         }
     }
 
@@ -99,7 +132,14 @@ impl<'a> Inputs<'a> {
             setup: None,
             target: None,
             reflectors_at_home,
+            start_s: None,
         }
+    }
+
+    /// Time from which drifts count, s: that of the session's first sample.
+    pub fn start_s(&self) -> f64 {
+        let first = || self.time_s.as_ref().and_then(|t| t.first().copied());
+        self.start_s.or_else(first).unwrap_or(0.0)
     }
 
     /// Number of samples.

@@ -184,7 +184,7 @@ fn same_everywhere(places: &[(usize, Option<String>)]) -> Option<String> {
 }
 
 /// One free measuring frame per setup, started from the best rigid fit.
-fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
+pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
     let Some(setups) = &session.samples.setups else {
         return Vec::new();
     };

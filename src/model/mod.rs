@@ -177,7 +177,6 @@ impl Model {
             let norm = g.norm();
             (norm > 0.0).then(|| (g / norm).into())
         });
-        let start_s = inputs.time_s.as_ref().and_then(|t| t.first().copied());
         let mut first_column = 0;
         let mut place = |term: &Term| {
             let placed = Placed {
@@ -187,7 +186,7 @@ impl Model {
                 first_column,
                 frame: JointFrame::new(&self.robot, term.joint),
                 down,
-                start_s: start_s.unwrap_or(0.0),
+                start_s: inputs.start_s(),
             };
             first_column += term.coefficients.len();
             placed

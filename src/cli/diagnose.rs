@@ -1,0 +1,201 @@
+//! `truepose diagnose`: what is missing, its name, and how sure that is.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use truepose::diagnosis::format_v1::Document;
+use truepose::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Verdict, diagnose};
+use truepose::effects::JointValues;
+use truepose::identification::Estimate;
+
+use super::failure::Failure;
+use super::output;
+
+/// Find what is missing in the model of a session, name it, and prove it on unseen samples
+#[derive(Debug, Args)]
+pub(crate) struct Diagnose {
+    /// Session to diagnose
+    session: PathBuf,
+    /// An effect that does not exist for this run; may be given several times
+    #[arg(long, value_name = "ID", value_delimiter = ',')]
+    without: Vec<String>,
+    /// Only these effects are candidates, separated by commas
+    #[arg(long, value_name = "ID", value_delimiter = ',')]
+    only: Option<Vec<String>>,
+    /// Most effects to add [default: a tenth of the number of samples]
+    #[arg(long, value_name = "N")]
+    max_effects: Option<usize>,
+    /// Share of the samples to lock away from everything, such as 0.25 [default: cross-fitted]
+    #[arg(long, value_name = "FRACTION", allow_negative_numbers = true)]
+    held_out: Option<f64>,
+    /// Seed of the simulated noise; names do not depend on it
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Joint values to start from
+    #[arg(long, value_enum, default_value = "commanded")]
+    joint_values: Values,
+    /// Write the model with what was found to this file; - is standard output
+    #[arg(long, value_name = "MODEL")]
+    out: Option<PathBuf>,
+    /// Replace the file if it exists
+    #[arg(long)]
+    force: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Values {
+    /// What the controller was told
+    Commanded,
+    /// What the controller read back
+    Read,
+}
+
+impl From<DiagnoseError> for Failure {
+    fn from(error: DiagnoseError) -> Self {
+        Self::WrongInput(error.to_string())
+    }
+}
+
+impl Diagnose {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
+        let loaded = truepose::sessions::load(&self.session)?;
+        output::messages(&loaded.findings);
+        let options = Options {
+            allowed: Allowed {
+                without: self.without,
+                only: self.only,
+            },
+            max_effects: self.max_effects,
+            held_out: self.held_out,
+            seed: self.seed,
+            joint_values: match self.joint_values {
+                Values::Commanded => JointValues::Commanded,
+                Values::Read => JointValues::Read,
+            },
+        };
+        let session = &loaded.session;
+        let answer = diagnose(session, &options, &|_| true)?;
+        if let Some(out) = &self.out {
+            let text = truepose::model::format_v1::write_model(&answer.calibration(session));
+            output::document(out, text.as_bytes(), self.force, &loaded.files)?;
+        }
+        if self.json {
+            output::json(&Document::new(&answer, session))
+        } else if to_stdout {
+            Ok(())
+        } else {
+            output::text(&in_words(&answer))
+        }
+    }
+}
+
+fn in_words(d: &Diagnosis) -> String {
+    let mut text = String::new();
+    let _ = writeln!(text, "{}: {} samples", d.session, d.samples);
+    for problem in &d.data_problems {
+        let _ = writeln!(
+            text,
+            "data: {}\n  {}\n  {}",
+            problem.what, problem.evidence, problem.proposal
+        );
+    }
+    let verdict = match d.verdict {
+        Verdict::Noise => "nothing is missing: what is left is noise",
+        Verdict::Explained => "explained",
+        Verdict::PartlyExplained => "partly explained: something is left that no name explains",
+        Verdict::Unexplained => "something is left that no name explains",
+    };
+    let _ = writeln!(text, "{verdict}");
+    let _ = writeln!(
+        text,
+        "gap {:.4} mm, identified {:.4} mm, now {:.4} mm; noise floor {:.4} mm",
+        d.gap.start_mm, d.gap.identified_mm, d.gap.end_mm, d.floor.mm
+    );
+    if let Some(gaps) = &d.held_out.gaps {
+        let _ = writeln!(
+            text,
+            "on unseen samples {:.4} mm, {:.4} mm, {:.4} mm ({})",
+            gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
+        );
+    }
+    for estimate in &d.identified {
+        let _ = writeln!(text, "{}", estimate_in_words(estimate));
+    }
+    for found in &d.found {
+        let _ = writeln!(text, "found {}", found.effect);
+        for estimate in &found.parameters {
+            let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+        }
+        let _ = writeln!(text, "  {}\n  check: {}", found.says, found.check);
+    }
+    for rival in &d.equivalent {
+        let _ = writeln!(
+            text,
+            "or {} instead of {} (odds {:.1} : 1 against): {}",
+            rival.instead.join(" + "),
+            rival.explanation.join(" + "),
+            rival.odds,
+            rival.separate_by
+        );
+    }
+    if d.unexplained.present {
+        let _ = writeln!(
+            text,
+            "unexplained: {:.4} mm, {}",
+            d.unexplained.rms_mm, d.unexplained.says
+        );
+        if !d.unexplained.resembles.is_empty() {
+            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
+        }
+    }
+    for pose in &d.not_testable {
+        let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
+    }
+    for limit in &d.not_found {
+        let sizes: Vec<String> = limit
+            .sizes
+            .iter()
+            .map(|(name, size)| format!("{name} {size:.3e}"))
+            .collect();
+        let _ = writeln!(
+            text,
+            "{}: would have been seen above {} (95 %)",
+            limit.effect,
+            sizes.join(", ")
+        );
+    }
+    for outlier in &d.outliers {
+        let _ = writeln!(
+            text,
+            "sample {} is suspected: {:.3} mm off",
+            outlier.sample + 1,
+            outlier.deviation_mm
+        );
+    }
+    if !d.next_poses.is_empty() {
+        let _ = writeln!(
+            text,
+            "{} poses would decide; --json lists them",
+            d.next_poses.len()
+        );
+    }
+    text
+}
+
+fn estimate_in_words(estimate: &Estimate) -> String {
+    let interval = estimate.ci95.map_or_else(
+        || "not determined".to_owned(),
+        |[low, high]| format!("95 % from {low:.6} to {high:.6}"),
+    );
+    format!(
+        "{}: {} {:.6} ({interval})",
+        estimate.effect, estimate.name, estimate.value
+    )
+}

@@ -1,0 +1,232 @@
+//! Rivals: other names that explain the same samples about as well. One or two terms of the model
+//! are taken out and every name, and every pair of names, is tried in their place, singles against
+//! pairs and pairs against pairs. What comes close is refitted before it is judged.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::{Setting, Term};
+
+use super::arena::{Arena, Fit, Score};
+use super::linear::{small_cholesky, small_gain};
+use super::search::{by_odds, compatible};
+
+/// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
+pub const UNDECIDED: f64 = 3.0;
+/// Before the refit some more are kept.
+const CLOSE: f64 = 6.0;
+/// Rivals that are refitted.
+const MOST_REFITTED: usize = 16;
+/// Settings of one name that pairs are made from.
+const SETTINGS: usize = 3;
+/// In a larger model only single terms are taken out.
+const MOST_FOR_PAIRS: usize = 5;
+
+/// Another explanation.
+#[derive(Debug, Clone)]
+pub(super) struct Rival {
+    /// What it replaces.
+    pub(super) removed: Vec<Term>,
+    /// By what.
+    pub(super) instead: Vec<Term>,
+    /// The refitted model.
+    pub(super) fit: Fit,
+}
+
+impl Rival {
+    /// Whether it differs by name, not only by setting.
+    pub(super) fn other_names(&self) -> bool {
+        let names = |terms: &[Term]| {
+            let mut names: Vec<(&str, usize)> = terms.iter().map(name).collect();
+            names.sort_unstable();
+            names.dedup();
+            names
+        };
+        names(&self.removed) != names(&self.instead)
+    }
+}
+
+fn name(term: &Term) -> (&'static str, usize) {
+    (term.effect.about().id, term.joint)
+}
+
+/// Rivals without those that only add a name to another rival.
+pub(super) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
+    let names = |terms: &[Term]| -> Vec<(&'static str, usize)> { terms.iter().map(name).collect() };
+    let idle = |one: &Rival| {
+        let own = names(&one.instead);
+        rivals.iter().any(|other| {
+            let fewer = names(&other.instead);
+            names(&other.removed) == names(&one.removed)
+                && fewer.len() < own.len()
+                && fewer.iter().all(|n| own.contains(n))
+        })
+    };
+    rivals.iter().copied().filter(|r| !idle(r)).collect()
+}
+
+struct Trial {
+    removed: Vec<Term>,
+    rest: Fit,
+    instead: Vec<usize>,
+    ln_evidence: f64,
+}
+
+/// Rivals of a fit, likeliest first; those that are further off than [`CLOSE`] are left out.
+pub(super) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
+    let added: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
+    let mut trials: Vec<Trial> = Vec::new();
+    for (i, first) in added.iter().enumerate() {
+        try_without(arena, fit, std::slice::from_ref(first), &mut trials);
+        if added.len() > MOST_FOR_PAIRS {
+            continue;
+        }
+        for second in &added[i + 1..] {
+            try_without(arena, fit, &[first.clone(), second.clone()], &mut trials);
+        }
+    }
+    trials.sort_by(|a, b| b.ln_evidence.total_cmp(&a.ln_evidence));
+    trials.truncate(MOST_REFITTED);
+    let mut rivals: Vec<Rival> = Vec::new();
+    for trial in trials {
+        let term = |i: &usize| arena.table.candidates[*i].what.term().cloned();
+        let instead: Vec<Term> = trial.instead.iter().filter_map(term).collect();
+        let model = instead
+            .iter()
+            .fold(trial.rest.model.clone(), |m, t| m.with_term(t.clone()));
+        let refitted = arena.fit(&model, trial.rest.shapes.clone());
+        if refitted.ln_evidence > fit.ln_evidence - CLOSE {
+            rivals.push(Rival {
+                removed: trial.removed,
+                instead,
+                fit: refitted,
+            });
+        }
+    }
+    rivals.sort_by(|a, b| b.fit.ln_evidence.total_cmp(&a.fit.ln_evidence));
+    rivals
+}
+
+fn try_without(arena: &Arena, fit: &Fit, removed: &[Term], trials: &mut Vec<Trial>) {
+    let model = fit
+        .model
+        .without(|t| removed.iter().any(|r| r.same_column(t)));
+    let rest = arena.fit(&model, fit.shapes.clone());
+    let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
+    let there = arena.added(&rest);
+    let mut scores = arena.scan(&rest);
+    let is_new = |s: &Score| {
+        let term = arena.table.candidates[s.candidate].what.term();
+        term.is_some_and(|t| compatible(&there, t) && !removed.iter().any(|r| r.same_column(t)))
+    };
+    scores.retain(is_new);
+    let mut push = |instead: Vec<usize>, ln_odds: f64| {
+        trials.push(Trial {
+            removed: removed.to_vec(),
+            rest: rest.clone(),
+            instead,
+            ln_evidence: rest.ln_evidence + ln_odds,
+        });
+    };
+    by_odds(&mut scores);
+    for score in scores.iter().filter(|s| s.ln_odds > enough).take(6) {
+        push(vec![score.candidate], score.ln_odds);
+    }
+    let short = short_list(arena, &scores, removed);
+    for (a, b, ln_odds) in best_pairs(arena, &rest, &short, enough) {
+        push(vec![a, b], ln_odds);
+    }
+}
+
+/// The best settings of every name that is not among the removed ones.
+fn short_list(arena: &Arena, scores: &[Score], removed: &[Term]) -> Vec<usize> {
+    let mut counts: Vec<((&str, usize), usize)> = Vec::new();
+    let mut list = Vec::new();
+    for score in scores {
+        let Some(term) = arena.table.candidates[score.candidate].what.term() else {
+            continue;
+        };
+        if removed.iter().any(|r| name(r) == name(term)) {
+            continue;
+        }
+        let limit = match term.effect.about().setting {
+            Setting::Order { to, .. } if to <= 6 => 5,
+            _ => SETTINGS,
+        };
+        let at = counts.iter().position(|c| c.0 == name(term));
+        let at = at.unwrap_or_else(|| {
+            counts.push((name(term), 0));
+            counts.len() - 1
+        });
+        if counts[at].1 < limit {
+            counts[at].1 += 1;
+            list.push(score.candidate);
+        }
+    }
+    list
+}
+
+/// Pairs of candidates that together lower the sum of squares enough.
+fn best_pairs(arena: &Arena, rest: &Fit, list: &[usize], enough: f64) -> Vec<(usize, usize, f64)> {
+    let projected = arena.projected(&rest.basis);
+    let m = arena.m();
+    // Each candidate made orthonormal by itself.
+    let mut pieces: Vec<(usize, DMatrix<f64>, DVector<f64>)> = Vec::new();
+    for index in list {
+        let candidate = &arena.table.candidates[*index];
+        let (factor, rank) = arena.factor(&projected, candidate);
+        if rank < candidate.size {
+            continue;
+        }
+        let k = candidate.size;
+        let own = projected.columns(candidate.first, k);
+        let l = DMatrix::from_fn(k, k, |i, j| if j <= i { factor[i * k + j] } else { 0.0 });
+        let Some(unit) = l.solve_lower_triangular(&own.transpose()) else {
+            continue;
+        };
+        let unit = unit.transpose();
+        let h = unit.tr_mul(&rest.residual);
+        pieces.push((*index, unit, h));
+    }
+    let mut pairs = Vec::new();
+    for (i, (a, unit_a, h_a)) in pieces.iter().enumerate() {
+        for (b, unit_b, h_b) in &pieces[i + 1..] {
+            let (ca, cb) = (&arena.table.candidates[*a], &arena.table.candidates[*b]);
+            let bound = h_a.norm_squared() + h_b.norm_squared();
+            let price = ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln();
+            let worth = |gain: f64, rank: usize| {
+                let r2 = (gain / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
+                -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln() - price
+            };
+            // Correlated candidates can do more together than the sum of both, but seldom: a
+            // quick look saves the rest.
+            if worth(4.0 * bound, 2) < enough {
+                continue;
+            }
+            let terms = [ca, cb].map(|c| c.what.term());
+            if let [Some(ta), Some(tb)] = terms
+                && !compatible(&[ta], tb)
+            {
+                continue;
+            }
+            let cross = unit_a.tr_mul(unit_b);
+            let k = cb.size;
+            let schur = DMatrix::identity(k, k) - cross.tr_mul(&cross);
+            let mut g: Vec<f64> = (0..k * k).map(|x| schur[(x / k, x % k)]).collect();
+            let tolerance = vec![1e-5; k];
+            let rank = small_cholesky(&mut g, k, &tolerance);
+            if rank == 0 {
+                continue;
+            }
+            let left = h_b - cross.tr_mul(h_a);
+            let mut h: Vec<f64> = left.iter().copied().collect();
+            let gain = h_a.norm_squared() + small_gain(&g, k, &mut h);
+            let ln_odds = worth(gain, ca.size + rank);
+            if ln_odds > enough {
+                pairs.push((*a, *b, ln_odds));
+            }
+        }
+    }
+    pairs.sort_by(|a, b| b.2.total_cmp(&a.2));
+    pairs.truncate(8);
+    pairs
+}

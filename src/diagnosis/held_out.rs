@@ -1,0 +1,212 @@
+//! The proof on samples that a fit has not seen: the samples are cut into blocks, and each block
+//! is predicted by a fit without it, its settings scanned afresh (cross-fitting, Stone 1974).
+//!
+//! Blocks are stretches of the joint angles where the joints move at random, and stretches of
+//! time besides; several small ones make one fold, so that no fold lies beyond the others.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::Setting;
+
+use super::arena::{Arena, Fit};
+use super::linear::Basis;
+
+/// Which fold each sample of the rows is in.
+#[derive(Debug, Clone)]
+pub(super) struct Folds {
+    fold: Vec<usize>,
+    count: usize,
+    /// In words.
+    pub(super) how: String,
+}
+
+const FOLDS: usize = 5;
+/// Below this number of samples every sector is left out in turn.
+const FEW: usize = 60;
+/// Below this number of samples nothing is said about unseen ones.
+pub(super) const FEWEST: usize = 6;
+
+impl Folds {
+    /// Folds over the samples of an arena, by the angle of the first joint that moves most.
+    pub(super) fn new(arena: &Arena) -> Self {
+        let q = &arena.rows.inputs.q;
+        let range = |column: &[f64]| {
+            let values = column.iter().copied();
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+                (a.min(v), b.max(v))
+            });
+            high - low
+        };
+        let widest = (0..q.len()).max_by(|a, b| range(&q[*a]).total_cmp(&range(&q[*b])));
+        let column = widest.map_or(&[][..], |j| &*q[j]);
+        let n = arena.rows.samples.len();
+        let mut order: Vec<usize> = (0..n).collect();
+        order.sort_by(|a, b| {
+            let value = |k: usize| column.get(k).copied().unwrap_or(0.0);
+            value(*a).total_cmp(&value(*b)).then(a.cmp(b))
+        });
+        let (count, sectors) = if n < FEW {
+            let sectors = (n / 3).clamp(2, 10);
+            (sectors, sectors)
+        } else {
+            (FOLDS, 4 * FOLDS)
+        };
+        let mut fold = vec![0; n];
+        for (rank, sample) in order.iter().enumerate() {
+            fold[*sample] = (rank * sectors / n.max(1)) % count;
+        }
+        let joint = widest.map_or(1, |j| j + 1);
+        let how = if n < FEW {
+            format!(
+                "{sectors} sectors of joint {joint}, each left out in turn and predicted by a fit without it"
+            )
+        } else {
+            format!(
+                "cross-fitted: {count} sets of sectors of joint {joint} ({sectors} sectors in all), each predicted by a fit without it, orders and times scanned afresh"
+            )
+        };
+        Self { fold, count, how }
+    }
+
+    /// Whether there are enough samples to say anything.
+    pub(super) fn say_something(&self) -> bool {
+        self.fold.len() >= FEWEST
+    }
+
+    /// Root mean square length of the deviations of samples that the fit has not seen, mm.
+    pub(super) fn rms(&self, arena: &Arena, fit: &Fit) -> f64 {
+        if !self.say_something() {
+            // Too few samples to hold any out: the fit's own residual, so that it never stands
+            // in the way.
+            return fit.rss.sqrt();
+        }
+        let (raw_residual, raw_columns) = arena.rows.extract(&fit.model);
+        let residual = arena.noise.whitened_vector(&arena.rows, &raw_residual);
+        let own = raw_columns.ncols();
+        let width = own + fit.shapes.iter().map(|s| s.raw.ncols()).sum::<usize>();
+        let mut raw = DMatrix::zeros(arena.rows.len(), width);
+        raw.columns_mut(0, own).copy_from(&raw_columns);
+        let mut at = own;
+        for shape in &fit.shapes {
+            raw.columns_mut(at, shape.raw.ncols()).copy_from(&shape.raw);
+            at += shape.raw.ncols();
+        }
+        let white = arena.noise.whitened(&arena.rows, &raw);
+        let scanned = scanned_terms(arena, fit);
+        let n = self.fold.len();
+        let mut sum = 0.0;
+        for fold in 0..self.count {
+            let seen: Vec<usize> = (0..arena.rows.len())
+                .filter(|row| self.fold[row % n] != fold)
+                .collect();
+            let mut fold_white = white.select_rows(&seen);
+            let mut fold_raw = raw.clone();
+            let mut fold_residual = residual.select_rows(&seen);
+            let mut fold_raw_residual = raw_residual.clone();
+            for term in &scanned {
+                term.rescan(
+                    arena,
+                    &seen,
+                    &mut fold_white,
+                    &mut fold_raw,
+                    &mut fold_residual,
+                    &mut fold_raw_residual,
+                );
+            }
+            let step = Basis::new(&fold_white).solve(&fold_residual);
+            let unseen = (0..arena.rows.len()).filter(|row| self.fold[row % n] == fold);
+            for row in unseen {
+                let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
+                sum += e * e;
+            }
+        }
+        (sum / n as f64).sqrt()
+    }
+}
+
+/// A term whose setting is scanned afresh in every fold.
+struct Scanned {
+    first: usize,
+    size: usize,
+    coefficients: DVector<f64>,
+    candidates: Vec<usize>,
+}
+
+fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
+    let mut first = 0;
+    let mut all = Vec::new();
+    for term in fit.model.terms() {
+        let size = term.coefficients.len();
+        let about = term.effect.about();
+        let scanned = !matches!(about.setting, Setting::None | Setting::Setup);
+        if scanned {
+            let same = |i: &usize| {
+                let candidate = &arena.table.candidates[*i];
+                candidate
+                    .what
+                    .term()
+                    .is_some_and(|t| t.effect.about().id == about.id && t.joint == term.joint)
+            };
+            all.push(Scanned {
+                first,
+                size,
+                coefficients: DVector::from_column_slice(&term.coefficients),
+                candidates: (0..arena.table.candidates.len()).filter(same).collect(),
+            });
+        }
+        first += size;
+    }
+    all
+}
+
+impl Scanned {
+    /// Exchanges the term's columns for those of the setting that the seen rows like best.
+    fn rescan(
+        &self,
+        arena: &Arena,
+        seen: &[usize],
+        white: &mut DMatrix<f64>,
+        raw: &mut DMatrix<f64>,
+        residual: &mut DVector<f64>,
+        raw_residual: &mut DVector<f64>,
+    ) {
+        let own: Vec<usize> = (self.first..self.first + self.size).collect();
+        // Residual and columns without the term.
+        let put_back = white.columns(self.first, self.size) * &self.coefficients;
+        let without = &*residual + put_back;
+        let others = Basis::new(&white.clone().remove_columns_at(&own));
+        let left = others.reject(&without);
+        let gain = |columns: &DMatrix<f64>| {
+            let along = others.q.tr_mul(columns);
+            let free = columns - &others.q * along;
+            Basis::new(&free).q.tr_mul(&left).norm_squared()
+        };
+        let of_now = gain(&white.columns(self.first, self.size).into_owned());
+        let mut best: Option<(f64, usize)> = None;
+        // All candidates at once would be quicker to project; one by one keeps the memory small.
+        for index in &self.candidates {
+            let candidate = &arena.table.candidates[*index];
+            let columns = arena
+                .white
+                .columns(candidate.first, candidate.size)
+                .select_rows(seen);
+            let value = gain(&columns);
+            if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
+                best = Some((value, *index));
+            }
+        }
+        let Some((_, index)) = best else {
+            return;
+        };
+        let candidate = &arena.table.candidates[index];
+        *residual = without;
+        let raw_back = raw.columns(self.first, self.size) * &self.coefficients;
+        *raw_residual += raw_back;
+        let of_table = |m: &DMatrix<f64>| m.columns(candidate.first, candidate.size).into_owned();
+        white
+            .columns_mut(self.first, self.size)
+            .copy_from(&of_table(&arena.white).select_rows(seen));
+        raw.columns_mut(self.first, self.size)
+            .copy_from(&of_table(&arena.table.raw));
+    }
+}

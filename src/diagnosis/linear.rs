@@ -1,0 +1,185 @@
+//! Least squares on explicit columns: an orthonormal basis by modified Gram–Schmidt, done twice
+//! (Björck 1967; "twice is enough", Giraud, Langou & Rozložník 2005), which drops columns that
+//! the ones before them already explain.
+
+use nalgebra::{DMatrix, DVector};
+
+/// A column of which less than this share is left after projection is a copy of the others.
+const DEPENDENT: f64 = 1e-6;
+
+/// `A = Q R` on the columns that are independent.
+#[derive(Debug, Clone)]
+pub(super) struct Basis {
+    /// Orthonormal columns.
+    pub(super) q: DMatrix<f64>,
+    /// Upper triangular, one column for each kept column of `A`.
+    r: DMatrix<f64>,
+    /// Which columns of `A` were kept, in order.
+    pub(super) kept: Vec<usize>,
+    columns: usize,
+}
+
+impl Basis {
+    /// Takes a matrix apart.
+    pub(super) fn new(a: &DMatrix<f64>) -> Self {
+        let (m, p) = a.shape();
+        let mut q = DMatrix::zeros(m, p);
+        let mut r = DMatrix::zeros(p, p);
+        let mut kept = Vec::new();
+        for column in 0..p {
+            let mut v = a.column(column).into_owned();
+            let before = v.norm();
+            let rank = kept.len();
+            for _ in 0..2 {
+                for k in 0..rank {
+                    let along = q.column(k).dot(&v);
+                    v.axpy(-along, &q.column(k), 1.0);
+                    r[(k, rank)] += along;
+                }
+            }
+            let norm = v.norm();
+            if rank < m && norm > DEPENDENT * before && norm > 0.0 {
+                r[(rank, rank)] = norm;
+                q.set_column(rank, &(v / norm));
+                kept.push(column);
+            } else {
+                r.column_mut(rank.min(p - 1)).fill(0.0);
+            }
+        }
+        let rank = kept.len();
+        Self {
+            q: q.columns(0, rank).into_owned(),
+            r: r.view((0, 0), (rank, rank)).into_owned(),
+            kept,
+            columns: p,
+        }
+    }
+
+    /// Number of independent columns.
+    pub(super) fn rank(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
+    pub(super) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
+        let mut x = self.q.tr_mul(y);
+        self.back_substitute(&mut x);
+        self.spread(&x)
+    }
+
+    /// `y` without its part in the span.
+    pub(super) fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
+        let along = self.q.tr_mul(y);
+        y - &self.q * along
+    }
+
+    /// `(Aᵀ A)⁻¹` on the kept columns; zero elsewhere.
+    pub(super) fn inverse_gram(&self) -> DMatrix<f64> {
+        let rank = self.rank();
+        let mut inverse_r = DMatrix::identity(rank, rank);
+        for k in 0..rank {
+            let mut column = inverse_r.column(k).into_owned();
+            self.back_substitute(&mut column);
+            inverse_r.set_column(k, &column);
+        }
+        let own = &inverse_r * inverse_r.transpose();
+        let mut all = DMatrix::zeros(self.columns, self.columns);
+        for (i, a) in self.kept.iter().enumerate() {
+            for (j, b) in self.kept.iter().enumerate() {
+                all[(*a, *b)] = own[(i, j)];
+            }
+        }
+        all
+    }
+
+    /// Share of row `i` that the fit explains by itself.
+    pub(super) fn leverage(&self, row: usize) -> f64 {
+        self.q.row(row).norm_squared()
+    }
+
+    fn back_substitute(&self, x: &mut DVector<f64>) {
+        for k in (0..self.rank()).rev() {
+            let known: f64 = (k + 1..self.rank()).map(|j| self.r[(k, j)] * x[j]).sum();
+            x[k] = (x[k] - known) / self.r[(k, k)];
+        }
+    }
+
+    fn spread(&self, x: &DVector<f64>) -> DVector<f64> {
+        let mut all = DVector::zeros(self.columns);
+        for (value, column) in x.iter().zip(&self.kept) {
+            all[*column] = *value;
+        }
+        all
+    }
+}
+
+/// Cholesky factor (lower, row by row) of a small symmetric matrix; a pivot below the tolerance
+/// of its row is dropped: its row of the factor is zero.
+pub(super) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usize {
+    let mut rank = 0;
+    for i in 0..k {
+        for j in 0..=i {
+            let mut sum = g[i * k + j];
+            for l in 0..j {
+                sum -= g[i * k + l] * g[j * k + l];
+            }
+            if i == j {
+                if sum > tolerance[i] {
+                    g[i * k + i] = sum.sqrt();
+                    rank += 1;
+                } else {
+                    g[i * k + i] = 0.0;
+                }
+            } else {
+                let pivot = g[j * k + j];
+                g[i * k + j] = if pivot > 0.0 { sum / pivot } else { 0.0 };
+            }
+        }
+    }
+    rank
+}
+
+/// `‖L⁻¹ h‖²` for a factor of [`small_cholesky`]; overwrites `h` with `L⁻¹ h`.
+pub(super) fn small_gain(l: &[f64], k: usize, h: &mut [f64]) -> f64 {
+    let mut gain = 0.0;
+    for i in 0..k {
+        let mut sum = h[i];
+        for j in 0..i {
+            sum -= l[i * k + j] * h[j];
+        }
+        let pivot = l[i * k + i];
+        h[i] = if pivot > 0.0 { sum / pivot } else { 0.0 };
+        gain += h[i] * h[i];
+    }
+    gain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_repeated_column_is_dropped_and_the_rest_still_solves() {
+        let a = DMatrix::from_row_slice(4, 3, &[1., 2., 0., 1., 2., 1., 1., 2., 2., 1., 2., 3.]);
+        let basis = Basis::new(&a);
+        assert_eq!(basis.kept, [0, 2]);
+        let y = DVector::from_row_slice(&[1.0, 3.0, 5.0, 7.0]);
+        let x = basis.solve(&y);
+        assert!((x - DVector::from_row_slice(&[1.0, 0.0, 2.0])).norm() < 1e-12);
+        assert!(basis.reject(&y).norm() < 1e-12);
+    }
+
+    #[test]
+    fn the_small_factor_gives_the_same_gain_as_the_basis() {
+        let a = DMatrix::from_row_slice(4, 2, &[1., 0.5, 1., -1., 1., 2., 1., 3.]);
+        let y = DVector::from_row_slice(&[1.0, 3.0, 2.0, 7.0]);
+        let gram = a.tr_mul(&a);
+        let mut g = vec![gram[(0, 0)], gram[(0, 1)], gram[(1, 0)], gram[(1, 1)]];
+        let tolerance = [0.0; 2];
+        assert_eq!(small_cholesky(&mut g, 2, &tolerance), 2);
+        let h = a.tr_mul(&y);
+        let gain = small_gain(&g, 2, &mut [h[0], h[1]]);
+        let basis = Basis::new(&a);
+        assert!((gain - (y.norm_squared() - basis.reject(&y).norm_squared())).abs() < 1e-10);
+    }
+}

@@ -1,0 +1,158 @@
+//! Finding and naming what is missing: where simulation and measurement disagree, which physical
+//! effect does it, how sure that is, and what to measure next where it is not.
+//!
+//! The way, one file for each idea:
+//!
+//! 1. [`blunders`]: mistakes of setting up are tried first and mended for what follows.
+//! 2. [`evidence`]: residuals of the robust base fit, whitened by axis and in time.
+//! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
+//! 4. [`familywise`]: what the whole search would find in noise alone.
+//! 5. [`search`]: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
+//! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can.
+//! 7. [`limits`]: what would have been seen, had it been there.
+//!
+//! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
+//! T-optimality, Atkinson & Fedorov 1975.
+
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "indices come from small non-negative numbers, simulated residuals are single precision"
+)]
+
+pub mod aliases;
+pub mod anonymous;
+pub mod answer;
+pub mod blunders;
+pub mod candidates;
+pub mod evidence;
+pub mod familywise;
+pub mod format_v1;
+pub mod limits;
+pub mod next_poses;
+
+mod arena;
+mod held_out;
+mod linear;
+mod prepare;
+mod search;
+mod significance;
+
+pub use answer::{
+    Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
+};
+pub use candidates::Allowed;
+
+use crate::effects::JointValues;
+use crate::sessions::Session;
+
+/// What to look for, and how.
+#[derive(Debug, Clone, Default)]
+pub struct Options {
+    /// Names that may be used.
+    pub allowed: Allowed,
+    /// Most effects to add; at most a tenth of the number of samples anyway.
+    pub max_effects: Option<usize>,
+    /// Share of the samples to lock away from everything.
+    pub held_out: Option<f64>,
+    /// Seed of the simulated residuals.
+    pub seed: u64,
+    /// Joint values to start from.
+    pub joint_values: JointValues,
+}
+
+/// How far the diagnosis is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Progress {
+    /// Looking for blunders.
+    Checking,
+    /// Fitting the base, preparing the candidates.
+    Preparing,
+    /// Searching; so many terms were found so far.
+    Searching {
+        /// Number of terms so far.
+        found: usize,
+    },
+    /// Comparing with other explanations.
+    Comparing,
+    /// Looking for poses to measure next.
+    Planning,
+}
+
+/// Is told of progress; answers whether to go on.
+pub type Watch<'a> = &'a dyn Fn(&Progress) -> bool;
+
+/// The watcher asked to stop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cancelled;
+
+/// Why there is no diagnosis.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum DiagnoseError {
+    /// No effect of this name.
+    #[error("no effect is called '{0}'; `truepose effects` lists them")]
+    UnknownEffect(String),
+    /// The share to lock away makes no sense.
+    #[error("--held-out is {0}; expected a share above 0 and below 1, such as 0.25")]
+    HeldOutShare(String),
+    /// Every sample is held out or cannot be used.
+    #[error(
+        "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
+    )]
+    NothingToFit,
+    /// The watcher asked to stop.
+    #[error("stopped")]
+    Cancelled,
+}
+
+impl From<Cancelled> for DiagnoseError {
+    fn from(_: Cancelled) -> Self {
+        Self::Cancelled
+    }
+}
+
+/// Diagnoses a session.
+///
+/// # Errors
+/// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
+pub fn diagnose(
+    session: &Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<Diagnosis, DiagnoseError> {
+    options.check()?;
+    let tell = |progress: Progress| {
+        if watch(&progress) {
+            Ok(())
+        } else {
+            Err(Cancelled)
+        }
+    };
+    tell(Progress::Checking)?;
+    let mended = blunders::mend(session, options);
+    tell(Progress::Preparing)?;
+    let mut prepared = prepare::Prepared::new(&mended.session, options)?;
+    let mut found = prepared.search(options, watch)?;
+    // With the names known, outliers and correlation are judged again, once.
+    if prepared.reconsider(&found) {
+        found = prepared.search(options, watch)?;
+    }
+    answer::answer(&mended, &prepared, &found, watch)
+}
+
+impl Options {
+    fn check(&self) -> Result<(), DiagnoseError> {
+        let named = self.allowed.without.iter();
+        for id in named.chain(self.allowed.only.iter().flatten()) {
+            if crate::effects::find(id).is_none() {
+                return Err(DiagnoseError::UnknownEffect(id.clone()));
+            }
+        }
+        match self.held_out {
+            Some(share) if !(share > 0.0 && share < 1.0) => {
+                Err(DiagnoseError::HeldOutShare(share.to_string()))
+            }
+            _ => Ok(()),
+        }
+    }
+}

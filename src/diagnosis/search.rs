@@ -1,0 +1,350 @@
+//! The search: forward, one effect at a time, each step followed by swaps and drops, then pairs
+//! against pairs; once with names alone and once with shapes beside them. The likelier end wins,
+//! and names are preferred: a shape has to be twenty times likelier than what names can do.
+//!
+//! A step is taken if noise alone would surprise the whole search as much in fewer than
+//! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
+//! the effect matters in practice.
+
+use crate::effects::Term;
+
+use super::aliases;
+use super::anonymous::{Profile, Shape};
+use super::arena::{Arena, Fit, Placed, Score};
+use super::candidates::What;
+use super::held_out::Folds;
+use super::linear::Basis;
+use super::{Cancelled, Progress, Watch};
+
+/// Chance that noise alone may lead to a step. Names and shapes share it; what is left up to one
+/// in a hundred is for what a simulation does not know of (tails, drifts, correlation).
+pub(super) const CHANCE: f64 = 0.004;
+/// An effect matters if its root mean square is above this share of the noise …
+const LEAST_OF_NOISE: f64 = 0.3;
+/// … or above this share of the tolerance.
+const LEAST_OF_TOLERANCE: f64 = 0.1;
+/// An effect below this is rounding, mm.
+const LEAST_MM: f64 = 2e-5;
+
+/// What may be added in a pass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Allow {
+    Names,
+    Everything,
+}
+
+/// How the search ended.
+pub(super) struct Found {
+    /// The model with everything that is accepted.
+    pub(super) fit: Fit,
+    /// The best model of names alone.
+    pub(super) names_only: Fit,
+}
+
+pub(super) struct Search<'s, 'a> {
+    pub(super) arena: &'s Arena<'a>,
+    pub(super) folds: &'s Folds,
+    pub(super) most: usize,
+    pub(super) watch: Watch<'s>,
+}
+
+impl Search<'_, '_> {
+    pub(super) fn run(&self) -> Result<Found, Cancelled> {
+        let base = self.arena.fit(&self.arena.base, Vec::new());
+        self.tell(Progress::Searching { found: 0 })?;
+        let mut names_only = self.forward(base.clone(), Allow::Names)?;
+        names_only = self.pairs(names_only)?;
+        // Names first, then what they leave; and everything at once from the start.
+        let extended = self.forward(names_only.clone(), Allow::Everything)?;
+        let free = self.forward(base, Allow::Everything)?;
+        let mut fit = names_only.clone();
+        for other in [extended, free] {
+            let other = self.pairs(other)?;
+            if other.ln_evidence > fit.ln_evidence + 1e-6 {
+                fit = other;
+            }
+        }
+        Ok(Found { fit, names_only })
+    }
+
+    fn tell(&self, progress: Progress) -> Result<(), Cancelled> {
+        if (self.watch)(&progress) {
+            Ok(())
+        } else {
+            Err(Cancelled)
+        }
+    }
+
+    fn count(&self, fit: &Fit) -> usize {
+        self.arena.added(fit).len() + fit.shapes.len()
+    }
+
+    /// Adds what is significant, best first, until nothing is.
+    fn forward(&self, start: Fit, allow: Allow) -> Result<Fit, Cancelled> {
+        let mut fit = start;
+        while self.count(&fit) < self.most {
+            let Some(next) = self.step(&fit, allow) else {
+                break;
+            };
+            let next = self.settle(next, allow);
+            if next.ln_evidence <= fit.ln_evidence + 1e-6 {
+                break;
+            }
+            fit = next;
+            self.tell(Progress::Searching {
+                found: self.count(&fit),
+            })?;
+        }
+        Ok(fit)
+    }
+
+    /// The likeliest candidate that is significant, holds on unseen samples and matters.
+    fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
+        let mut scores = self.arena.scan(fit);
+        scores.retain(|s| self.may_join(fit, s, allow));
+        by_odds(&mut scores);
+        let unseen = self.folds.rms(self.arena, fit);
+        // Nearly equal candidates: the first few are looked at closely.
+        for score in scores.iter().take(4) {
+            if !self.matters(score.gain, fit) {
+                continue;
+            }
+            let what = self.refined(fit, score.candidate);
+            let next = self.arena.with(fit, &what);
+            if self.arena.family_p(score.surprise, &next).p > CHANCE {
+                continue;
+            }
+            if self.folds.rms(self.arena, &next) < unseen {
+                return Some(next);
+            }
+        }
+        None
+    }
+
+    fn may_join(&self, fit: &Fit, score: &Score, allow: Allow) -> bool {
+        match &self.arena.table.candidates[score.candidate].what {
+            What::Named(term) => compatible(&self.arena.added(fit), term),
+            What::Anonymous(_) => allow == Allow::Everything,
+        }
+    }
+
+    /// Whether a fall of the sum of squares by `gain` matters in practice.
+    pub(super) fn matters(&self, gain: f64, fit: &Fit) -> bool {
+        let arena = self.arena;
+        let n = arena.rows.samples.len() as f64;
+        let in_noise = (gain / n).sqrt() / arena.scale(fit).max(1e-300);
+        let mean_sigma = mean_sigma_mm(arena);
+        let rms_mm = (gain / n).sqrt() * mean_sigma;
+        let of_tolerance = arena
+            .problem
+            .session
+            .tolerance_mm
+            .is_some_and(|t| rms_mm > LEAST_OF_TOLERANCE * t);
+        rms_mm > LEAST_MM && (in_noise > LEAST_OF_NOISE || of_tolerance)
+    }
+
+    /// Swaps and drops until nothing changes.
+    fn settle(&self, fit: Fit, allow: Allow) -> Fit {
+        let mut fit = fit;
+        for _ in 0..3 {
+            let before = fit.ln_evidence;
+            fit = self.swap(fit, allow);
+            fit = self.drop(fit);
+            if fit.ln_evidence <= before + 1e-6 {
+                break;
+            }
+        }
+        fit
+    }
+
+    /// Exchanges each term or shape for the candidate that does best in its place.
+    fn swap(&self, fit: Fit, allow: Allow) -> Fit {
+        let mut fit = fit;
+        if self.count(&fit) < 2 && fit.shapes.is_empty() {
+            return fit;
+        }
+        let terms: Vec<Term> = self.arena.added(&fit).into_iter().cloned().collect();
+        for term in terms {
+            let rest = self.arena.without_term(&fit, &term);
+            if let Some(better) = self.best_beside(&rest, allow, fit.ln_evidence) {
+                fit = better;
+            }
+        }
+        for index in (0..fit.shapes.len()).rev() {
+            let rest = self.arena.without_shape(&fit, index);
+            if let Some(better) = self.best_beside(&rest, allow, fit.ln_evidence) {
+                fit = better;
+            }
+        }
+        fit
+    }
+
+    fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
+        let mut scores = self.arena.scan(rest);
+        scores
+            .retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
+        by_odds(&mut scores);
+        let mut best: Option<Fit> = None;
+        for score in scores.iter().take(3) {
+            let what = self.refined(rest, score.candidate);
+            let next = self.arena.with(rest, &what);
+            let so_far = best.as_ref().map_or(than, |b| b.ln_evidence);
+            if next.ln_evidence > so_far + 1e-3 {
+                best = Some(next);
+            }
+        }
+        best
+    }
+
+    /// Drops what is no longer needed beside the others.
+    fn drop(&self, fit: Fit) -> Fit {
+        let mut fit = fit;
+        loop {
+            let mut best: Option<Fit> = None;
+            let mut consider = |rest: Fit, named: bool| {
+                let lost = fit.ln_evidence - rest.ln_evidence;
+                let gain = rest.rss - fit.rss;
+                // Beside a shape a name has to be needed clearly, or it only mends the shape's edges.
+                let needed = if named && !fit.shapes.is_empty() {
+                    NEEDED_BESIDE_A_SHAPE
+                } else {
+                    NEEDED
+                };
+                if lost < needed || !self.matters(gain, &fit) {
+                    let so_far = best.as_ref().map_or(f64::NEG_INFINITY, |b| b.ln_evidence);
+                    if rest.ln_evidence > so_far {
+                        best = Some(rest);
+                    }
+                }
+            };
+            for term in self.arena.added(&fit) {
+                consider(self.arena.without_term(&fit, term), true);
+            }
+            for index in 0..fit.shapes.len() {
+                consider(self.arena.without_shape(&fit, index), false);
+            }
+            match best {
+                Some(rest) => fit = rest,
+                None => return fit,
+            }
+        }
+    }
+
+    /// Exchanges one or two terms for one or two others while that is likelier.
+    fn pairs(&self, fit: Fit) -> Result<Fit, Cancelled> {
+        let mut fit = fit;
+        for _ in 0..3 {
+            self.tell(Progress::Comparing)?;
+            let rivals = aliases::rivals(self.arena, &fit);
+            let Some(best) = rivals.into_iter().next() else {
+                break;
+            };
+            if best.fit.ln_evidence <= fit.ln_evidence + 1e-3 {
+                break;
+            }
+            fit = self.drop(best.fit);
+        }
+        Ok(fit)
+    }
+
+    /// A candidate with its shape fitted finely to what is left.
+    fn refined(&self, fit: &Fit, candidate: usize) -> What {
+        match &self.arena.table.candidates[candidate].what {
+            What::Anonymous(shape) => What::Anonymous(self.refined_shape(fit, *shape)),
+            named @ What::Named(_) => named.clone(),
+        }
+    }
+
+    fn refined_shape(&self, fit: &Fit, start: Shape) -> Shape {
+        let gain = |shape: &Shape| {
+            let placed = self.arena.placed(*shape);
+            gain_of(&placed, fit)
+        };
+        let range = self.arena.table.ground.range(start.variable);
+        let span = range.1 - range.0;
+        let mut best = (start, gain(&start));
+        let mut step = match start.profile {
+            Profile::Bump { width, .. } => 0.5 * width,
+            Profile::Plateau { .. } => 0.04 * span,
+            Profile::Periodic { .. } if span > 0.0 => 0.2 * std::f64::consts::TAU / span,
+            _ => return start,
+        };
+        for _ in 0..6 {
+            for (first, second) in [(step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step)] {
+                let Some(profile) = moved(best.0.profile, first, second) else {
+                    continue;
+                };
+                let shape = Shape { profile, ..best.0 };
+                let value = gain(&shape);
+                if value > best.1 {
+                    best = (shape, value);
+                }
+            }
+            step *= 0.6;
+        }
+        best.0
+    }
+}
+
+/// Log-odds by which a term has to be needed beside the others.
+const NEEDED: f64 = 1.0;
+const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;
+
+/// A profile with its two settings moved; `None` where it makes no sense any more.
+fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
+    match profile {
+        Profile::Bump { centre, width } => {
+            let width = width + 0.6 * second;
+            (width > 0.0).then_some(Profile::Bump {
+                centre: centre + first,
+                width,
+            })
+        }
+        Profile::Plateau { from, to } => {
+            let (from, to) = (from + first, to + second);
+            (from < to).then_some(Profile::Plateau { from, to })
+        }
+        Profile::Periodic { cycles, harmonics } => (second == 0.0 && cycles + first > 0.0)
+            .then_some(Profile::Periodic {
+                cycles: cycles + first,
+                harmonics,
+            }),
+        _ => None,
+    }
+}
+
+/// By how much a shape would lower the sum of squares of a fit.
+fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
+    let along = fit.basis.q.tr_mul(&placed.white);
+    let mut own = placed.white.clone();
+    own.gemm(-1.0, &fit.basis.q, &along, 1.0);
+    let basis = Basis::new(&own);
+    basis.q.tr_mul(&fit.residual).norm_squared()
+}
+
+/// Likeliest first; what is equally likely stays in the order of the catalogue.
+pub(super) fn by_odds(scores: &mut [Score]) {
+    let key = |s: &Score| (s.ln_odds * 1e5).round();
+    scores.sort_by(|a, b| {
+        key(b)
+            .total_cmp(&key(a))
+            .then(a.candidate.cmp(&b.candidate))
+    });
+}
+
+/// Whether a name may stand beside those that are there: lost motion is backlash with a setting,
+/// and two of a kind need different settings.
+pub(super) fn compatible(there: &[&Term], term: &Term) -> bool {
+    let id = |t: &Term| t.effect.about().id;
+    let plays = |t: &Term| matches!(id(t), "backlash" | "lost-motion");
+    !there
+        .iter()
+        .any(|t| t.joint == term.joint && (t.same_column(term) || plays(t) && plays(term)))
+}
+
+/// Root mean square of σ over the measured axes, mm.
+pub(super) fn mean_sigma_mm(arena: &Arena) -> f64 {
+    let axes = &arena.rows.axes;
+    let sum: f64 = axes.iter().map(|a| arena.noise.sigma_mm[*a].powi(2)).sum();
+    (sum / axes.len().max(1) as f64).sqrt()
+}
