@@ -65,7 +65,7 @@ fn a_model_opens_by_itself_and_gives_its_table() {
     window.get_by_label("How it came about");
     window.get_by_label("What the robot really is");
     window.get_by_label("workspace plot, 0 samples");
-    press(&mut window, "4 Export");
+    press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
     assert_eq!(says(&window, "add them to the command"), 1);
     assert_eq!(says(&window, "no joint"), 1);
@@ -82,7 +82,13 @@ fn a_model_opens_by_itself_and_gives_its_table() {
             .is_some_and(|c| c.starts_with('3') || c.starts_with("2.99")),
         "{line}"
     );
-    for step in ["1 Session", "2 Regions", "3 Identify", "4 Export"] {
+    for step in [
+        "1 Session",
+        "2 Regions",
+        "3 Identify",
+        "4 Find the gap",
+        "5 Export",
+    ] {
         press(&mut window, step);
         let unnamed = window.unnamed_widgets();
         assert!(unnamed.is_empty(), "{step}: {unnamed:?}");

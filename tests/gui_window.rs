@@ -104,7 +104,7 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
     window.get_by_label("What the robot really is");
 
     // Export: seen first, then written, with what it means beside it.
-    press(&mut window, "4 Export");
+    press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
     window.get_by_label_contains("corrections: add them to the command");
     let table = folder.path().join("table.csv");
@@ -205,7 +205,13 @@ fn a_session_made_by_simulation_gives_back_what_went_in() {
 #[test]
 fn every_control_has_a_name() {
     let mut window = window();
-    for step in ["1 Session", "2 Regions", "3 Identify", "4 Export"] {
+    for step in [
+        "1 Session",
+        "2 Regions",
+        "3 Identify",
+        "4 Find the gap",
+        "5 Export",
+    ] {
         press(&mut window, step);
         let unnamed = window.unnamed_widgets();
         assert!(unnamed.is_empty(), "{step}: {unnamed:?}");

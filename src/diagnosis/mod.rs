@@ -29,6 +29,7 @@ pub mod evidence;
 pub mod familywise;
 pub mod format_v1;
 pub mod limits;
+pub mod measuring_list;
 pub mod next_poses;
 
 mod arena;
@@ -42,6 +43,7 @@ pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
 pub use candidates::Allowed;
+pub use measuring_list::measuring_list;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;

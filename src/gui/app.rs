@@ -54,8 +54,17 @@ impl App {
     /// Opens the sheet in which the path of an export is typed, with this path in it: what the
     /// window does by itself where the system has no dialog.
     pub fn type_export_path(&mut self, path: &Path) {
+        self.type_path(What::Table, path);
+    }
+
+    /// The same for the list of poses to measure next.
+    pub fn type_list_path(&mut self, path: &Path) {
+        self.type_path(What::Poses, path);
+    }
+
+    fn type_path(&mut self, what: What, path: &Path) {
         let sheet = Sheet::ExportPath {
-            what: What::Table,
+            what,
             path: path.display().to_string(),
             replace: false,
         };

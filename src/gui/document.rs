@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::effects::Term;
 use crate::export::{DEFAULT_STEP, EXPORTERS, find};
 use crate::identification::DEFAULT_EFFECTS;
 use crate::identification::regions::RegionChoice;
@@ -62,6 +63,15 @@ pub(crate) fn plain(name: &str) -> String {
     }
 }
 
+/// An effect that a search found and that was added to the model.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Added {
+    /// Its term, as the search left it.
+    pub(crate) term: Term,
+    /// Whether it is in the model at present.
+    pub(crate) on: bool,
+}
+
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone)]
 pub(crate) struct Document {
@@ -73,6 +83,8 @@ pub(crate) struct Document {
     pub(crate) method: Method,
     /// Effects of the exact fit, in the order of the catalogue.
     pub(crate) effects: Vec<&'static str>,
+    /// Effects that a search found and that were added to the exact fit, in that order.
+    pub(crate) added: Arc<[Added]>,
     /// How far a measured position may be off, mm.
     pub(crate) tolerance_mm: Option<f64>,
     /// How the table is exported.
@@ -89,6 +101,7 @@ impl PartialEq for Document {
             && self.regions == other.regions
             && self.method == other.method
             && self.effects == other.effects
+            && self.added == other.added
             && self.tolerance_mm == other.tolerance_mm
             && self.export == other.export
             && self.given == other.given
@@ -111,6 +124,7 @@ impl Document {
             regions: regions.into(),
             method: Method::default(),
             effects: DEFAULT_EFFECTS.to_vec(),
+            added: Arc::from([]),
             tolerance_mm: subject.session.tolerance_mm,
             export: ExportChoice::default(),
             given: None,
@@ -147,13 +161,22 @@ impl Document {
         session
     }
 
+    /// What was added and is switched on.
+    pub(crate) fn in_the_model(&self) -> impl Iterator<Item = &Term> {
+        let on = self.added.iter().filter(|added| added.on);
+        on.map(|added| &added.term)
+    }
+
     /// What the answer depends on; `None` while nothing is to be identified.
     pub(crate) fn question(&self) -> Option<Question> {
         self.identified.then(|| Question {
             subject: Arc::clone(&self.subject),
             asks: match (&self.given, self.method) {
                 (Some(given), _) => Asks::Given(Arc::clone(given)),
-                (None, Method::Exact) => Asks::Exact(self.effects.clone()),
+                (None, Method::Exact) => Asks::Exact {
+                    effects: self.effects.clone(),
+                    with: self.in_the_model().cloned().collect(),
+                },
                 (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
             },
         })
@@ -173,7 +196,12 @@ pub(crate) struct Question {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Asks {
     /// Exactly these effects.
-    Exact(Vec<&'static str>),
+    Exact {
+        /// Their names.
+        effects: Vec<&'static str>,
+        /// What a search found, with its settings.
+        with: Vec<Term>,
+    },
     /// A correction for each of these regions.
     Regional(Arc<[Region]>),
     /// What this model says.

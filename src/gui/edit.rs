@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::effects::CATALOGUE;
+use crate::effects::{CATALOGUE, Term};
 use crate::identification::regions::RegionChoice;
 
 use super::boundaries;
-use super::document::{Document, ExportChoice, Method};
+use super::document::{Added, Document, ExportChoice, Method};
 use super::given::Given;
 use super::subject::Subject;
 
@@ -42,6 +42,10 @@ pub(crate) enum Edit {
     Tolerance(Option<f64>),
     /// Another table.
     Export(ExportChoice),
+    /// Add what a search found to the exact fit.
+    Add(Vec<Term>),
+    /// Switch an added effect (counted in the order in which they were added) on or off.
+    Switch(usize, bool),
     /// Identify from now on, as it is chosen.
     Identify,
     /// Identify from now on, by this method.
@@ -64,6 +68,9 @@ impl Edit {
             Self::Effect(..) => "choose effects",
             Self::Tolerance(_) => "set tolerance",
             Self::Export(_) => "choose table",
+            Self::Add(_) => "add to model",
+            Self::Switch(_, true) => "switch effect on",
+            Self::Switch(_, false) => "switch effect off",
             Self::Identify | Self::IdentifyBy(_) => "identify",
         }
     }
@@ -172,6 +179,28 @@ impl Edit {
                     return Err("a table needs a joint of the robot and a step above 0".to_owned());
                 }
                 next.export = *choice;
+            }
+            Self::Add(terms) => {
+                let mut added = document.added.to_vec();
+                for term in terms {
+                    match added.iter_mut().find(|a| a.term.same_column(term)) {
+                        Some(there) => there.on = true,
+                        None => added.push(Added {
+                            term: term.clone(),
+                            on: true,
+                        }),
+                    }
+                }
+                next.added = added.into();
+                next.method = Method::Exact;
+                next.identified = true;
+            }
+            Self::Switch(index, on) => {
+                let mut added = document.added.to_vec();
+                added.get_mut(*index).ok_or("there is no such effect")?.on = *on;
+                next.added = added.into();
+                next.method = Method::Exact;
+                next.identified = true;
             }
             Self::Identify => next.identified = true,
             Self::IdentifyBy(method) => {

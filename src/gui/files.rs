@@ -212,6 +212,7 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
     let title = match what {
         What::Table => "Save table",
         What::Model => "Save model",
+        What::Poses => "Save measuring list",
     };
     let dialog = rfd::FileDialog::new().set_title(title).set_file_name(name);
     Report::ChosenToExport(what, dialog.save_file())
@@ -222,6 +223,22 @@ pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> 
     let written =
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
     Report::Exported(match written {
+        Ok(()) => Ok(path.to_path_buf()),
+        Err(problem) => Err(Message {
+            wrong: true,
+            title: format!("{} was not written", path.display()),
+            details: vec![problem, "What was there before is there still".to_owned()],
+        }),
+    })
+}
+
+/// Writes a measuring list.
+pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Report {
+    let document = Document {
+        name: String::new(),
+        bytes: list.into_bytes(),
+    };
+    Report::Listed(match write_all(&[document], path, replace) {
         Ok(()) => Ok(path.to_path_buf()),
         Err(problem) => Err(Message {
             wrong: true,

@@ -8,6 +8,7 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `search`: what a diagnosis found, ready to be added.
 //! - `preview`: an export as it would be written.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
@@ -24,6 +25,7 @@ mod outcome;
 mod panels;
 mod plots;
 mod preview;
+mod search;
 mod simulate;
 mod subject;
 mod tasks;

@@ -2,12 +2,12 @@
 
 use crate::compensation::Verification;
 use crate::effects::inputs::reflectors_at_home;
-use crate::effects::{Inputs, JointValues};
+use crate::effects::{Inputs, JointValues, Term};
 use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::regions::{Assignment, RegionChoice};
-use crate::identification::{Identification, identify_exact, identify_regional};
-use crate::model::Calibration;
+use crate::identification::{Identification, identify_regional, identify_with};
+use crate::model::{Calibration, GapStep};
 
 use super::document::{Asks, Question};
 use super::subject::Subject;
@@ -66,11 +66,17 @@ fn answer(question: &Question) -> Result<Answer, String> {
     let subject = &*question.subject;
     let session = &subject.session;
     let values = JointValues::Commanded;
+    let mut steps = vec![];
     let (identification, after_mm) = match &question.asks {
-        Asks::Exact(effects) => {
+        Asks::Exact { effects, with } => {
             let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
-            let identification =
-                identify_exact(session, &effects, values).map_err(|e| e.to_string())?;
+            let first = |n: usize| identify_with(session, &effects, &with[..n], values);
+            let identification = first(with.len()).map_err(|e| e.to_string())?;
+            for n in 0..with.len() {
+                let before = first(n).map_err(|e| e.to_string())?;
+                steps.push(before.gap.after.rms_mm);
+            }
+            steps.push(identification.gap.after.rms_mm);
             let problem = Problem::new(session, values);
             let after = deviations(&problem, &identification.model);
             (identification, after.axes_mm)
@@ -90,7 +96,13 @@ fn answer(question: &Question) -> Result<Answer, String> {
     for outlier in &identification.outliers {
         suspected[outlier.sample] = true;
     }
-    let calibration = identification.calibration(session, &Inputs::new(session, values));
+    let mut calibration = identification.calibration(session, &Inputs::new(session, values));
+    if let Asks::Exact { with, .. } = &question.asks
+        && !with.is_empty()
+    {
+        calibration.history.truncate(1);
+        calibration.history.extend(history(with, &steps));
+    }
     Ok(Answer {
         identification,
         calibration,
@@ -99,6 +111,20 @@ fn answer(question: &Question) -> Result<Answer, String> {
         lengths_mm,
         suspected,
     })
+}
+
+/// The gap after the identification and after each effect that was added.
+fn history(with: &[Term], gaps_mm: &[f64]) -> Vec<GapStep> {
+    let name = |k: usize| match k.checked_sub(1).map(|k| &with[k]) {
+        None => "exact identification".to_owned(),
+        Some(term) => format!("with {}", term.effect.about().id),
+    };
+    let step = |(k, gap_mm): (usize, &f64)| GapStep {
+        what: name(k),
+        gap_mm: *gap_mm,
+        held_out_mm: None,
+    };
+    gaps_mm.iter().enumerate().map(step).collect()
 }
 
 /// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of

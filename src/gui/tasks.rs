@@ -8,13 +8,14 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::document::Question;
 use super::given::Given;
 use super::outcome::Outcome;
 use super::preview::{Preview, Wanted};
+use super::search::Search;
 use super::subject::Subject;
 use super::view::Message;
 
@@ -33,10 +34,14 @@ pub(crate) enum Report {
     Saved(Result<PathBuf, Message>),
     /// A question was answered.
     Answered(Box<Outcome>),
+    /// A session was searched.
+    Searched(Box<Search>),
     /// An export was prepared.
     Prepared(Box<Preview>),
     /// An export was written.
     Exported(Result<PathBuf, Message>),
+    /// A measuring list was written.
+    Listed(Result<PathBuf, Message>),
     /// A path was chosen to export to.
     ChosenToExport(What, Option<PathBuf>),
     /// The task itself failed: a bug.
@@ -50,12 +55,16 @@ pub(crate) enum What {
     Table,
     /// The model itself.
     Model,
+    /// Poses to measure next.
+    Poses,
 }
 
 /// Between a task and the window: how far it is, and whether anybody still wants it.
 #[derive(Debug, Default)]
 pub(crate) struct Watch {
     permille: AtomicU32,
+    stage: AtomicUsize,
+    found: AtomicUsize,
     stopped: AtomicBool,
 }
 
@@ -69,6 +78,12 @@ impl Watch {
     pub(crate) fn done(&self, part: f64) {
         let permille = (1000.0 * part.clamp(0.0, 1.0)) as u32;
         self.permille.store(permille, Ordering::Relaxed);
+    }
+
+    /// Which stage has begun, and how much was found so far.
+    pub(crate) fn reached(&self, stage: usize, found: usize) {
+        self.stage.store(stage, Ordering::Relaxed);
+        self.found.fetch_max(found, Ordering::Relaxed);
     }
 
     /// Whether the task was cancelled.
@@ -98,6 +113,12 @@ pub(crate) struct Running {
 }
 
 impl Running {
+    /// The stage that has begun, and how much was found so far.
+    pub(crate) fn stage(&self) -> (usize, usize) {
+        let Watch { stage, found, .. } = &*self.watch;
+        (stage.load(Ordering::Relaxed), found.load(Ordering::Relaxed))
+    }
+
     /// Which part is done, where the task says so.
     pub(crate) fn progress(&self) -> Option<f32> {
         let permille = self.watch.permille.load(Ordering::Relaxed);
@@ -110,6 +131,7 @@ enum Kind {
     Once,
     Identifies,
     Prepares,
+    Searches,
 }
 
 /// One question at a time, and the latest one after it.
@@ -219,6 +241,20 @@ impl Tasks {
         });
     }
 
+    /// Searches a session for what is missing, unless a search is under way.
+    pub(crate) fn search(&mut self, subject: Arc<Subject>) {
+        if self.searching().is_none() {
+            self.spawn("searching".to_owned(), Kind::Searches, move |watch| {
+                Report::Searched(Box::new(Search::of(subject, watch)))
+            });
+        }
+    }
+
+    /// The search that is under way.
+    pub(crate) fn searching(&self) -> Option<&Running> {
+        self.running.iter().find(|r| r.kind == Kind::Searches)
+    }
+
     /// Asks for the preview of an export.
     pub(crate) fn prepare(&mut self, wanted: Wanted) {
         if let Some(wanted) = self.previews.ask(wanted) {
@@ -281,7 +317,7 @@ impl Tasks {
         };
         cancelled.watch.stopped.store(true, Ordering::Relaxed);
         match cancelled.kind {
-            Kind::Once => {}
+            Kind::Once | Kind::Searches => {}
             Kind::Identifies => self.questions = Latest::default(),
             Kind::Prepares => self.previews = Latest::default(),
         }
@@ -296,7 +332,7 @@ impl Tasks {
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once => {}
+                Kind::Once | Kind::Searches => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

@@ -17,13 +17,21 @@ pub(crate) enum Step {
     Regions,
     /// What the robot really is.
     Identify,
+    /// What is missing.
+    Gap,
     /// What the controller needs.
     Export,
 }
 
 impl Step {
     /// All steps that exist.
-    pub(crate) const ALL: [Self; 4] = [Self::Session, Self::Regions, Self::Identify, Self::Export];
+    pub(crate) const ALL: [Self; 5] = [
+        Self::Session,
+        Self::Regions,
+        Self::Identify,
+        Self::Gap,
+        Self::Export,
+    ];
 
     /// Its name.
     pub(crate) fn name(self) -> &'static str {
@@ -31,6 +39,7 @@ impl Step {
             Self::Session => "Session",
             Self::Regions => "Regions",
             Self::Identify => "Identify",
+            Self::Gap => "Find the gap",
             Self::Export => "Export",
         }
     }
@@ -118,6 +127,16 @@ pub(crate) enum Side {
     Samples,
 }
 
+/// The lower plot of the step that finds the gap.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Lower {
+    /// The gap, step by step.
+    #[default]
+    Waterfall,
+    /// The deviation over the angle.
+    Deviation,
+}
+
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Sheet {
@@ -179,6 +198,8 @@ pub(crate) struct ViewState {
     pub(crate) selected: Option<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
+    /// The lower plot of the step that finds the gap.
+    pub(crate) lower: Lower,
     /// Unit of lengths.
     pub(crate) length: LengthUnit,
     /// Unit of angles.
@@ -207,6 +228,7 @@ impl Default for ViewState {
             hovered: None,
             selected: None,
             side: Side::default(),
+            lower: Lower::default(),
             length: LengthUnit::default(),
             angle: AngleUnit::default(),
             sheet: None,

@@ -37,6 +37,21 @@ pub fn identify_exact(
     effects: &[String],
     values: JointValues,
 ) -> Result<Identification, IdentifyError> {
+    identify_with(session, effects, &[], values)
+}
+
+/// Like [`identify_exact`], with terms beside the named effects whose settings (orders, times) are
+/// known, from a diagnosis: they are fitted too, from where they are, and nothing is scanned for
+/// them. A named effect that is among them already is not fitted twice.
+///
+/// # Errors
+/// As [`identify_exact`].
+pub fn identify_with(
+    session: &Session,
+    effects: &[String],
+    known: &[Term],
+    values: JointValues,
+) -> Result<Identification, IdentifyError> {
     let mut problem = Problem::new(session, values);
     if problem.samples() == 0 {
         return Err(IdentifyError::NothingToFit);
@@ -60,13 +75,21 @@ pub fn identify_exact(
                     combination: name_on_joint(effect, joint, session),
                     because,
                 }),
-                None => terms.push(Term::absent(effect, joint, 0.0)),
+                None => {
+                    let there = |t: &Term| t.effect.about().id == id && t.joint == joint;
+                    if !known.iter().any(there) {
+                        terms.push(Term::absent(effect, joint, 0.0));
+                    }
+                }
             }
         }
     }
     terms.extend(free_frames(session, &problem));
     let nominal = Model::nominal(session.robot.clone());
     let start = scan::with_best_settings(&problem, &nominal, terms);
+    let start = known
+        .iter()
+        .fold(start, |model, term| model.with_term(term.clone()));
     let fitted = fit_without_outliers(&mut problem, &start);
     Ok(report(
         session,

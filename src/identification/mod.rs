@@ -19,7 +19,9 @@ mod regional;
 mod unidentifiable;
 
 pub(crate) use exact::free_frames;
-pub use exact::{DEFAULT_EFFECTS, fit_without_outliers, identify_exact, report, testable_effects};
+pub use exact::{
+    DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_with, report, testable_effects,
+};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
 };

@@ -6,7 +6,7 @@ use crate::gui::edit::Edit;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{AngleUnit, LengthUnit, Plane, Sheet, Side, Step};
+use crate::gui::view::{AngleUnit, LengthUnit, Lower, Plane, Sheet, Side, Step};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -47,6 +47,8 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Search for what is missing.
+    Search,
     /// Make a session by simulation.
     Simulate(Form),
     /// Drop the task that is under way.
@@ -69,6 +71,8 @@ pub(crate) enum Command {
     Select(Option<usize>),
     /// Show this on the right-hand side.
     Side(Side),
+    /// Show this below the workspace in the step that finds the gap.
+    Lower(Lower),
     /// Show lengths in this unit.
     Length(LengthUnit),
     /// Show angles in this unit.

@@ -13,12 +13,14 @@ use std::sync::Arc;
 
 pub(crate) use command::Command;
 
-use crate::gui::document::Document;
+use crate::diagnosis::{Diagnosis, measuring_list};
+use crate::gui::document::{Document, Method};
 use crate::gui::edit::Edit;
 use crate::gui::files;
 use crate::gui::given::Given;
 use crate::gui::outcome::{Answer, Outcome};
 use crate::gui::preview::{Made, Preview, Wanted};
+use crate::gui::search::Search;
 use crate::gui::subject::Subject;
 use crate::gui::tasks::{Tasks, What};
 use crate::gui::undo::History;
@@ -34,6 +36,7 @@ pub(crate) struct Workbench {
     saved: Arc<Document>,
     view: ViewState,
     outcome: Option<Arc<Outcome>>,
+    searched: Option<Arc<Search>>,
     preview: Option<Preview>,
     exported: Option<PathBuf>,
     tasks: Tasks,
@@ -50,6 +53,7 @@ impl Workbench {
             history,
             view: ViewState::default(),
             outcome: None,
+            searched: None,
             preview: None,
             exported: None,
             tasks,
@@ -231,6 +235,7 @@ impl Workbench {
                         .start("simulating", move |watch| files::simulate(&form, watch));
                 }
             }
+            Command::Search => self.search(),
             Command::Cancel => self.tasks.cancel_newest(),
             other => self.look(other),
         }
@@ -252,6 +257,7 @@ impl Workbench {
             Command::Hover(sample) => view.hovered = sample,
             Command::Select(sample) => view.selected = sample,
             Command::Side(side) => view.side = side,
+            Command::Lower(lower) => view.lower = lower,
             Command::Length(unit) => view.length = unit,
             Command::Angle(unit) => view.angle = unit,
             Command::Theme(theme) => view.theme = theme,
@@ -319,10 +325,52 @@ impl Workbench {
         match what {
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", crate::gui::document::plain(session)),
+            What::Poses => format!("{}-next-poses.csv", crate::gui::document::plain(session)),
         }
     }
 
+    /// What a search of the open session found, or why it found nothing out.
+    pub(crate) fn searched(&self) -> Option<Result<&Diagnosis, &String>> {
+        let search = self.searched.as_ref()?;
+        Arc::ptr_eq(&search.subject, self.subject()).then_some(search.answer.as_ref())
+    }
+
+    /// The diagnosis of the open session.
+    pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
+        self.searched().and_then(Result::ok)
+    }
+
+    /// A search begins where the exact identification ends.
+    fn search(&mut self) {
+        if self.subject().is_empty() {
+            return self.complain(
+                "There is nothing to search yet",
+                vec!["Open a session that was measured on this robot".to_owned()],
+            );
+        }
+        let document = self.document();
+        let exact =
+            document.identified && document.method == Method::Exact && document.given.is_none();
+        if !exact {
+            self.edit(&Edit::IdentifyBy(Method::Exact), false);
+        }
+        self.tasks.search(Arc::clone(self.subject()));
+    }
+
     fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        if what == What::Poses {
+            let Some(diagnosis) = self.diagnosis() else {
+                return self.complain(
+                    "There is no measuring list yet",
+                    vec!["Search for the gap first, in step 4".to_owned()],
+                );
+            };
+            let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
+            let says = format!("writing {}", path.display());
+            self.tasks
+                .start(says, move |_| files::write_list(list, &path, replace));
+            return;
+        }
         // From what is shown, but under the name that was chosen.
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(

@@ -35,6 +35,7 @@ impl Workbench {
             Report::Opened(Err(message))
             | Report::OpenedModel(Err(message))
             | Report::Saved(Err(message))
+            | Report::Listed(Err(message))
             | Report::Exported(Err(message)) => {
                 self.view.message = Some(message);
             }
@@ -75,6 +76,7 @@ impl Workbench {
                 self.outcome = Some(Arc::new(*outcome));
                 self.keep_preparing();
             }
+            Report::Searched(search) => self.searched = Some(Arc::new(*search)),
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
                 what,
@@ -88,6 +90,13 @@ impl Workbench {
                     what,
                     path,
                     replace: false,
+                });
+            }
+            Report::Listed(Ok(path)) => {
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: format!("Written: {}", path.display()),
+                    details: Vec::new(),
                 });
             }
             Report::Exported(Ok(path)) => {

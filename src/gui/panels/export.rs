@@ -1,4 +1,4 @@
-//! Step 4: what the controller needs, seen before it is saved.
+//! Step 5: what the controller needs, seen before it is saved.
 
 use egui::{DragValue, RichText, ScrollArea, Ui};
 

@@ -2,6 +2,8 @@
 
 pub(super) mod dropped;
 mod export;
+mod findings;
+mod gap;
 mod identify;
 pub(super) mod menu;
 mod model;

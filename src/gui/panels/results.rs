@@ -27,6 +27,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             .show(ui, |ui| super::export::preview(ui, workbench));
         return;
     }
+    if workbench.view().step == Step::Gap && side == Side::Results {
+        return super::findings::show(ui, workbench, commands);
+    }
     ui.horizontal(|ui| {
         widgets::heading(ui, "Results");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -226,7 +229,7 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
 }
 
 /// A parameter's name and its unit, as people write them.
-fn named(parameter: &str) -> (String, &'static str) {
+pub(super) fn named(parameter: &str) -> (String, &'static str) {
     const UNITS: [(&str, &str); 16] = [
         ("_urad_per_nm", "µrad/Nm"),
         ("_mm_per_kg", "mm/kg"),

@@ -117,6 +117,10 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
             "A file that says what the table means is written beside it",
         ),
         What::Model => ("Save model", "The model can be exported and verified later"),
+        What::Poses => (
+            "Save measuring list",
+            "A CSV table with the session's column names, to be measured next",
+        ),
     };
     match path_form(ui, title, says, path, replace, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {

@@ -32,7 +32,7 @@ const fn with(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 10] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 11] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(Modifiers::COMMAND, Key::Z), "undo"),
     (
@@ -71,9 +71,14 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 10] = [
         "step 3, identify",
     ),
     (
-        Action::Step(Step::Export),
+        Action::Step(Step::Gap),
         with(Modifiers::COMMAND, Key::Num4),
-        "step 4, export",
+        "step 4, find the gap",
+    ),
+    (
+        Action::Step(Step::Export),
+        with(Modifiers::COMMAND, Key::Num5),
+        "step 5, export",
     ),
 ];
 

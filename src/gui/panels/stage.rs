@@ -3,11 +3,11 @@
 use egui::{Align, ComboBox, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{correction, deviation, workspace};
+use crate::gui::plots::{correction, deviation, waterfall, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::significant;
-use crate::gui::view::{Plane, Step};
+use crate::gui::view::{Lower, Plane, Step};
 use crate::gui::widgets;
 
 /// Shows the middle.
@@ -24,12 +24,19 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
             let table = view.step == Step::Export || workbench.subject().is_empty();
+            let waterfall = offers_waterfall(workbench) && view.lower == Lower::Waterfall;
             if let (true, Some(Ok(made))) = (table, workbench.export()) {
                 ui.horizontal(|ui| {
                     title(ui, "Correction table");
                     caption(ui, &correction::caption(made));
                 });
                 correction::show(ui, workbench, made);
+            } else if waterfall {
+                ui.horizontal(|ui| {
+                    lower(ui, workbench, commands);
+                    caption(ui, "root mean square over the samples that were fitted");
+                });
+                waterfall::show(ui, workbench);
             } else {
                 chart_bar(ui, workbench, commands);
                 deviation::show(ui, workbench, commands);
@@ -75,6 +82,23 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                 });
             });
         });
+}
+
+/// The step that finds the gap shows it step by step.
+fn offers_waterfall(workbench: &Workbench) -> bool {
+    workbench.view().step == Step::Gap && workbench.answer().is_some()
+}
+
+/// Which of the two lower plots.
+fn lower(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let offered = [
+        (Lower::Waterfall, "Gap by step"),
+        (Lower::Deviation, "Deviation"),
+    ];
+    if let Some(lower) = widgets::segmented(ui, &offered, workbench.view().lower) {
+        commands.push(Command::Lower(lower));
+    }
+    ui.add_space(space::ROW);
 }
 
 fn title(ui: &mut Ui, text: &str) {
@@ -187,7 +211,11 @@ fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let planar = workbench.subject().session.samples.z_mm.is_none();
     ui.horizontal(|ui| {
-        title(ui, "Deviation");
+        if offers_waterfall(workbench) {
+            lower(ui, workbench, commands);
+        } else {
+            title(ui, "Deviation");
+        }
         let offered = Component::ALL
             .iter()
             .filter(|c| !(planar && c.out_of_plane()));

@@ -8,7 +8,7 @@ use crate::gui::tokens::space;
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Progress};
 
-use super::{export, identify, regions, session};
+use super::{export, gap, identify, regions, session};
 
 /// Shows the left-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -35,6 +35,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 Step::Session => session::next(ui, workbench, commands),
                 Step::Regions => regions::next(ui, workbench, commands),
                 Step::Identify => identify::next(ui, workbench, commands),
+                Step::Gap => gap::next(ui, workbench, commands),
                 Step::Export => export::next(ui, workbench, commands),
             }
         });
@@ -45,6 +46,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             Step::Session => session::show(ui, workbench, commands),
             Step::Regions => regions::show(ui, workbench, commands),
             Step::Identify => identify::show(ui, workbench, commands),
+            Step::Gap => gap::show(ui, workbench, commands),
             Step::Export => export::show(ui, workbench, commands),
         });
 }
@@ -89,6 +91,7 @@ fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
             };
             (caption, done(workbench.answer().is_some()))
         }
+        Step::Gap => gap::state(workbench),
         Step::Export => match workbench.exported().and_then(|path| path.file_name()) {
             Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
             None => ("not yet".to_owned(), Progress::Open),

@@ -6,6 +6,7 @@ pub(crate) mod correction;
 pub(crate) mod deviation;
 mod drawing;
 mod marks;
+pub(crate) mod waterfall;
 pub(crate) mod workspace;
 
 pub(crate) use axes::{axis, steps};

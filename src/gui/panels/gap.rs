@@ -1,0 +1,145 @@
+//! Step 4: search for what is missing.
+
+use egui::{ProgressBar, RichText, Ui};
+
+use crate::diagnosis::Verdict;
+use crate::effects::Term;
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::edit::Edit;
+use crate::gui::search::{STAGES, term_of};
+use crate::gui::tokens::{Palette, size, strong};
+use crate::gui::view::Step;
+use crate::gui::widgets::{self, Progress};
+
+/// Shows the step.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.subject().is_empty() {
+        widgets::hint(ui, "Open a session that was measured on this robot first");
+        return;
+    }
+    widgets::hint(
+        ui,
+        "Looks for the physical effect that the model lacks, and proves each name on samples that \
+         the search has not seen",
+    );
+    if workbench.tasks().searching().is_some() {
+        stages(ui, workbench);
+        return;
+    }
+    let Some(diagnosis) = workbench.diagnosis() else {
+        return;
+    };
+    let units = workbench.units();
+    widgets::section(ui, "Gap");
+    widgets::fact(ui, "nominal robot", units.length(diagnosis.gap.start_mm));
+    widgets::fact(ui, "identified", units.length(diagnosis.gap.identified_mm));
+    let end = units.length(diagnosis.gap.end_mm);
+    widgets::fact(ui, "with all that was found", end);
+    widgets::fact(ui, "noise floor", units.length(diagnosis.floor.mm));
+    if widgets::secondary(ui, "Search again").clicked() {
+        commands.push(Command::Search);
+    }
+    switches(ui, workbench, commands);
+}
+
+/// Where the search is.
+fn stages(ui: &mut Ui, workbench: &Workbench) {
+    let Some(running) = workbench.tasks().searching() else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    widgets::section(ui, "Searching");
+    let (reached, found) = running.stage();
+    for (k, stage) in STAGES.into_iter().enumerate() {
+        let text = match (k == 2, found) {
+            (true, 1) => format!("{stage}: one effect so far"),
+            (true, 2..) => format!("{stage}: {found} effects so far"),
+            _ => stage.to_owned(),
+        };
+        let text = RichText::new(text);
+        ui.label(match k.cmp(&reached) {
+            std::cmp::Ordering::Less => text.color(palette.within),
+            std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
+            std::cmp::Ordering::Greater => text.color(palette.muted),
+        });
+    }
+    let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
+    ui.add(bar.desired_height(8.0).fill(palette.accent));
+    // The search tells how far it is; nobody else would wake the window for it.
+    ui.ctx()
+        .request_repaint_after(std::time::Duration::from_millis(100));
+}
+
+/// What each effect is worth: switched off and on.
+fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let added = &workbench.document().added;
+    if added.is_empty() {
+        return;
+    }
+    widgets::section(ui, "In the model");
+    for (index, one) in added.iter().enumerate() {
+        let mut on = one.on;
+        let name = format!("use {}", one.term.effect.about().title.to_lowercase());
+        if ui.checkbox(&mut on, name).changed() {
+            commands.push(Command::Edit(Edit::Switch(index, on)));
+        }
+    }
+}
+
+/// What was found and is not in the model.
+pub(super) fn missing(workbench: &Workbench) -> Vec<Term> {
+    let Some(diagnosis) = workbench.diagnosis() else {
+        return Vec::new();
+    };
+    let there = |term: &Term| {
+        let mut added = workbench.document().added.iter();
+        added.any(|a| a.term.same_column(term))
+    };
+    let found = diagnosis.found.iter().filter_map(|f| term_of(diagnosis, f));
+    found.filter(|term| !there(term)).collect()
+}
+
+/// What the step has to show for itself.
+pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
+    if workbench.tasks().searching().is_some() {
+        return ("searching".to_owned(), Progress::Open);
+    }
+    let on = workbench.document().in_the_model().count();
+    let caption = match (workbench.diagnosis(), on) {
+        (_, 1) => "one effect in the model".to_owned(),
+        (_, 2..) => format!("{on} effects in the model"),
+        (None, _) => return ("not yet".to_owned(), Progress::Open),
+        (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
+            (Verdict::Noise, _) => "nothing is missing".to_owned(),
+            (Verdict::Unexplained, _) => "something unexplained".to_owned(),
+            (_, 1) => "one effect found".to_owned(),
+            (_, n) => format!("{n} effects found"),
+        },
+    };
+    (caption, Progress::Done)
+}
+
+/// What to do next.
+pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.tasks().searching().is_some() {
+        if widgets::secondary(ui, "Stop the search").clicked() {
+            commands.push(Command::Cancel);
+        }
+        return;
+    }
+    let missing = missing(workbench);
+    if workbench.diagnosis().is_none() {
+        let measured = !workbench.subject().is_empty();
+        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, "Search"));
+        if button.inner.clicked() {
+            commands.push(Command::Search);
+        }
+    } else if missing.len() > 1 {
+        let text = format!("Add all {} to the model", missing.len());
+        if widgets::primary(ui, &text).clicked() {
+            commands.push(Command::Edit(Edit::Add(missing)));
+        }
+    } else if widgets::primary(ui, "Continue to export").clicked() {
+        commands.push(Command::GoTo(Step::Export));
+    }
+}

@@ -1,0 +1,73 @@
+//! A search for what is missing, as the window keeps it: the diagnosis of one session, and the
+//! model's term of each name that was found.
+
+use std::sync::Arc;
+
+use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress, diagnose};
+use crate::effects::Term;
+
+use super::subject::Subject;
+use super::tasks::Watch;
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Search {
+    /// The session that was searched.
+    pub(crate) subject: Arc<Subject>,
+    /// What was found, or why there is no answer.
+    pub(crate) answer: Result<Diagnosis, String>,
+}
+
+/// The stages of a search, in order, as they are shown.
+pub(crate) const STAGES: [&str; 5] = [
+    "blunders of setting up",
+    "noise, outliers, candidates",
+    "search",
+    "other explanations",
+    "poses to measure next",
+];
+
+/// Part of the whole that is done when a stage begins.
+const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
+
+impl Search {
+    /// Searches. Takes its time.
+    pub(crate) fn of(subject: Arc<Subject>, watch: &Watch) -> Self {
+        let told = |progress: &Progress| {
+            let (stage, found) = match progress {
+                Progress::Checking => (0, 0),
+                Progress::Preparing => (1, 0),
+                Progress::Searching { found } => (2, *found),
+                Progress::Comparing => (3, 0),
+                Progress::Planning => (4, 0),
+            };
+            watch.done(BEGUN[stage]);
+            watch.reached(stage, found);
+            !watch.stopped()
+        };
+        let answer = diagnose(&subject.session, &Options::default(), &told);
+        let answer = answer.map_err(|error| match error {
+            DiagnoseError::Cancelled => "the search was cancelled".to_owned(),
+            other => other.to_string(),
+        });
+        Self { subject, answer }
+    }
+}
+
+/// The model's term of a name that was found. Names may come twice with another setting (two
+/// orders of a gear); the setting is their first parameter then.
+pub(crate) fn term_of(diagnosis: &Diagnosis, found: &Found) -> Option<Term> {
+    let first = found.parameters.first().map_or(0.0, |p| p.value);
+    let robot = &diagnosis.model.robot;
+    let distance = |term: &Term| {
+        let parameters = term.parameters_on(robot.joints[term.joint].kind);
+        parameters.first().map_or(0.0, |p| (p.value - first).abs())
+    };
+    let terms = diagnosis.model.terms().iter();
+    let same = terms.filter(|term| {
+        let about = term.effect.about();
+        about.id == found.effect && found.joint.is_none_or(|joint| joint == term.joint + 1)
+    });
+    same.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .cloned()
+}

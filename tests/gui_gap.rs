@@ -1,0 +1,178 @@
+//! Finding the gap in the window, without a display: search, read, add, switch off and on, undo,
+//! and save the measuring list.
+#![cfg(feature = "gui")]
+
+use std::path::{Path, PathBuf};
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use truepose::gui::{App, Runner};
+use truepose::sessions::Replacing;
+use truepose::simulation::format_v1::parse_scenario;
+use truepose::simulation::{simulate, unwatched};
+
+/// A session with a hidden effect: what the simulator makes of this scenario.
+fn session_with(effects: &str, folder: &Path) -> PathBuf {
+    let scenario = format!(
+        r#"{{ "format": "truepose-scenario/1", "name": "hidden",
+  "robot": {{ "name": "column",
+    "joints": [ {{ "name": "column", "kind": "revolute", "axis": [0,0,1], "point_mm": [0,0,0], "limits": [-150, 150] }} ],
+    "tool": {{ "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] }} }},
+  "targets": {{ "T1": [0,0,0] }},
+  "instrument": {{ "name": "tracker", "sigma_mm": 0.03 }},
+  "poses": {{ "sweep": {{ "joint": 1, "from_deg": -150, "to_deg": 150, "step_deg": 6, "both_ways": true, "repeats": 1, "order": "random" }} }},
+  "effects": [ {effects} ],
+  "noise": {{ "sigma_mm": 0.03, "kind": "gauss" }}, "seed": 5 }}"#
+    );
+    let scenario = parse_scenario(scenario.as_bytes()).expect("a scenario");
+    let scenario = scenario.scenario;
+    let made = simulate(&scenario, scenario.seed, unwatched).expect("it can be simulated");
+    let path = folder.join("hidden.json");
+    let replacing = Replacing {
+        force: false,
+        inputs: &[],
+    };
+    truepose::sessions::save(&made.0, &path, replacing).expect("saved");
+    path
+}
+
+fn window(path: PathBuf, runner: Runner) -> Harness<'static, App> {
+    let mut window = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .build_eframe(|cc| App::new(&cc.egui_ctx, Some(path), runner));
+    window.run_steps(4);
+    window
+}
+
+fn press(window: &mut Harness<'_, App>, label: &str) {
+    window.get_by_label(label).click();
+    window.run_steps(4);
+}
+
+fn says(window: &Harness<'_, App>, part: &str) -> bool {
+    window.query_all_by_label_contains(part).count() > 0
+}
+
+/// The gap that the status bar names last, mm.
+fn gap_mm(window: &Harness<'_, App>) -> f64 {
+    let mut lines = window.get_all_by_label_contains("samples · gap");
+    let line = lines.next().expect("the status bar is there");
+    let line = line.accesskit_node().label().or(line.value());
+    let line = line.expect("it says something");
+    let numbers = line.split([' ', '→']);
+    let last = numbers.filter_map(|word| word.parse::<f64>().ok()).last();
+    last.expect("a number")
+}
+
+const BACKLASH: &str =
+    r#"{ "effect": "backlash", "joint": 1, "parameters": { "width_deg": 0.1 } }"#;
+/// At one radius eccentricity looks like a moved base with a bearing that runs out.
+const ECCENTRICITY: &str = r#"{ "effect": "encoder-eccentricity", "joint": 1,
+    "parameters": { "amplitude_deg": 0.08, "phase_deg": 30 } }"#;
+/// Root mean square of three coordinates with 0.03 mm each.
+const FLOOR_MM: f64 = 0.052;
+
+#[test]
+fn a_hidden_effect_is_found_added_switched_off_and_undone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with(BACKLASH, folder.path());
+    let mut window = window(session, Runner::AtOnce);
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    assert!(says(&window, "The gap is explained"));
+    window.get_by_label("Backlash");
+    assert!(says(&window, "Noise alone would look like this in"));
+    assert!(says(&window, "over the next name"));
+    let identified = gap_mm(&window);
+    assert!(identified > 2.0 * FLOOR_MM, "{identified}");
+
+    press(&mut window, "Add to model");
+    let explained = gap_mm(&window);
+    assert!((explained / FLOOR_MM - 1.0).abs() < 0.15, "{explained}");
+    assert!(says(&window, "with backlash"), "the waterfall has its bar");
+
+    // Worth something: switched off the gap is back, on again it is gone.
+    press(&mut window, "use backlash");
+    assert!((gap_mm(&window) - identified).abs() < 1e-3);
+    assert!(!says(&window, "with backlash"));
+    press(&mut window, "use backlash");
+    assert!((gap_mm(&window) - explained).abs() < 1e-3);
+
+    // One step back for each.
+    for (undo, expected) in [
+        ("Undo switch effect on", identified),
+        ("Undo switch effect off", explained),
+        ("Undo add to model", identified),
+    ] {
+        press(&mut window, undo);
+        assert!((gap_mm(&window) - expected).abs() < 1e-3, "{undo}");
+    }
+    press(&mut window, "Redo add to model");
+
+    // The table follows: it knows both sides now.
+    press(&mut window, "5 Export");
+    window.get_by_label("correction table as a curve");
+    assert!(says(&window, "dashed: moving negative"));
+}
+
+#[test]
+fn poses_that_decide_are_saved_as_a_measuring_list() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with(ECCENTRICITY, folder.path());
+    let mut window = window(session, Runner::AtOnce);
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    window.get_by_label("The samples cannot rule out");
+    window.get_by_label("Measure these poses next");
+    window.get_by_label("Save measuring list…");
+    let list = folder.path().join("next.csv");
+    window.state_mut().type_list_path(&list);
+    window.run_steps(4);
+    press(&mut window, "Save");
+    let written = std::fs::read_to_string(&list).expect("the list is there");
+    let mut lines = written.lines();
+    let heading = lines.next().expect("a heading");
+    assert!(heading.starts_with("q1_deg,"), "{heading}");
+    let angles = lines.map(|line| line.split(',').next().map(str::parse::<f64>));
+    let angles: Vec<f64> = angles
+        .map(|a| a.expect("a cell").expect("an angle"))
+        .collect();
+    assert!(!angles.is_empty() && angles.iter().all(|a| a.abs() <= 150.0));
+}
+
+#[test]
+fn noise_alone_is_said_to_be_noise() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with("", folder.path());
+    let mut window = window(session, Runner::AtOnce);
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    assert!(says(&window, "Nothing is missing"));
+    assert!(says(&window, "What would have been seen"));
+    assert!(!says(&window, "Add to model"));
+}
+
+#[test]
+fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with(BACKLASH, folder.path());
+    let mut window = window(session, Runner::Threads);
+    // No clock: as many frames as it takes.
+    let until = |window: &mut Harness<'_, App>, label: &str| {
+        for _ in 0..200_000 {
+            window.step();
+            if window.query_by_label(label).is_some() {
+                return;
+            }
+            std::thread::yield_now();
+        }
+        panic!("{label} never came");
+    };
+    until(&mut window, "hidden");
+    press(&mut window, "4 Find the gap");
+    window.get_by_label("Search").click();
+    until(&mut window, "Stop the search");
+    window.get_by_label("Stop the search").click();
+    until(&mut window, "Search");
+    assert!(!says(&window, "The gap is explained"));
+}
