@@ -12,7 +12,7 @@ use truepose::simulation::format_v1::parse_scenario;
 use truepose::simulation::{simulate, unwatched};
 
 /// A session with a hidden effect: what the simulator makes of this scenario.
-fn session_with(effects: &str, folder: &Path) -> PathBuf {
+fn session_with(effects: &str, speeds: &str, folder: &Path) -> PathBuf {
     let scenario = format!(
         r#"{{ "format": "truepose-scenario/1", "name": "hidden",
   "robot": {{ "name": "column",
@@ -21,6 +21,7 @@ fn session_with(effects: &str, folder: &Path) -> PathBuf {
   "targets": {{ "T1": [0,0,0] }},
   "instrument": {{ "name": "tracker", "sigma_mm": 0.03 }},
   "poses": {{ "sweep": {{ "joint": 1, "from_deg": -150, "to_deg": 150, "step_deg": 6, "both_ways": true, "repeats": 1, "order": "random" }} }},
+  "conditions": {{ "speed_deg_s": [{speeds}], "seconds_per_pose": 6 }},
   "effects": [ {effects} ],
   "noise": {{ "sigma_mm": 0.03, "kind": "gauss" }}, "seed": 5 }}"#
     );
@@ -66,16 +67,13 @@ fn gap_mm(window: &Harness<'_, App>) -> f64 {
 
 const BACKLASH: &str =
     r#"{ "effect": "backlash", "joint": 1, "parameters": { "width_deg": 0.1 } }"#;
-/// At one radius eccentricity looks like a moved base with a bearing that runs out.
-const ECCENTRICITY: &str = r#"{ "effect": "encoder-eccentricity", "joint": 1,
-    "parameters": { "amplitude_deg": 0.08, "phase_deg": 30 } }"#;
 /// Root mean square of three coordinates with 0.03 mm each.
 const FLOOR_MM: f64 = 0.052;
 
 #[test]
 fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     let folder = tempfile::tempdir().expect("a folder");
-    let session = session_with(BACKLASH, folder.path());
+    let session = session_with(BACKLASH, "0", folder.path());
     let mut window = window(session, Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
@@ -118,11 +116,13 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
 #[test]
 fn poses_that_decide_are_saved_as_a_measuring_list() {
     let folder = tempfile::tempdir().expect("a folder");
-    let session = session_with(ECCENTRICITY, folder.path());
+    let session = session_with(BACKLASH, "10", folder.path());
     let mut window = window(session, Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
+    // At one speed a lag looks like a backlash.
     window.get_by_label("The samples cannot rule out");
+    assert!(says(&window, "tracking lag") && says(&window, "backlash"));
     window.get_by_label("Measure these poses next");
     window.get_by_label("Save measuring list…");
     let list = folder.path().join("next.csv");
@@ -143,7 +143,7 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
 #[test]
 fn noise_alone_is_said_to_be_noise() {
     let folder = tempfile::tempdir().expect("a folder");
-    let session = session_with("", folder.path());
+    let session = session_with("", "0", folder.path());
     let mut window = window(session, Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
@@ -155,7 +155,7 @@ fn noise_alone_is_said_to_be_noise() {
 #[test]
 fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
-    let session = session_with(BACKLASH, folder.path());
+    let session = session_with(BACKLASH, "0", folder.path());
     let mut window = window(session, Runner::Threads);
     // No clock: as many frames as it takes.
     let until = |window: &mut Harness<'_, App>, label: &str| {

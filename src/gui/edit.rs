@@ -101,22 +101,8 @@ impl Edit {
             next.given = None;
         }
         match self {
-            Self::Open(subject) => {
-                let opened = Document::new(Arc::clone(subject));
-                let given = document.given.as_ref();
-                return Ok(match given.filter(|given| given.is_of(&subject.session)) {
-                    Some(given) => opened.with_model(Arc::clone(given)),
-                    None => opened,
-                });
-            }
-            Self::OpenModel { given, beside } => {
-                let beneath = if *beside {
-                    next
-                } else {
-                    Document::new(Arc::new(given.alone()))
-                };
-                return Ok(beneath.with_model(Arc::clone(given)));
-            }
+            Self::Open(subject) => return Ok(opened(document, subject)),
+            Self::OpenModel { given, beside } => return Ok(with_model(next, given, *beside)),
             Self::Divide(number) => {
                 let regions = RegionChoice::Uniform(*number)
                     .resolve(&document.subject.session)
@@ -180,27 +166,11 @@ impl Edit {
                 }
                 next.export = *choice;
             }
-            Self::Add(terms) => {
-                let mut added = document.added.to_vec();
-                for term in terms {
-                    match added.iter_mut().find(|a| a.term.same_column(term)) {
-                        Some(there) => there.on = true,
-                        None => added.push(Added {
-                            term: term.clone(),
-                            on: true,
-                        }),
-                    }
-                }
-                next.added = added.into();
-                next.method = Method::Exact;
-                next.identified = true;
-            }
+            Self::Add(terms) => exactly_with(&mut next, with_terms(&document.added, terms)),
             Self::Switch(index, on) => {
                 let mut added = document.added.to_vec();
                 added.get_mut(*index).ok_or("there is no such effect")?.on = *on;
-                next.added = added.into();
-                next.method = Method::Exact;
-                next.identified = true;
+                exactly_with(&mut next, added);
             }
             Self::Identify => next.identified = true,
             Self::IdentifyBy(method) => {
@@ -210,6 +180,48 @@ impl Edit {
         }
         Ok(next)
     }
+}
+
+/// Another session; a model that was read from a file stays where both are of the same robot.
+fn opened(document: &Document, subject: &Arc<Subject>) -> Document {
+    let opened = Document::new(Arc::clone(subject));
+    let given = document.given.as_ref();
+    match given.filter(|given| given.is_of(&subject.session)) {
+        Some(given) => opened.with_model(Arc::clone(given)),
+        None => opened,
+    }
+}
+
+/// A model beside the open session, or by itself.
+fn with_model(document: Document, given: &Arc<Given>, beside: bool) -> Document {
+    let beneath = if beside {
+        document
+    } else {
+        Document::new(Arc::new(given.alone()))
+    };
+    beneath.with_model(Arc::clone(given))
+}
+
+/// What is added is wanted: the exact fit follows at once.
+fn exactly_with(document: &mut Document, added: Vec<Added>) {
+    document.added = added.into();
+    document.method = Method::Exact;
+    document.identified = true;
+}
+
+/// What was added before, and these terms, all of them switched on.
+fn with_terms(before: &[Added], terms: &[Term]) -> Vec<Added> {
+    let mut added = before.to_vec();
+    for term in terms {
+        match added.iter_mut().find(|a| a.term.same_column(term)) {
+            Some(there) => there.on = true,
+            None => added.push(Added {
+                term: term.clone(),
+                on: true,
+            }),
+        }
+    }
+    added
 }
 
 /// Regions that are worked on are regions that are wanted: the answer follows them at once.

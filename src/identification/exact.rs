@@ -70,17 +70,14 @@ pub fn identify_with(
             continue;
         }
         for (joint, obstacle) in places {
+            let there = |t: &Term| t.effect.about().id == id && t.joint == joint;
             match obstacle {
                 Some(because) => not_identifiable.push(NotIdentifiable {
                     combination: name_on_joint(effect, joint, session),
                     because,
                 }),
-                None => {
-                    let there = |t: &Term| t.effect.about().id == id && t.joint == joint;
-                    if !known.iter().any(there) {
-                        terms.push(Term::absent(effect, joint, 0.0));
-                    }
-                }
+                None if known.iter().any(there) => {}
+                None => terms.push(Term::absent(effect, joint, 0.0)),
             }
         }
     }

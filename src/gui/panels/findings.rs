@@ -195,7 +195,13 @@ fn card(
     let mut added = workbench.document().added.iter();
     match added.position(|a| a.term.same_column(&term)) {
         None => {
-            if widgets::primary(ui, "Add to model").clicked() {
+            // One thing stands out: with several names it is to add them all.
+            let button = if super::gap::missing(workbench).len() > 1 {
+                widgets::secondary(ui, "Add to model")
+            } else {
+                widgets::primary(ui, "Add to model")
+            };
+            if button.clicked() {
                 commands.push(Command::Edit(Edit::Add(vec![term])));
             }
         }

@@ -71,6 +71,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let small = FontId::proportional(size::SMALL);
     let left = rect.left() + NAMES;
     let wide = (rect.width() - NAMES - NUMBERS).max(20.0);
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "a share of what the plot shows"
+    )]
     let x = |mm: f64| left + wide * (mm / largest) as f32;
     let foot = if floor_mm.is_some() { 22.0 } else { 4.0 };
     let row = ((rect.height() - foot) / bars.len() as f32).min(34.0);
