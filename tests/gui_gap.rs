@@ -61,7 +61,8 @@ fn gap_mm(window: &Harness<'_, App>) -> f64 {
     let line = line.accesskit_node().label().or(line.value());
     let line = line.expect("it says something");
     let numbers = line.split([' ', '→']);
-    let last = numbers.filter_map(|word| word.parse::<f64>().ok()).last();
+    let mut numbers = numbers.filter_map(|word| word.parse::<f64>().ok());
+    let last = numbers.next_back();
     last.expect("a number")
 }
 
