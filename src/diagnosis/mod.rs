@@ -7,7 +7,7 @@
 //! 2. [`evidence`]: residuals of the robust base fit, whitened by axis and in time.
 //! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
-//! 5. [`search`]: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
+//! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
 //! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can.
 //! 7. [`limits`]: what would have been seen, had it been there.
 //!
