@@ -13,6 +13,9 @@ use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
 
+/// Where an own step begins, degrees or mm.
+const FIRST_STEP: f64 = 1.0;
+
 /// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
@@ -42,8 +45,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ui.label(RichText::new(because).color(color));
         }
         Some(Ok(made)) => {
-            let entries = made.table.commanded_outer.len();
-            widgets::fact(ui, "entries", entries.to_string());
+            if let Some(table) = &made.export.reads_as {
+                let entries = table.forward.places().len();
+                widgets::fact(ui, "entries", entries.to_string());
+            }
             widgets::section(ui, "Also");
             if widgets::secondary(ui, "Copy table").clicked() {
                 ui.copy_text(text_of(made));
@@ -78,13 +83,23 @@ fn joint_and_step(
         JointKind::Revolute => "°",
         JointKind::Prismatic => " mm",
     };
-    let field = DragValue::new(&mut next.step)
-        .range(0.001..=90.0)
-        .speed(0.02)
-        .max_decimals(4)
-        .suffix(unit);
-    let response = widgets::number(ui, "step", field);
-    dragged |= response.dragged();
+    // A description of the robot has no steps.
+    let stepped = find(choice.format).is_some_and(|format| format.rules.is_some());
+    let mut own = choice.step.is_some();
+    if stepped && ui.checkbox(&mut own, "Own step").changed() {
+        next.step = own.then_some(FIRST_STEP);
+    }
+    let mut let_go = false;
+    if let (true, Some(step)) = (stepped, &mut next.step) {
+        let field = DragValue::new(step)
+            .range(0.001..=90.0)
+            .speed(0.02)
+            .max_decimals(4)
+            .suffix(unit);
+        let response = widgets::number(ui, "step", field);
+        dragged |= response.dragged();
+        let_go = response.drag_stopped();
+    }
     if next != choice {
         let edit = Edit::Export(next);
         commands.push(if dragged {
@@ -93,7 +108,7 @@ fn joint_and_step(
             Command::Edit(edit)
         });
     }
-    if response.drag_stopped() {
+    if let_go {
         commands.push(Command::EndDrag);
     }
 }
@@ -156,7 +171,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         title(ui, "What the numbers mean");
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
-        for line in said.chain(&made.table.notes) {
+        for line in said.chain(&made.said) {
             widgets::hint(ui, line);
         }
     });
