@@ -76,17 +76,18 @@ impl TableFile {
         let corrections =
             |values: Vec<f64>| -> Vec<f64> { values.iter().map(|v| sign * v + 0.0).collect() };
         let (forward, reverse) = (corrections(columns.forward), corrections(columns.reverse));
-        // Half of the last digit, and what a conversion may cost.
-        let slack = 0.5 * self.rules.resolution.unwrap_or(0.0);
-        let near = |a: &[f64], b: &[f64]| {
+        let last_digit = self.rules.resolution.unwrap_or(0.0);
+        let near = |a: &[f64], b: &[f64], slack: f64| {
             let pairs = a.iter().zip(b);
             a.len() == b.len()
                 && pairs.into_iter().all(|(a, b)| (a - b).abs() <= slack + 1e-12 * b.abs())
         };
-        if !near(&columns.places, &sheet.places) {
+        // Positions that are counted in steps from the first one may differ in the last digit.
+        if !near(&columns.places, &sheet.places, last_digit) {
             return Err(wrong("the positions"));
         }
-        if !near(&forward, &sheet.forward) || !near(&reverse, &sheet.reverse) {
+        let same = |a: &[f64], b: &[f64]| near(a, b, 0.5 * last_digit);
+        if !same(&forward, &sheet.forward) || !same(&reverse, &sheet.reverse) {
             return Err(wrong("the corrections"));
         }
         if columns.repeats != sheet.repeats {

@@ -50,7 +50,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 widgets::fact(ui, "entries", entries.to_string());
             }
             widgets::section(ui, "Also");
-            if widgets::secondary(ui, "Copy table").clicked() {
+            let what = if made.export.reads_as.is_some() {
+                "Copy table"
+            } else {
+                "Copy text"
+            };
+            if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
             if widgets::secondary(ui, "Save model…").clicked() {
@@ -143,6 +148,9 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         let measured = !workbench.subject().is_empty();
         let stays = units.length(made.remainder.rms_mm);
         let (says, left) = match made.gap {
+            Some(gap) if made.export.robot.is_some() => {
+                ("Gap to this robot", units.length(gap.rms_mm))
+            }
             Some(gap) => ("Gap that the table leaves", units.length(gap.rms_mm)),
             // Without samples there is only what the model itself says.
             None => ("What no joint can remove", stays.clone()),
@@ -216,10 +224,16 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         return;
     }
-    let title = find(workbench.document().export.format).map_or("table", |f| f.extension);
+    let format = find(workbench.document().export.format);
+    let title = format.map_or("table", |f| f.extension);
+    let what = if format.is_some_and(|f| f.rules.is_none()) {
+        "robot"
+    } else {
+        "table"
+    };
     let ready = matches!(workbench.export(), Some(Ok(_)));
     let save = ui.add_enabled_ui(ready, |ui| {
-        widgets::primary(ui, &format!("Save table as .{title}…"))
+        widgets::primary(ui, &format!("Save {what} as .{title}…"))
     });
     if save.inner.clicked() {
         commands.push(Command::ChooseWhereToExport(What::Table));
