@@ -1,5 +1,5 @@
 //! Exports in the hands of programs that other people wrote. Each is run where it is installed and
-//! skipped aloud where it is not: check_urdf (liburdfdom-tools), yourdfpy and pinocchio, blark,
+//! skipped aloud where it is not: `check_urdf` (liburdfdom-tools), yourdfpy and pinocchio, blark,
 //! LinuxCNC. The C compiler's turn is beside the header's own tests.
 
 #[path = "support/controllers.rs"]
@@ -29,13 +29,18 @@ fn saved(export: &Export, folder: &Path) -> PathBuf {
 }
 
 fn reference(script: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference").join(script)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/reference")
+        .join(script)
 }
 
 /// What a program prints; `None` where it is not there, or says that something else is missing.
 fn ran(command: &mut Command, input: &str) -> Option<String> {
     let program = command.get_program().to_string_lossy().into_owned();
-    let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let pipes = command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
     let Ok(mut child) = pipes.spawn() else {
         eprintln!("skipped: {program} is not installed");
         return None;
@@ -153,7 +158,9 @@ impl Arm {
 fn random_poses(count: usize) -> Vec<[f64; 4]> {
     let mut random = Random(11);
     let mut turn = || random.between(-2.0, 2.0);
-    (0..count).map(|_| [turn(), turn(), 75.0 * (turn() + 2.0), turn()]).collect()
+    (0..count)
+        .map(|_| [turn(), turn(), 75.0 * (turn() + 2.0), turn()])
+        .collect()
 }
 
 #[test]
@@ -164,11 +171,16 @@ fn the_urdf_of_an_arm_leads_where_the_arm_leads() {
         .expect("it can be read");
     for q in random_poses(50) {
         let (tool, wanted) = (robot.base_from_tool(&q).translation.vector, arm.tool(&q));
-        let off = (0..3).map(|k| (tool[k] - wanted[k]).abs()).fold(0.0, f64::max);
+        let off = (0..3)
+            .map(|k| (tool[k] - wanted[k]).abs())
+            .fold(0.0, f64::max);
         assert!(off < 1e-9, "{q:?}: {tool} {wanted:?}");
     }
     let says = made.notes.join("\n");
-    assert!(says.contains("backlash of joint 2 has no place in a URDF: it leaves"), "{says}");
+    assert!(
+        says.contains("backlash of joint 2 has no place in a URDF: it leaves"),
+        "{says}"
+    );
     assert_eq!(robot.joints[0].name, "a1 & b");
 }
 
@@ -184,7 +196,11 @@ fn independent_readers_put_the_tool_of_the_urdf_in_the_same_place() {
         .collect();
     let names: Vec<String> = (1..=4).map(|k| format!("a{k} & b")).collect();
     let mut python = Command::new("python3");
-    python.arg(reference("urdf_fk.py")).arg(&path).arg("tool0").arg(names.join(","));
+    python
+        .arg(reference("urdf_fk.py"))
+        .arg(&path)
+        .arg("tool0")
+        .arg(names.join(","));
     let Some(printed) = ran(&mut python, &lines.join("\n")) else {
         return;
     };
@@ -199,7 +215,10 @@ fn independent_readers_put_the_tool_of_the_urdf_in_the_same_place() {
             let wanted = arm.tool(q);
             for (cell, wanted) in row.split(' ').skip(1).zip(wanted) {
                 let metres: f64 = cell.parse().expect("a number");
-                assert!((metres * 1e3 - wanted).abs() < 1e-9, "{reader} at {q:?}: {row}");
+                assert!(
+                    (metres * 1e3 - wanted).abs() < 1e-9,
+                    "{reader} at {q:?}: {row}"
+                );
             }
         }
     }
@@ -208,7 +227,10 @@ fn independent_readers_put_the_tool_of_the_urdf_in_the_same_place() {
 #[test]
 fn check_urdf_takes_the_file() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = saved(&export(&Arm::new().calibration(), "urdf", None), folder.path());
+    let path = saved(
+        &export(&Arm::new().calibration(), "urdf", None),
+        folder.path(),
+    );
     if let Some(printed) = ran(Command::new("check_urdf").arg(path), "") {
         assert!(printed.contains("Successfully Parsed XML"), "{printed}");
     }
@@ -229,8 +251,15 @@ fn a_tilted_column_that_was_measured_becomes_a_urdf_that_leaves_the_noise() {
         Hidden::BaseOffset([0.4, -0.3, 0.1]),
     ];
     rig.measure(&mut random);
-    let session = parse(rig.json("tilted").as_bytes()).expect("a good session").session;
-    let effects = ["joint-zero-offset", "link-length", "axis-tilt", "base-offset"];
+    let session = parse(rig.json("tilted").as_bytes())
+        .expect("a good session")
+        .session;
+    let effects = [
+        "joint-zero-offset",
+        "link-length",
+        "axis-tilt",
+        "base-offset",
+    ];
     let made = export(&identified(&session, &effects), "urdf", None);
     // The rig's own geometry, which shares no code with the model.
     let robot = robot_from_urdf(&text(&made), Path::new("t.urdf"), "base_link", "tool0")
@@ -238,7 +267,9 @@ fn a_tilted_column_that_was_measured_becomes_a_urdf_that_leaves_the_noise() {
     for shot in rig.shots.iter().filter(|shot| shot.target == 0) {
         let wanted = rig.point(shot, &rig.hidden);
         let tool = robot.base_from_tool(&[shot.q]).translation.vector;
-        let off = (0..3).map(|k| (tool[k] - wanted[k]).abs()).fold(0.0, f64::max);
+        let off = (0..3)
+            .map(|k| (tool[k] - wanted[k]).abs())
+            .fold(0.0, f64::max);
         assert!(off < 1e-5, "{tool} {wanted:?}");
     }
     let calibration = identified(&session, &effects);
@@ -261,7 +292,10 @@ fn a_parser_of_structured_text_reads_the_table() {
     let entries = controllers::load("twincat-nc", &text(&made)).entries();
     assert_eq!(printed.lines().count(), entries.len());
     for (line, [place, added, _]) in printed.lines().zip(entries) {
-        let cells: Vec<f64> = line.split(' ').map(|c| c.parse().expect("a number")).collect();
+        let cells: Vec<f64> = line
+            .split(' ')
+            .map(|c| c.parse().expect("a number"))
+            .collect();
         assert_eq!(cells, [place, added], "{line}");
     }
 }
@@ -292,24 +326,39 @@ fn linuxcnc_adds_what_the_controller_on_paper_adds() {
         let made = export(&known(&session, &effects), "linuxcnc", None);
         let folder = tempfile::tempdir().expect("a folder");
         let path = saved(&made, folder.path());
-        let at = ["-200", "-170", "-93.217", "-1.5", "0", "44.4", "120.25", "169.9", "181"];
+        let at = [
+            "-200", "-170", "-93.217", "-1.5", "0", "44.4", "120.25", "169.9", "181",
+        ];
         // LinuxCNC comes with modules for the system's own Python.
         let mut python = Command::new("/usr/bin/python3");
-        python.arg(reference("linuxcnc_comp.py")).arg(path).arg(unit).args(at);
+        python
+            .arg(reference("linuxcnc_comp.py"))
+            .arg(path)
+            .arg(unit)
+            .args(at);
         let Some(printed) = ran(&mut python, "") else {
             return;
         };
         let paper = controllers::load("linuxcnc", &text(&made));
         assert_eq!(printed.lines().count(), at.len(), "{printed}");
         for line in printed.lines() {
-            let cells: Vec<f64> = line.split(' ').map(|c| c.parse().expect("a number")).collect();
+            let cells: Vec<f64> = line
+                .split(' ')
+                .map(|c| c.parse().expect("a number"))
+                .collect();
             for (added, side) in [(cells[1], 1.0), (cells[2], -1.0)] {
                 let own = paper.sends(cells[0], side) - cells[0];
                 // It looks its table up a last time while it is still creeping, some 1e-4 away.
-                assert!((added - own).abs() < 2e-5, "{unit} {side}: {line}, on paper {own}");
+                assert!(
+                    (added - own).abs() < 2e-5,
+                    "{unit} {side}: {line}, on paper {own}"
+                );
             }
         }
-        eprintln!("LinuxCNC agrees at {} positions from both sides ({unit})", at.len());
+        eprintln!(
+            "LinuxCNC agrees at {} positions from both sides ({unit})",
+            at.len()
+        );
     }
 }
 
@@ -319,7 +368,8 @@ fn the_locale_does_not_reach_the_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = one_joint("revolute", [-90.0, 90.0]);
     let zero: &[(&str, f64)] = &[("offset_deg", 0.1234)];
-    let model = truepose::model::format_v1::write_model(&known(&session, &[("joint-zero-offset", zero)]));
+    let model =
+        truepose::model::format_v1::write_model(&known(&session, &[("joint-zero-offset", zero)]));
     let model_path = folder.path().join("m.json");
     std::fs::write(&model_path, model).expect("it can be written");
     for format in truepose::export::EXPORTERS {
@@ -331,7 +381,11 @@ fn the_locale_does_not_reach_the_files() {
                 .env("LC_NUMERIC", locale)
                 .output()
                 .expect("it runs");
-            assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+            assert!(
+                done.status.success(),
+                "{}",
+                String::from_utf8_lossy(&done.stderr)
+            );
             done.stdout
         });
         assert_eq!(outputs[0], outputs[1], "{}", format.id);

@@ -36,7 +36,9 @@ fn measured(hidden: Vec<Hidden>) -> (Rig, Session) {
     }
     rig.hidden = hidden;
     rig.measure(&mut random);
-    let mut session = parse(rig.json("on paper").as_bytes()).expect("a good session").session;
+    let mut session = parse(rig.json("on paper").as_bytes())
+        .expect("a good session")
+        .session;
     session.tolerance_mm = Some(0.2);
     (rig, session)
 }
@@ -67,7 +69,9 @@ fn gap(rig: &Rig, controller: &dyn Controller, turned: f64) -> f64 {
         };
         let reached = rig.point(&told, &rig.hidden);
         let wanted = [250.0 * shot.q.cos(), 250.0 * shot.q.sin(), 300.0];
-        (0..3).map(|k| (reached[k] - wanted[k]).powi(2)).sum::<f64>()
+        (0..3)
+            .map(|k| (reached[k] - wanted[k]).powi(2))
+            .sum::<f64>()
     };
     let sum: f64 = rig.shots.iter().map(square).sum();
     (sum / rig.shots.len() as f64).sqrt()
@@ -94,8 +98,13 @@ fn check(rig: &Rig, session: &Session, calibration: &Calibration, format: &str) 
     assert!(left.met(), "{format}: {left:?}");
     // A hundredth of the tolerance of 0.2 mm, on an axis that a table can correct wholly.
     assert!(after < 0.002, "{format}: {before} → {after}");
-    let promised = gap_after_export(calibration, session, &made).expect("a gap").rms_mm;
-    assert!((promised - after).abs() < 2e-6, "{format}: promised {promised}, was {after}");
+    let promised = gap_after_export(calibration, session, &made)
+        .expect("a gap")
+        .rms_mm;
+    assert!(
+        (promised - after).abs() < 2e-6,
+        "{format}: promised {promised}, was {after}"
+    );
     let wrong = gap(rig, controller.as_ref(), -1.0) / before;
     assert!((1.98..2.02).contains(&wrong), "{format}: {wrong} times");
 }
@@ -127,13 +136,19 @@ fn with_backlash_each_direction_gets_its_own_column() {
         for side in [1.0, -1.0] {
             let mut one = rig.clone();
             one.shots.retain(|shot| shot.dir == side);
-            assert!(gap(&one, controller.as_ref(), 1.0) < 0.002, "{format} {side}");
+            assert!(
+                gap(&one, controller.as_ref(), 1.0) < 0.002,
+                "{format} {side}"
+            );
         }
     }
     for format in ONE_SIDED {
         let refused = try_export(&calibration, format, None).expect_err("it has one direction");
         let says = refused.to_string();
-        assert!(says.contains("0.0500") && says.contains("backlash"), "{says}");
+        assert!(
+            says.contains("0.0500") && says.contains("backlash"),
+            "{says}"
+        );
         assert!(says.contains("export a model without"), "{says}");
     }
 }
@@ -182,7 +197,10 @@ fn a_sliding_joint_is_written_in_millimetres() {
                 for side in [1.0, -1.0] {
                     let sent = controller.sends(q, side);
                     let reached = sent * (1.0 + 150e-6) + 0.05 - side * width / 2.0;
-                    assert!((reached - q).abs() < 1.1e-4, "{format} {q} {side}: {reached}");
+                    assert!(
+                        (reached - q).abs() < 1.1e-4,
+                        "{format} {q} {side}: {reached}"
+                    );
                 }
             }
             let unit = sidecar(&made)["unit_of_the_numbers"].clone();
@@ -254,20 +272,36 @@ fn where_the_limit_is_too_small_the_entries_go_where_they_help_and_that_is_said(
         &session,
         &[(
             "gear-transmission-error",
-            &[("order", 120.0), ("amplitude_deg", 0.01), ("phase_deg", 0.0)],
+            &[
+                ("order", 120.0),
+                ("amplitude_deg", 0.01),
+                ("phase_deg", 0.0),
+            ],
         )],
     );
     let made = export(&calibration, "linuxcnc", None);
     let entries = load("linuxcnc", &text(&made)).entries();
     assert!(entries.len() <= 256);
-    assert_eq!((entries[0][0], entries[entries.len() - 1][0]), (-180.0, 180.0));
+    assert_eq!(
+        (entries[0][0], entries[entries.len() - 1][0]),
+        (-180.0, 180.0)
+    );
     let left = made.left.clone().expect("a table");
     assert!(!left.met(), "{left:?}");
-    assert!(made.notes.join("\n").contains("takes at most 256 entries"), "{:?}", made.notes);
+    assert!(
+        made.notes.join("\n").contains("takes at most 256 entries"),
+        "{:?}",
+        made.notes
+    );
     // The wave's own size is 250 mm × 0.01° / √2 = 0.031 mm: the table still takes most of it.
     assert!(left.added_rms_mm < 0.012, "{left:?}");
     // A format without that limit has enough.
-    assert!(export(&calibration, "csv", None).left.expect("a table").met());
+    assert!(
+        export(&calibration, "csv", None)
+            .left
+            .expect("a table")
+            .met()
+    );
 }
 
 #[test]
@@ -285,18 +319,25 @@ fn without_a_tolerance_the_models_own_gap_stands_in() {
         gap_mm: 0.5,
         held_out_mm: None,
     }];
-    let left = export(&calibration, "linuxcnc", None).left.expect("a table");
+    let left = export(&calibration, "linuxcnc", None)
+        .left
+        .expect("a table");
     assert!((left.allowance.mm - 0.005).abs() < 1e-15);
     assert!(left.allowance.is.contains("own gap") && left.met());
     calibration.history.clear();
-    let left = export(&calibration, "linuxcnc", None).left.expect("a table");
+    let left = export(&calibration, "linuxcnc", None)
+        .left
+        .expect("a table");
     assert!((left.allowance.mm - 1e-4).abs() < 1e-15 && left.met());
 }
 
 #[test]
 fn the_worked_line_is_the_one_of_the_manual() {
     let session = one_joint("revolute", [0.0, 90.0]);
-    let calibration = known(&session, &[("joint-scale", &[("scale_ppm", 2500.0 / 90.0)])]);
+    let calibration = known(
+        &session,
+        &[("joint-scale", &[("scale_ppm", 2500.0 / 90.0)])],
+    );
     for (format, number) in [
         ("csv", "table says -0.0025"),
         ("linuxcnc", "table says -0.0025"),
@@ -305,10 +346,19 @@ fn the_worked_line_is_the_one_of_the_manual() {
         ("sinumerik", "table says +0.0025"),
     ] {
         let made = export(&calibration, format, Some(90.0));
-        let says = sidecar(&made)["example"]["says"].as_str().expect("a line").to_owned();
-        assert!(says.starts_with("commanded 90°, robot reached 90.002500°"), "{says}");
+        let says = sidecar(&made)["example"]["says"]
+            .as_str()
+            .expect("a line")
+            .to_owned();
+        assert!(
+            says.starts_with("commanded 90°, robot reached 90.002500°"),
+            "{says}"
+        );
         assert!(says.contains(number), "{format}: {says}");
-        let sign = sidecar(&made)["sign"].as_str().expect("a sentence").to_owned();
+        let sign = sidecar(&made)["sign"]
+            .as_str()
+            .expect("a sentence")
+            .to_owned();
         let deviation = sign.contains("actual − commanded");
         assert_eq!(deviation, number.contains('+'), "{format}: {sign}");
     }

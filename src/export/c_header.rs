@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use super::rules::{Directions, Rules, Says, Spacing};
 use super::sheet::Sheet;
-use super::table_file::{Columns, TableFile};
+use super::table_file::{Columns, TableFile, number};
 use super::{ExportError, Format, Job};
 
 const RULES: Rules = Rules {
@@ -103,16 +103,8 @@ fn write(job: &Job, table: &Sheet, notes: &[String]) -> String {
         macro_name = name.to_ascii_uppercase(),
         entries = last + 1,
     );
-    array(
-        &mut text,
-        &format!("{name}_forward_{unit}"),
-        &table.forward,
-    );
-    array(
-        &mut text,
-        &format!("{name}_reverse_{unit}"),
-        &table.reverse,
-    );
+    array(&mut text, &format!("{name}_forward_{unit}"), &table.forward);
+    array(&mut text, &format!("{name}_reverse_{unit}"), &table.reverse);
     let _ = write!(
         text,
         "/* Correction at one side's entries. */\n\
@@ -163,8 +155,9 @@ fn array(text: &mut String, name: &str, values: &[f64]) {
     text.push_str("};\n\n");
 }
 
-/// Reads the arrays back; the places are those of the header's own constants.
+/// Reads the arrays back, and where their entries stand from the line that looks them up.
 fn read(table: &Sheet, text: &str) -> Result<Columns, ExportError> {
+    let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
     let values = |side: &str| -> Result<Vec<f64>, ExportError> {
         let wrong = || ExportError::ReadBack(format!("the {side} entries"));
         let start = format!("{}_{side}_{}[", prefix(table), table.unit());
@@ -174,15 +167,23 @@ fn read(table: &Sheet, text: &str) -> Result<Columns, ExportError> {
             .and_then(|(_, rest)| rest.split_once('}'));
         let cells = inside.ok_or_else(wrong)?.0.split(',').map(str::trim);
         let cells = cells.filter(|cell| !cell.is_empty());
-        let values: Option<Vec<f64>> = cells.map(|cell| cell.parse().ok()).collect();
-        values
-            .filter(|v| v.iter().all(|v| v.is_finite()))
-            .ok_or_else(wrong)
+        let values: Option<Vec<f64>> = cells.map(number).collect();
+        values.ok_or_else(wrong)
     };
+    let place = format!("double place = (commanded_{} - (", table.unit());
+    let grid = text.split_once(&place).and_then(|(_, rest)| {
+        let (from, rest) = rest.split_once(")) * ")?;
+        let (per_step, _) = rest.split_once(';')?;
+        Some((number(from)?, number(per_step)?))
+    });
+    let (from, per_step) = grid.ok_or_else(|| wrong("the line of the lookup"))?;
+    let forward = values("forward")?;
     Ok(Columns {
-        places: table.places.clone(),
-        forward: values("forward")?,
+        places: (0..forward.len())
+            .map(|k| from + k as f64 / per_step)
+            .collect(),
         reverse: values("reverse")?,
+        forward,
         repeats: false,
     })
 }

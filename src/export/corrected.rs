@@ -47,9 +47,15 @@ impl Corrected {
     /// As many effects of the model as a chain can carry.
     pub(super) fn new(job: &Job) -> Self {
         let nominal = &job.calibration.model.robot;
-        let of_the_robot =
-            |term: &&Term| !OF_THE_INSTRUMENT.contains(&term.effect.about().id);
-        let terms: Vec<Term> = job.calibration.model.terms().iter().filter(of_the_robot).cloned().collect();
+        let of_the_robot = |term: &&Term| !OF_THE_INSTRUMENT.contains(&term.effect.about().id);
+        let terms: Vec<Term> = job
+            .calibration
+            .model
+            .terms()
+            .iter()
+            .filter(of_the_robot)
+            .cloned()
+            .collect();
         let (mut carried, mut left_out) = (Vec::new(), Vec::new());
         for term in terms {
             let alone = Model::new(nominal.clone(), vec![term.clone()]);
@@ -112,8 +118,8 @@ fn motion_at_home(model: &Model) -> Option<Pose> {
     let edges = [Vector3::x(), Vector3::y(), Vector3::z()];
     let edges = edges.map(|e| (seen(origin + e * APART_MM) - there) / APART_MM);
     let turn = Matrix3::from_columns(&edges);
-    let rigid = (turn.transpose() * turn - Matrix3::identity()).amax() < 1e-9
-        && turn.determinant() > 0.0;
+    let rigid =
+        (turn.transpose() * turn - Matrix3::identity()).amax() < 1e-9 && turn.determinant() > 0.0;
     // Near the identity, where a rotation's own digits are the best there are.
     let rotation = Rotation3::from_matrix_eps(&turn, 1e-15, 100, Rotation3::identity());
     let rotation = UnitQuaternion::from_rotation_matrix(&rotation);
@@ -145,7 +151,10 @@ pub(super) fn differences(inputs: &Inputs, model: &Model, robot: &Robot) -> Vec<
         one.target = None;
         one.reflectors_at_home = vec![*home];
         let there = model.predict(&one);
-        let in_tool = model.robot.base_from_tool.inverse_transform_point(&Point3::from(*home));
+        let in_tool = model
+            .robot
+            .base_from_tool
+            .inverse_transform_point(&Point3::from(*home));
         let at_home = robot.base_from_tool * in_tool;
         one.reflectors_at_home = vec![at_home.coords.into()];
         let chain = Model::nominal(robot.clone()).predict(&one);
@@ -164,15 +173,16 @@ fn various(job: &Job, model: &Model) -> Vec<Inputs<'static>> {
         .map(|e| (tool * Point3::from(e * APART_MM)).coords.into())
         .collect();
     let mut all = Vec::new();
-    for (side, factor) in [(Side::Forward, 0.0), (Side::Forward, 1.0), (Side::Reverse, 1.0)] {
+    for (side, factor) in [
+        (Side::Forward, 0.0),
+        (Side::Forward, 1.0),
+        (Side::Reverse, 1.0),
+    ] {
         let mut conditions = job.conditions;
         conditions.speed += factor * 0.5;
         conditions.load_kg += factor * 7.0;
         conditions.temperature_c += factor * 10.0;
-        let job = Job {
-            conditions,
-            ..*job
-        };
+        let job = Job { conditions, ..*job };
         let mut inputs = poses(&job, side);
         inputs.reflectors_at_home.clone_from(&beside);
         all.push(inputs);

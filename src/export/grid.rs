@@ -28,7 +28,12 @@ pub(super) fn choose(
 ) -> Result<Sheet, ExportError> {
     let sheet = match job.step {
         Some(step) => asked(job, rules, step)?,
-        None => fitting(job, rules, exact, allowance.beside(exact.between_sides_mm(rules)))?,
+        None => fitting(
+            job,
+            rules,
+            exact,
+            allowance.beside(exact.between_sides_mm(rules)),
+        )?,
     };
     let ascends = sheet.places.windows(2).all(|pair| pair[0] < pair[1]);
     if !ascends {
@@ -40,7 +45,12 @@ pub(super) fn choose(
             rules.resolution.unwrap_or(0.0),
         )));
     }
-    if let Some(wrong) = sheet.forward.iter().chain(&sheet.reverse).find(|v| !v.is_finite()) {
+    if let Some(wrong) = sheet
+        .forward
+        .iter()
+        .chain(&sheet.reverse)
+        .find(|v| !v.is_finite())
+    {
         return Err(ExportError::Refused(format!(
             "the model gives a correction of {wrong}: it cannot be inverted over this travel"
         )));
@@ -66,12 +76,7 @@ fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
     Ok(Sheet::new(&table, rules))
 }
 
-fn fitting(
-    job: &Job,
-    rules: &Rules,
-    exact: &Exact,
-    allowed_mm: f64,
-) -> Result<Sheet, ExportError> {
+fn fitting(job: &Job, rules: &Rules, exact: &Exact, allowed_mm: f64) -> Result<Sheet, ExportError> {
     let most = rules.most_entries.min(MOST_UNASKED);
     let span = exact.span();
     // A step that divides the travel.

@@ -83,7 +83,10 @@ mod tests {
     fn missed(places: &[f64], column: &[f64], entries: &[usize]) -> f64 {
         let pick = |of: &[f64]| entries.iter().map(|k| of[*k]).collect();
         let table = SortedTable::new(pick(places), pick(column)).expect("it ascends");
-        let off = places.iter().zip(column).map(|(q, v)| (table.at(*q) - v).abs());
+        let off = places
+            .iter()
+            .zip(column)
+            .map(|(q, v)| (table.at(*q) - v).abs());
         off.fold(0.0, f64::max)
     }
 
@@ -93,7 +96,10 @@ mod tests {
         let line: Vec<f64> = places.iter().map(|q| 2.0 * q - 3.0).collect();
         assert_eq!(entries_within(&places, &[&line], 1e-9), [0, 100]);
         let corner: Vec<f64> = places.iter().map(|q| (q - 37.0).max(0.0)).collect();
-        assert_eq!(entries_within(&places, &[&line, &corner], 1e-9), [0, 37, 100]);
+        assert_eq!(
+            entries_within(&places, &[&line, &corner], 1e-9),
+            [0, 37, 100]
+        );
     }
 
     #[test]
@@ -104,7 +110,10 @@ mod tests {
         let entries = at_most(&places, &[&column], 0.0, 21);
         assert!(entries.len() <= 21);
         let equal: Vec<usize> = (0..=20).map(|k| k * 100).collect();
-        let (free, equal) = (missed(&places, &column, &entries), missed(&places, &column, &equal));
+        let (free, equal) = (
+            missed(&places, &column, &entries),
+            missed(&places, &column, &equal),
+        );
         assert!(free < 0.05 * equal, "{free} {equal}");
     }
 

@@ -110,7 +110,10 @@ impl Exact {
     /// Points in the measured range, or all where it holds none.
     fn points(&self) -> Vec<usize> {
         let table = &self.table;
-        let [from, to] = [table.outer(table.measured.from), table.outer(table.measured.to)];
+        let [from, to] = [
+            table.outer(table.measured.from),
+            table.outer(table.measured.to),
+        ];
         let all = 0..table.commanded_outer.len();
         let inside = |k: &usize| {
             let q = table.commanded_outer[*k];
@@ -247,7 +250,10 @@ impl Left {
         if self.met() {
             format!("{added}, less than {} ({:.5} mm)", may.is, may.mm)
         } else if asked {
-            format!("{added}, more than {} ({:.5} mm): the step is wide", may.is, may.mm)
+            format!(
+                "{added}, more than {} ({:.5} mm): the step is wide",
+                may.is, may.mm
+            )
         } else {
             format!(
                 "{added}, more than {} ({:.5} mm): {} takes at most {} entries in steps of {} {}",
@@ -267,23 +273,20 @@ fn gaps(job: &Job, read: &ReadBack) -> [f64; 2] {
     let compensation = Compensation::new(job.calibration);
     let (mut sums, mut count) = ([0.0; 2], 0.0);
     for side in [Side::Forward, Side::Reverse] {
-        let mut inputs = poses(job, side);
-        let q = inputs.q[0].clone().into_owned();
-        let by_table = q.iter().map(|q| read.correction(*q, side.sign())).collect();
+        let inputs = poses(job, side);
+        let q = &inputs.q[0];
+        let by_table = q.iter().map(|q| read.correction(*q, side.sign()));
+        let by_table: Vec<f64> = by_table.collect();
         let by_model = compensation.joint_corrections(&inputs);
-        for target in 0..inputs.reflectors_at_home.len() {
-            let target = u32::try_from(target).unwrap_or(u32::MAX);
-            inputs.target = Some(vec![target; q.len()].into());
-            let nominal = compensation.nominal.predict(&inputs);
-            for (sum, corrections) in sums.iter_mut().zip([&vec![Vec::clone(&by_table)], &by_model]) {
-                let reached = compensation.reached(&inputs, corrections);
-                for i in 0..q.len() {
-                    let off = compensation.deviation(reached.get(i), nominal.get(i));
-                    *sum += dot(off, off);
-                }
+        let nominal = compensation.nominal.predict(&inputs);
+        for (sum, corrections) in sums.iter_mut().zip([vec![by_table], by_model]) {
+            let reached = compensation.reached(&inputs, &corrections);
+            for i in 0..inputs.len() {
+                let off = compensation.deviation(reached.get(i), nominal.get(i));
+                *sum += dot(off, off);
             }
-            count += q.len() as f64;
         }
+        count += inputs.len() as f64;
     }
     sums.map(|sum| (sum / f64::max(count, 1.0)).sqrt())
 }

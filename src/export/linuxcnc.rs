@@ -44,7 +44,7 @@ const RULES: Rules = Rules {
 
 pub(super) const FORMAT: Format = Format {
     id: "linuxcnc",
-    title: "LinuxCNC compensation file",
+    title: "LinuxCNC COMP_FILE",
     extension: "comp",
     rules: Some(&RULES),
     exporter: &TableFile {
@@ -82,6 +82,11 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
         columns.places.push(place);
         columns.forward.push(forward);
         columns.reverse.push(reverse);
+    }
+    if columns.places.is_empty() {
+        return Err(ExportError::ReadBack(
+            "its first line is no entry".to_owned(),
+        ));
     }
     Ok(columns)
 }

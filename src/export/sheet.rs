@@ -51,7 +51,11 @@ impl Sheet {
             forward = outer(&mean);
             reverse.clone_from(&forward);
         }
-        let places: Vec<f64> = table.commanded_outer.iter().map(|q| rules.rounded(*q)).collect();
+        let places: Vec<f64> = table
+            .commanded_outer
+            .iter()
+            .map(|q| rules.rounded(*q))
+            .collect();
         let mut sheet = Self {
             joint: table.joint,
             name: table.name.clone(),

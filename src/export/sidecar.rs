@@ -197,7 +197,9 @@ pub(super) fn sha256(bytes: &[u8]) -> String {
     let digits = |byte: &u8| [byte >> 4, byte & 15];
     let all = Sha256::digest(bytes);
     let digits = all.iter().flat_map(digits);
-    digits.map(|d| char::from(b"0123456789abcdef"[usize::from(d)])).collect()
+    digits
+        .map(|d| char::from(b"0123456789abcdef"[usize::from(d)]))
+        .collect()
 }
 
 impl Example {
@@ -267,7 +269,7 @@ fn reached(job: &Job, sheet: &Sheet, commanded: f64, correction: f64) -> f64 {
     closest_commands(&compensation.nominal, &inputs, &real, &[0])[0][0]
 }
 
-/// Poses that fill the measured range: evenly for one joint; for several, points of a lattice that
+/// Poses that fill the measured range, once for each reflector: evenly for one joint; for several, points of a lattice that
 /// fills the box evenly (Korobov; the golden ratio's powers, Roberts 2018).
 pub(crate) fn measured_poses(job: &Job) -> Inputs<'static> {
     poses(job, Side::Forward)
@@ -290,9 +292,17 @@ pub(super) fn poses(job: &Job, side: Side) -> Inputs<'static> {
         let at = |k: usize| range.from + (range.to - range.from) * share(joint, k);
         (0..POSES).map(at).collect()
     };
-    let q = measured.iter().enumerate().map(column).collect();
     let homes = compensation.reflectors_at_home;
-    job.conditions.inputs(q, side, homes)
+    let columns = measured.iter().enumerate().map(column);
+    let q = columns.map(|column| column.repeat(homes.len())).collect();
+    let targets = (0..homes.len()).flat_map(|target| {
+        let target = u32::try_from(target).expect("a session has few reflectors");
+        std::iter::repeat_n(target, POSES)
+    });
+    let targets: Vec<u32> = targets.collect();
+    let mut inputs = job.conditions.inputs(q, side, homes);
+    inputs.target = Some(targets.into());
+    inputs
 }
 
 /// The positive root of x^(d+1) = x + 1.

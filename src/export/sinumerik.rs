@@ -42,7 +42,7 @@ const RULES: Rules = Rules {
 
 pub(super) const FORMAT: Format = Format {
     id: "sinumerik",
-    title: "SINUMERIK encoder error compensation",
+    title: "SINUMERIK ENC_COMP archive",
     extension: "arc",
     rules: Some(&RULES),
     exporter: &TableFile {
@@ -84,7 +84,11 @@ fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
     assign("_STEP", &encoder, &decimal(step));
     assign("_MIN", &encoder, &decimal(from));
     assign("_MAX", &encoder, &decimal(to));
-    assign("_IS_MODULO", &encoder, if sheet.repeats { "1" } else { "0" });
+    assign(
+        "_IS_MODULO",
+        &encoder,
+        if sheet.repeats { "1" } else { "0" },
+    );
     text.push_str("M17\n");
     text
 }
@@ -112,9 +116,13 @@ fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
             _ => {}
         }
     }
-    let grid = from.zip(step).ok_or_else(|| wrong("$AA_ENC_COMP_MIN, _STEP"))?;
+    let grid = from
+        .zip(step)
+        .ok_or_else(|| wrong("$AA_ENC_COMP_MIN, _STEP"))?;
     Ok(Columns {
-        places: (0..values.len()).map(|n| grid.0 + n as f64 * grid.1).collect(),
+        places: (0..values.len())
+            .map(|n| grid.0 + n as f64 * grid.1)
+            .collect(),
         forward: values.clone(),
         reverse: values,
         repeats,

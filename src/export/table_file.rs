@@ -22,6 +22,9 @@ pub(super) struct TableFile {
     pub(super) enter: fn(&Job, &Sheet) -> Vec<String>,
 }
 
+/// Places are counted from the first one in some formats, which costs last bits; degrees or mm.
+const PLACES: f64 = 1e-9;
+
 /// The numbers of a file in degrees or mm, with the file's own sign.
 pub(super) struct Columns {
     pub(super) places: Vec<f64>,
@@ -40,7 +43,9 @@ impl Exporter for TableFile {
         sheet.notes.extend(one_sided);
         let reads_as = self.read_back(&sheet, &(self.write)(job, &sheet, &[]))?;
         let left = Left::new(job, &exact, &reads_as);
-        sheet.notes.push(left.says(rules, &sheet, job.step.is_some()));
+        sheet
+            .notes
+            .push(left.says(rules, &sheet, job.step.is_some()));
         let mut sidecar = Sidecar::new(job, &sheet, rules, &left, (self.enter)(job, &sheet));
         let notes = sidecar.notes();
         let text = (self.write)(job, &sheet, &notes);
@@ -80,10 +85,12 @@ impl TableFile {
         let near = |a: &[f64], b: &[f64], slack: f64| {
             let pairs = a.iter().zip(b);
             a.len() == b.len()
-                && pairs.into_iter().all(|(a, b)| (a - b).abs() <= slack + 1e-12 * b.abs())
+                && pairs
+                    .into_iter()
+                    .all(|(a, b)| (a - b).abs() <= slack + 1e-12 * b.abs())
         };
         // Positions that are counted in steps from the first one may differ in the last digit.
-        if !near(&columns.places, &sheet.places, last_digit) {
+        if !near(&columns.places, &sheet.places, last_digit.max(PLACES)) {
             return Err(wrong("the positions"));
         }
         let same = |a: &[f64], b: &[f64]| near(a, b, 0.5 * last_digit);

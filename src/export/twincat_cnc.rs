@@ -44,7 +44,7 @@ const PER_OUTER: f64 = 1e4;
 
 pub(super) const FORMAT: Format = Format {
     id: "twincat-cnc",
-    title: "TwinCAT CNC (ISG) compensation list",
+    title: "TwinCAT CNC (ISG) list",
     extension: "lis",
     rules: Some(&RULES),
     exporter: &TableFile {
@@ -62,7 +62,13 @@ fn whole(value: f64) -> String {
 
 /// A name of letters, digits and underscores.
 fn axis_name(sheet: &Sheet) -> String {
-    let kept = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_uppercase() } else { '_' };
+    let kept = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_uppercase()
+        } else {
+            '_'
+        }
+    };
     let name: String = sheet.name.chars().map(kept).collect();
     if name.chars().any(|c| c != '_') {
         name

@@ -45,7 +45,7 @@ const RULES: Rules = Rules {
 
 pub(super) const FORMAT: Format = Format {
     id: "twincat-nc",
-    title: "TwinCAT NC position compensation, structured text",
+    title: "TwinCAT NC structured text",
     extension: "st",
     rules: Some(&RULES),
     exporter: &TableFile {
@@ -62,9 +62,19 @@ fn write(_: &Job, sheet: &Sheet, notes: &[String]) -> String {
         text.push_str(line);
         text.push('\n');
     };
-    line(&mut text, &format!("// Correction of joint {} in {}", sheet.joint + 1, sheet.unit()));
+    line(
+        &mut text,
+        &format!(
+            "// Correction of joint {} in {}",
+            sheet.joint + 1,
+            sheet.unit()
+        ),
+    );
     for note in notes {
-        line(&mut text, &format!("// {}", note.replace(['\n', '\r'], " ")));
+        line(
+            &mut text,
+            &format!("// {}", note.replace(['\n', '\r'], " ")),
+        );
     }
     let [from, to] = sheet.ends();
     let last = sheet.places.len() - 1;
@@ -99,9 +109,14 @@ fn write(_: &Job, sheet: &Sheet, notes: &[String]) -> String {
 
 fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
     let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
-    let code: Vec<&str> = text.lines().filter(|line| !line.starts_with("//")).collect();
+    let code: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.starts_with("//"))
+        .collect();
     let code = code.join(" ");
-    let table = code.split_once(":= [").and_then(|(_, rest)| rest.split_once("];"));
+    let table = code
+        .split_once(":= [")
+        .and_then(|(_, rest)| rest.split_once("];"));
     let (table, rest) = table.ok_or_else(|| wrong("there is no table"))?;
     let (mut places, mut corrections) = (Vec::new(), Vec::new());
     for element in table.split('(').skip(1) {

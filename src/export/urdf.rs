@@ -33,7 +33,7 @@ use crate::sessions::format_v1::layout::write_document;
 
 pub(super) const FORMAT: Format = Format {
     id: "urdf",
-    title: "URDF with corrected joint origins",
+    title: "URDF with corrected origins",
     extension: "urdf",
     rules: None,
     exporter: &Urdf,
@@ -102,7 +102,12 @@ impl Exporter for Urdf {
         let known = Model::new(all.robot.clone(), corrected.carried.clone());
         let off = apart(job, &known, &robot);
         // NaN is wrong as well.
-        if off.iter().any(|v| dot(*v, *v).sqrt().partial_cmp(&SAME_MM).is_none_or(|o| o.is_gt())) {
+        if off.iter().any(|v| {
+            dot(*v, *v)
+                .sqrt()
+                .partial_cmp(&SAME_MM)
+                .is_none_or(std::cmp::Ordering::is_gt)
+        }) {
             return Err(ExportError::ReadBack("it leads elsewhere".to_owned()));
         }
         let sidecar = sidecar(job, &corrected, &names, &robot, &text);
@@ -142,13 +147,7 @@ fn rms(vectors: &[[f64; 3]]) -> f64 {
     (sum / vectors.len().max(1) as f64).sqrt()
 }
 
-fn sidecar(
-    job: &Job,
-    corrected: &Corrected,
-    names: &Names,
-    robot: &Robot,
-    text: &str,
-) -> Sidecar {
+fn sidecar(job: &Job, corrected: &Corrected, names: &Names, robot: &Robot, text: &str) -> Sidecar {
     let calibration = job.calibration;
     let all = Compensation::new(calibration).robot;
     let nominal = &calibration.model.robot;
@@ -253,7 +252,11 @@ impl Names {
         let links = ["base_link".to_owned()].into_iter().chain(links);
         let name = plain(&robot.name);
         Self {
-            robot: if name.is_empty() { "robot".to_owned() } else { name },
+            robot: if name.is_empty() {
+                "robot".to_owned()
+            } else {
+                name
+            },
             links: links.chain(["tool0".to_owned()]).collect(),
             joints,
             changed,
@@ -306,7 +309,10 @@ fn write(job: &Job, corrected: &Corrected, names: &Names) -> String {
         ));
         line(&format!("    <parent link=\"{}\"/>", names.links[k]));
         line(&format!("    <child link=\"{}\"/>", names.links[k + 1]));
-        line(&format!("    <origin {}/>", origin(&(parent.inverse() * frame))));
+        line(&format!(
+            "    <origin {}/>",
+            origin(&(parent.inverse() * frame))
+        ));
         if let Some(joint) = joint {
             line(&format!(
                 "    <axis xyz=\"{}\"/>",

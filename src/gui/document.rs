@@ -46,8 +46,13 @@ impl Default for ExportChoice {
 impl ExportChoice {
     /// What the file is called unless the user says otherwise.
     pub(crate) fn file_name(&self, session: &str) -> String {
-        let extension = find(self.format).map_or("txt", |format| format.extension);
-        format!("{}-joint-{}.{extension}", plain(session), self.joint + 1)
+        let (session, format) = (plain(session), find(self.format));
+        let extension = format.map_or("txt", |format| format.extension);
+        if format.is_some_and(|format| format.rules.is_none()) {
+            // It is about the whole robot.
+            return format!("{session}.{extension}");
+        }
+        format!("{session}-joint-{}.{extension}", self.joint + 1)
     }
 }
 

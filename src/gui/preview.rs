@@ -112,7 +112,10 @@ fn lines(said: Option<&serde_json::Value>) -> Vec<String> {
         match said.and_then(|said| said.get(key)) {
             Some(serde_json::Value::String(line)) => lines.push(line.clone()),
             Some(serde_json::Value::Array(some)) => {
-                lines.extend(some.iter().filter_map(|line| line.as_str().map(str::to_owned)));
+                lines.extend(
+                    some.iter()
+                        .filter_map(|line| line.as_str().map(str::to_owned)),
+                );
             }
             _ => {}
         }

@@ -43,7 +43,8 @@ fn line(points: &[[f64; 3]], column: usize, at: f64) -> f64 {
 
 fn real(text: &str) -> f64 {
     assert!(
-        text.bytes().all(|b| b.is_ascii_digit() || b"+-.".contains(&b)),
+        text.bytes()
+            .all(|b| b.is_ascii_digit() || b"+-.".contains(&b)),
         "'{text}' is more than a plain decimal"
     );
     text.parse().expect("a number")
@@ -93,7 +94,10 @@ fn linuxcnc(text: &str) -> Added {
             break;
         }
         let row = [real(cells[0]), real(cells[1]), real(cells[2])];
-        assert!(points.last().is_none_or(|p| p[0] < row[0]), "compensation values must increase");
+        assert!(
+            points.last().is_none_or(|p| p[0] < row[0]),
+            "compensation values must increase"
+        );
         points.push(row);
     }
     assert!(points.len() <= 256, "too many compensation entries");
@@ -110,7 +114,11 @@ fn twincat_nc(text: &str) -> Added {
     let after = |text: &str, key: &str| -> String {
         let (_, rest) = text.split_once(key).expect("the key is there");
         let rest = rest.trim_start().trim_start_matches(":=").trim_start();
-        rest.split([',', ')', '\n', ';']).next().expect("a value").trim().to_owned()
+        rest.split([',', ')', '\n', ';'])
+            .next()
+            .expect("a value")
+            .trim()
+            .to_owned()
     };
     let (head, rest) = code.split_once("ARRAY[0..").expect("an array from 0");
     assert!(head.contains("VAR_GLOBAL") && head.trim_end().ends_with(':'));
@@ -126,10 +134,16 @@ fn twincat_nc(text: &str) -> Added {
     assert_eq!(last.parse::<usize>().expect("a bound") + 1, points.len());
     assert_eq!(after(tail, "NoOfTableElements"), points.len().to_string());
     assert_eq!(real(&after(tail, "MinPosition")), points[0][0]);
-    assert_eq!(real(&after(tail, "MaxPosition")), points[points.len() - 1][0]);
+    assert_eq!(
+        real(&after(tail, "MaxPosition")),
+        points[points.len() - 1][0]
+    );
     let step = points[1][0] - points[0][0];
     for pair in points.windows(2) {
-        assert!((pair[1][0] - pair[0][0] - step).abs() < 1e-8 && step > 0.0, "not equidistant");
+        assert!(
+            (pair[1][0] - pair[0][0] - step).abs() < 1e-8 && step > 0.0,
+            "not equidistant"
+        );
     }
     let turn = points[points.len() - 1][0] - points[0][0];
     let turn = (after(tail, "Modulo") == "TRUE").then_some(turn);
@@ -140,7 +154,9 @@ fn twincat_nc(text: &str) -> Added {
 /// setpoint.
 fn isg(text: &str) -> Added {
     let value = |key: &str| -> Option<i64> {
-        let mut lines = text.lines().map(|l| l.split_whitespace().collect::<Vec<_>>());
+        let mut lines = text
+            .lines()
+            .map(|l| l.split_whitespace().collect::<Vec<_>>());
         let found = lines.find(|words| words.len() == 2 && words[0] == key)?;
         Some(found[1].parse().expect("a whole number"))
     };
@@ -161,7 +177,11 @@ fn isg(text: &str) -> Added {
     let turn = (value("kw.ssfk.modulo") == Some(1)).then_some(360.0);
     if turn.is_some() {
         let (first, last) = (points[0], points[points.len() - 1]);
-        assert_eq!([last[0] - 360.0, last[1], last[2]], first, "a jump at the turn");
+        assert_eq!(
+            [last[0] - 360.0, last[1], last[2]],
+            first,
+            "a jump at the turn"
+        );
     }
     Added { points, turn }
 }
@@ -186,7 +206,11 @@ impl Sinumerik {
             let (name, place) = left.split_once('[').expect("an index");
             let place: Vec<&str> = place.trim_end_matches(']').split(',').collect();
             assert_eq!(place[0], "0", "the first measuring system");
-            assert!(place[place.len() - 1].chars().all(|c| c.is_ascii_alphanumeric()));
+            assert!(
+                place[place.len() - 1]
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric())
+            );
             match name {
                 "$AA_ENC_COMP" => {
                     assert_eq!(place[1], values.len().to_string());
@@ -207,7 +231,10 @@ impl Sinumerik {
         };
         assert!(own.values.len() <= 5000);
         let end = own.min + own.step * (own.values.len() - 1) as f64;
-        assert!((end - max.expect("MAX")).abs() < 1e-6, "MAX is not MIN + N STEP");
+        assert!(
+            (end - max.expect("MAX")).abs() < 1e-6,
+            "MAX is not MIN + N STEP"
+        );
         own
     }
 }

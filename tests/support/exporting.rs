@@ -23,8 +23,16 @@ pub fn identified(session: &Session, effects: &[&str]) -> Calibration {
 /// One joint that turns about z with its tool 250 mm away, or slides along x.
 pub fn one_joint(kind: &str, limits: [f64; 2]) -> Session {
     let [from, to] = limits;
-    let q = if kind == "revolute" { "q1_deg" } else { "q1_mm" };
-    let axis = if kind == "revolute" { "[0,0,1]" } else { "[1,0,0]" };
+    let q = if kind == "revolute" {
+        "q1_deg"
+    } else {
+        "q1_mm"
+    };
+    let axis = if kind == "revolute" {
+        "[0,0,1]"
+    } else {
+        "[1,0,0]"
+    };
     let text = format!(
         r#"{{"format":"truepose-session/1","name":"known","robot":{{"name":"one","joints":[{{"name":"pan",
         "kind":"{kind}","axis":{axis},"point_mm":[0,0,0],"limits":[{from},{to}]}}],
@@ -42,7 +50,12 @@ pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibrati
     };
     let model = Model::new(session.robot.clone(), effects.iter().map(term).collect());
     let measured = session.robot.joints.iter();
-    let measured = measured.map(|j| j.limits.unwrap_or(Range { from: -1.0, to: 1.0 }));
+    let measured = measured.map(|j| {
+        j.limits.unwrap_or(Range {
+            from: -1.0,
+            to: 1.0,
+        })
+    });
     Calibration {
         session: session.name.clone(),
         model,

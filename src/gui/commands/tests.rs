@@ -225,7 +225,9 @@ fn any_command(random: &mut ChaCha8Rng) -> Command {
         22 => Command::Component(Component::ALL[random.random_range(0..7)]),
         23 => Command::Select(Some(random.random_range(0..40))),
         24 => Command::Edit(Edit::Export(ExportChoice {
-            step: random.random::<bool>().then_some(random.random_range(-1.0..10.0)),
+            step: random
+                .random::<bool>()
+                .then_some(random.random_range(-1.0..10.0)),
             joint: random.random_range(0..2),
             ..ExportChoice::default()
         })),

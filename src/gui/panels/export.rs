@@ -36,8 +36,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             })));
         }
     }
-    widgets::section(ui, "Table");
-    joint_and_step(ui, workbench, choice, commands);
+    // A description of the robot is about all joints and has no steps.
+    if find(choice.format).is_some_and(|format| format.rules.is_some()) {
+        widgets::section(ui, "Table");
+        joint_and_step(ui, workbench, choice, commands);
+    }
     match workbench.export() {
         None => widgets::hint(ui, "The table is being prepared"),
         Some(Err(because)) => {
@@ -88,14 +91,12 @@ fn joint_and_step(
         JointKind::Revolute => "°",
         JointKind::Prismatic => " mm",
     };
-    // A description of the robot has no steps.
-    let stepped = find(choice.format).is_some_and(|format| format.rules.is_some());
     let mut own = choice.step.is_some();
-    if stepped && ui.checkbox(&mut own, "Own step").changed() {
+    if ui.checkbox(&mut own, "Own step").changed() {
         next.step = own.then_some(FIRST_STEP);
     }
     let mut let_go = false;
-    if let (true, Some(step)) = (stepped, &mut next.step) {
+    if let Some(step) = &mut next.step {
         let field = DragValue::new(step)
             .range(0.001..=90.0)
             .speed(0.02)

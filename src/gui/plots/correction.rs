@@ -31,7 +31,10 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let palette = Palette::of(ui);
     let Some(table) = &made.export.reads_as else {
-        widgets::hint(ui, "This format describes the robot itself and has no table");
+        widgets::hint(
+            ui,
+            "This format describes the robot itself and has no table",
+        );
         return;
     };
     let degrees = table.kind == JointKind::Revolute;
