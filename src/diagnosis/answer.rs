@@ -235,7 +235,7 @@ pub(super) fn answer(
     } else {
         &names
     };
-    let final_model = on_all_samples(prepared, fit);
+    let final_model = on_all_samples(prepared, fit).settled();
     let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
     let identified = deviations(problem, &on_all_samples(prepared, &base));
     let after = deviations(problem, &final_model);
