@@ -115,7 +115,7 @@ pub(super) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: mended.problems.clone(),
+        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
         floor,
         gap,
         held_out,
