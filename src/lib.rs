@@ -53,6 +53,7 @@ pub mod diagnosis;
 pub mod compensation;
 
 pub mod export;
+pub mod importers;
 pub mod pipeline;
 
 #[cfg(feature = "gui")]
