@@ -22,6 +22,7 @@ use super::limits::{self, Limit};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
+use super::smooth::{self, Correction};
 use super::{DiagnoseError, Progress, Watch};
 
 /// The short answer.
@@ -138,6 +139,8 @@ pub struct Unexplained {
     pub says: String,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
+    /// A smooth correction of it, or why there is none; `None` where nobody asked for one.
+    pub correction: Option<Result<Correction, String>>,
 }
 
 /// See the module.
@@ -186,21 +189,40 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// The calibration that goes with this answer, to be saved and exported.
+    /// The calibration that goes with this answer, to be saved and exported; with the smooth
+    /// correction of what is unexplained, where there is one.
     pub fn calibration(&self, session: &Session) -> Calibration {
+        let corrected = self.unexplained.corrected();
+        let mut history = self.history.clone();
+        let mut model = self.model.clone();
+        if let Some(correction) = corrected {
+            model = model.with_term(correction.term.clone());
+            history.push(GapStep {
+                what: format!("with {}", correction.term.effect.about().id),
+                gap_mm: correction.gap_mm[1],
+                held_out_mm: Some(correction.held_out_mm[1]),
+            });
+        }
         Calibration {
             session: self.session.clone(),
-            model: self.model.clone(),
+            model,
             covariance: self.covariance.clone(),
             regions: Vec::new(),
             targets: session.targets.clone(),
             measured: self.measured.clone(),
             tolerance_mm: session.tolerance_mm,
             compensated_by: session.compensated_by.clone(),
-            history: self.history.clone(),
+            history,
             samples_hash: crate::sessions::hash_of_samples(session),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
         }
+    }
+}
+
+impl Unexplained {
+    /// The smooth correction, where there is one.
+    pub fn corrected(&self) -> Option<&Correction> {
+        self.correction.as_ref()?.as_ref().ok()
     }
 }
 
@@ -266,7 +288,11 @@ pub(super) fn answer(
     let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
     let covariance = covariance(arena, fit);
     let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
-    let unexplained = unexplained(prepared, end, session);
+    let mut unexplained = unexplained(prepared, end, session);
+    if prepared.options().correct_unexplained {
+        let shapes: Vec<Shape> = unexplained.shapes.iter().map(|s| s.0).collect();
+        unexplained.correction = Some(smooth::correct(prepared, &shapes, &final_model));
+    }
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
@@ -722,6 +748,7 @@ fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexp
             resembles: Vec::new(),
             says: String::new(),
             shapes: Vec::new(),
+            correction: None,
         };
     }
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
@@ -771,6 +798,7 @@ fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexp
                 (placed.shape, placed.coefficients.iter().copied().collect())
             })
             .collect(),
+        correction: None,
     }
 }
 
