@@ -42,15 +42,21 @@ fn try_it() {
     };
     for id in ["bump", "plateau", "sawtooth"] {
         for lambda in [400.0, 4000.0] {
-        for seed in 11..15 {
-            let rig = measured(&design, &[id, "backlash"], lambda, seed);
-            let d = corrected(&session(&rig));
-            eprintln!("{id} {lambda} {seed}: {:?} present {} floor {:.4}", rig.hidden[0], d.unexplained.present, d.floor.mm);
-            match &d.unexplained.correction {
-                Some(Ok(c)) => eprintln!("   gap {:?} held out {:?} {}", c.gap_mm, c.held_out_mm, c.says),
-                other => eprintln!("   {other:?}"),
+            for seed in 11..15 {
+                let rig = measured(&design, &[id, "backlash"], lambda, seed);
+                let d = corrected(&session(&rig));
+                eprintln!(
+                    "{id} {lambda} {seed}: {:?} present {} floor {:.4}",
+                    rig.hidden[0], d.unexplained.present, d.floor.mm
+                );
+                match &d.unexplained.correction {
+                    Some(Ok(c)) => eprintln!(
+                        "   gap {:?} held out {:?} {}",
+                        c.gap_mm, c.held_out_mm, c.says
+                    ),
+                    other => eprintln!("   {other:?}"),
+                }
             }
-        }
         }
     }
 }

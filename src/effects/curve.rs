@@ -85,7 +85,10 @@ impl Knots {
         let n = self.count;
         let (first, t) = match self.period {
             Some(period) => split(((q - self.from) / period).rem_euclid(1.0) * n as f64, n - 1),
-            None => split((q - self.from) / (self.to - self.from) * (n - 1) as f64, n - 2),
+            None => split(
+                (q - self.from) / (self.to - self.from) * (n - 1) as f64,
+                n - 2,
+            ),
         };
         let (t2, t3) = (t * t, t * t * t);
         let mut w = [
@@ -304,7 +307,9 @@ mod tests {
 
     #[test]
     fn a_period_repeats_without_a_seam() {
-        let wave = curve(knots(Some(0.5)), |q| (std::f64::consts::TAU * q / 0.5).sin());
+        let wave = curve(knots(Some(0.5)), |q| {
+            (std::f64::consts::TAU * q / 0.5).sin()
+        });
         for q in [-0.9, -0.51, 0.0, 0.13] {
             let [here, next] = [q, q + 0.5].map(|q| wave.at(q)[0]);
             assert!((here - next).abs() < 1e-12, "{q}");
@@ -323,8 +328,14 @@ mod tests {
         let bad = [
             Knots { count: 1, ..two },
             Knots { to: -1.0, ..two },
-            Knots { from: f64::NAN, ..two },
-            Knots { period: Some(0.0), ..two },
+            Knots {
+                from: f64::NAN,
+                ..two
+            },
+            Knots {
+                period: Some(0.0),
+                ..two
+            },
         ];
         for knots in bad {
             assert!(knots.check().is_err(), "{knots:?}");

@@ -43,7 +43,11 @@ pub(super) struct Sums {
 impl Sums {
     /// Over some rows of the curve's columns, the names' and the residual.
     pub(super) fn of(b: &DMatrix<f64>, j: &DMatrix<f64>, y: &DVector<f64>, rows: &[usize]) -> Self {
-        let (b, j, y) = (b.select_rows(rows), j.select_rows(rows), y.select_rows(rows));
+        let (b, j, y) = (
+            b.select_rows(rows),
+            j.select_rows(rows),
+            y.select_rows(rows),
+        );
         Self {
             bb: b.tr_mul(&b),
             bj: b.tr_mul(&j),
@@ -235,7 +239,10 @@ pub(super) fn fit(
 fn conditions(sums: &Sums, own: &[usize]) -> DMatrix<f64> {
     let mut all = sums.bj.select_rows(own);
     let size = |g: f64| g.max(0.0).sqrt();
-    let largest = own.iter().map(|k| size(sums.bb[(*k, *k)])).fold(0.0, f64::max);
+    let largest = own
+        .iter()
+        .map(|k| size(sums.bb[(*k, *k)]))
+        .fold(0.0, f64::max);
     let mut kept = Vec::new();
     for column in 0..all.ncols() {
         let name = size(sums.jj[(column, column)]);
@@ -249,16 +256,20 @@ fn conditions(sums: &Sums, own: &[usize]) -> DMatrix<f64> {
     Basis::new(&all.select_columns(&kept)).q
 }
 
-/// Sizes that are tried, in units of the noise: from a tenth up, each some two times the last.
+/// Sizes that are tried first, in units of the noise: each four times the last.
 fn sizes() -> impl Iterator<Item = f64> {
-    (0..16).map(|k| 0.1 * 2.15_f64.powi(k))
+    (0..8).map(|k| 0.2 * 4.0_f64.powi(k))
 }
 
-/// A direction has to make the residuals so much likelier, as a logarithm.
-const WORTH: f64 = 1.0;
+/// A direction has to make the residuals so much likelier, as a logarithm: twenty times.
+const WORTH: f64 = 3.0;
 
 /// The best size of the curve in the one direction that says most.
-pub(super) fn first_direction(sums: &Sums, names: &NamesAlone, kernel: &Kernel) -> Option<(Sizes, f64)> {
+pub(super) fn first_direction(
+    sums: &Sums,
+    names: &NamesAlone,
+    kernel: &Kernel,
+) -> Option<(Sizes, f64)> {
     one_more(sums, names, kernel, &[None; DIRECTIONS], names.ln_evidence)
 }
 
@@ -298,14 +309,13 @@ fn one_more(
 
 /// The likeliest sizes near given ones, of the same directions.
 pub(super) fn finely(sums: &Sums, names: &NamesAlone, kernel: &Kernel, start: Sizes) -> Sizes {
-    let value = |t: &Sizes| {
-        fit(sums, names, kernel, t, false).map_or(f64::NEG_INFINITY, |f| f.ln_evidence)
-    };
+    let value =
+        |t: &Sizes| fit(sums, names, kernel, t, false).map_or(f64::NEG_INFINITY, |f| f.ln_evidence);
     let mut best = (start, value(&start));
-    for step in [1.5, 1.2] {
+    for step in [2.0, 1.4, 1.2] {
         for d in (0..DIRECTIONS).filter(|d| start[*d].is_some()) {
             for factor in [step, 1.0 / step] {
-                for _ in 0..4 {
+                for _ in 0..3 {
                     let mut trial = best.0;
                     trial[d] = trial[d].map(|size| size * factor);
                     let here = value(&trial);

@@ -148,11 +148,12 @@ fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
         count: columns.values.len().clamp(4, MOST_KNOTS),
     };
     let mut best = tried(columns, over_range);
+    let span = over_range.to - over_range.from;
+    // What does not come round twice is not known to repeat.
     if let Profile::Periodic { cycles, .. } = over.profile
-        && cycles > 0.0
+        && cycles * span >= 2.0 * std::f64::consts::TAU
     {
         let start = std::f64::consts::TAU / cycles;
-        let span = over_range.to - over_range.from;
         // A period is as sure as its phase is at the far end of the range.
         let mut by = 0.1 * start * start / span;
         let with = |period: f64| {
@@ -259,7 +260,13 @@ impl Choice {
     }
 }
 
-fn says(curve: &Curve, joint: usize, slides: bool, held_out: [f64; 2], others: &[String]) -> String {
+fn says(
+    curve: &Curve,
+    joint: usize,
+    slides: bool,
+    held_out: [f64; 2],
+    others: &[String],
+) -> String {
     let (unit, outer): (&str, fn(f64) -> f64) = if slides {
         (" mm", |v| v)
     } else {

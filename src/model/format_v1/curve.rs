@@ -189,12 +189,7 @@ fn list(
 }
 
 /// Whether the range for people is that of the curve.
-fn readable(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    knots: &Knots,
-) -> Option<()> {
+fn readable(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, knots: &Knots) -> Option<()> {
     let expected = "an object with the range of the curve";
     let members = fields.object(node, path, expected)?;
     let known = [
