@@ -35,11 +35,20 @@ pub mod next_poses;
 pub mod smooth;
 
 mod arena;
+mod conclude;
+mod floor;
+mod ground;
 mod held_out;
+mod leftover;
 mod linear;
 mod prepare;
 mod search;
+mod shapes;
 mod significance;
+mod steps;
+mod testable;
+mod unseen;
+mod values;
 
 pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
@@ -144,7 +153,7 @@ pub fn diagnose(
     if prepared.reconsider(&found) {
         found = prepared.search(options, watch)?;
     }
-    answer::answer(&mended, &prepared, &found, watch)
+    conclude::answer(&mended, &prepared, &found, watch)
 }
 
 impl Options {
