@@ -75,6 +75,14 @@ impl Spectrum {
         let scaled = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| {
             gram[(i, j)] * inverse[i] * inverse[j]
         });
+        if scale.is_empty() {
+            // Nothing to determine is determined.
+            return Self {
+                scale,
+                values: DVector::zeros(0),
+                vectors: scaled,
+            };
+        }
         let eigen = SymmetricEigen::new(scaled);
         Self {
             scale,

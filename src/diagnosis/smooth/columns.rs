@@ -4,9 +4,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::diagnosis::evidence::{Noise, Rows, SMALLEST_SIGMA_MM};
-use crate::diagnosis::prepare::Prepared;
 use crate::effects::curve::{DIRECTIONS, Knots};
 use crate::effects::{Directions, Term};
+use crate::identification::problem::Problem;
 use crate::model::Model;
 
 use super::likelihood::Sums;
@@ -49,9 +49,9 @@ pub(super) struct Folds {
 }
 
 impl Columns {
-    pub(super) fn new(prepared: &Prepared, model: &Model, joint: usize) -> Self {
-        let rows = Rows::of(&thinned(prepared));
-        let noise = prepared.arena.noise.clone();
+    /// Of the samples of a problem that count.
+    pub(super) fn new(problem: &Problem, noise: &Noise, model: &Model, joint: usize) -> Self {
+        let rows = Rows::of(&thinned(problem));
         let probe = Term::absent(&Directions, joint, 0.0);
         let model = model.with_term(probe.clone());
         let before = model.terms().iter().take_while(|t| !t.same_column(&probe));
@@ -92,7 +92,7 @@ impl Columns {
             values,
             q,
             floor: (SMALLEST_SIGMA_MM / smallest).powi(2),
-            noise,
+            noise: noise.clone(),
             rows,
         }
     }
@@ -168,8 +168,8 @@ impl Columns {
 }
 
 /// The samples that count, at most [`MOST_SAMPLES`] of them, spread evenly.
-fn thinned<'a>(prepared: &Prepared<'a>) -> crate::identification::problem::Problem<'a> {
-    let mut problem = prepared.problem.clone();
+fn thinned<'a>(problem: &Problem<'a>) -> Problem<'a> {
+    let mut problem = problem.clone();
     let used: Vec<usize> = (0..problem.used.len())
         .filter(|i| problem.used[*i])
         .collect();

@@ -17,6 +17,8 @@ mod likelihood;
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots};
 use crate::identification::gap::{Spread, deviations};
+use crate::identification::problem::Problem;
+use crate::identification::robust::suspects;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::units::deg_from_rad;
@@ -54,6 +56,8 @@ const MOST_KNOTS: usize = 61;
 const MOST_IN_A_PERIOD: usize = 24;
 /// With fewer different values of the joint there is nothing to leave out and predict.
 const FEWEST_VALUES: usize = 10;
+/// How often samples that were suspected are looked at again.
+const MOST_ROUNDS: usize = 3;
 /// Lengths of the prior that are tried, in shares of the range.
 const LENGTHS: [f64; 3] = [1.0, 0.25, 0.0625];
 
@@ -79,23 +83,27 @@ pub(super) fn correct(
     let Variable::Joint(joint) = over.variable else {
         return Err("what is left follows no joint".to_owned());
     };
-    let columns = Columns::new(prepared, model, joint);
-    if columns.values.len() < FEWEST_VALUES {
-        return Err(format!(
-            "joint {} was measured at {} different values; a curve needs at least {FEWEST_VALUES}",
-            joint + 1,
-            columns.values.len()
-        ));
+    let mut problem = prepared.problem.clone();
+    let mut fitted = fitted(&problem, prepared, model, joint, over)?;
+    // Beside the names alone the peak of a bump looks like an outlier.
+    for _ in 0..MOST_ROUNDS {
+        let with = model.with_term(Term::unexplained(joint, fitted.curve.clone()));
+        let suspected = suspects(&problem, &deviations(&problem, &with));
+        let back = |i: usize| problem.fit[i] && !problem.used[i] && !suspected[i];
+        let back: Vec<usize> = (0..suspected.len()).filter(|i| back(*i)).collect();
+        if back.is_empty() {
+            break;
+        }
+        for sample in back {
+            problem.used[sample] = true;
+        }
+        fitted = self::fitted(&problem, prepared, model, joint, over)?;
     }
-    let Some(best) = likeliest(&columns, over) else {
-        return Err(format!(
-            "no smooth curve over the value of joint {} makes what is left likelier",
-            joint + 1
-        ));
-    };
-    let curve = best
-        .curve(&columns)
-        .ok_or_else(|| "the curve could not be fitted".to_owned())?;
+    let Fitted {
+        columns,
+        best,
+        curve,
+    } = fitted;
     let mut held_out: Option<([f64; 2], String)> = None;
     for folds in columns.folds(joint) {
         let gap = best.held_out(&columns, &folds);
@@ -116,8 +124,7 @@ pub(super) fn correct(
     let says = says(&curve, joint, slides(joint), held_out_mm, &others);
     let term = Term::unexplained(joint, curve);
     let gap = |model: &Model| {
-        let problem = &prepared.problem;
-        let left = deviations(problem, model);
+        let left = deviations(&problem, model);
         let spread = Spread::of(&left.length_mm, |i| problem.fit[i], |i| !problem.used[i]);
         spread.map_or(0.0, |s| s.rms_mm)
     };
@@ -127,6 +134,44 @@ pub(super) fn correct(
         held_out_mm,
         how,
         says,
+    })
+}
+
+/// The likeliest curve on some samples, with what it was fitted to.
+struct Fitted {
+    columns: Columns,
+    best: Choice,
+    curve: Curve,
+}
+
+fn fitted(
+    problem: &Problem,
+    prepared: &Prepared,
+    model: &Model,
+    joint: usize,
+    over: &Shape,
+) -> Result<Fitted, String> {
+    let columns = Columns::new(problem, &prepared.arena.noise, model, joint);
+    let values = columns.values.len();
+    if values < FEWEST_VALUES {
+        return Err(format!(
+            "joint {} was measured at {values} different values; a curve needs at least \
+             {FEWEST_VALUES}",
+            joint + 1
+        ));
+    }
+    let none = || {
+        format!(
+            "no smooth curve over the value of joint {} makes what is left likelier",
+            joint + 1
+        )
+    };
+    let best = likeliest(&columns, over).ok_or_else(none)?;
+    let curve = best.curve(&columns).ok_or_else(none)?;
+    Ok(Fitted {
+        columns,
+        best,
+        curve,
     })
 }
 
