@@ -64,7 +64,8 @@ fn samples_without_a_side_speed_load_or_temperature_are_left_out_aloud() {
         let said = answer.data_problems.iter().map(|p| p.what.as_str());
         let said: Vec<_> = said.collect();
         assert!(
-            said.iter().any(|what| what.starts_with(&format!("{count} of"))),
+            said.iter()
+                .any(|what| what.starts_with(&format!("{count} of"))),
             "{id}: {said:?}"
         );
     }

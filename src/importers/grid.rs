@@ -150,7 +150,8 @@ impl<'a> Grid<'a> {
                     "{} between {}, as in the rows before",
                     self.width, self.separator
                 );
-                complaints.add(|| Diagnostic::error(file.clone().at_line(row.line), found, expected));
+                complaints
+                    .add(|| Diagnostic::error(file.clone().at_line(row.line), found, expected));
             }
         }
     }
@@ -327,7 +328,10 @@ impl Head {
 /// Takes the header out of the lines before the table.
 fn take_header(before: &mut Vec<(u64, Vec<String>)>, width: usize) -> Option<(u64, Vec<String>)> {
     let fits = |cells: &[String]| {
-        let filled = cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |at| at + 1);
+        let filled = cells
+            .iter()
+            .rposition(|cell| !cell.is_empty())
+            .map_or(0, |at| at + 1);
         let numbers = cells.iter().filter(|cell| is_number(cell)).count();
         // A line of one or two words is a remark, unless the table is as narrow.
         cells.len() >= width.saturating_sub(1)
@@ -344,7 +348,10 @@ fn take_header(before: &mut Vec<(u64, Vec<String>)>, width: usize) -> Option<(u6
     let all_units = some > 1 && cells.iter().all(is_unit);
     if all_units && let Some((line, names)) = before.pop_if(|(_, cells)| fits(cells)) {
         let joined = names.iter().enumerate().map(|(index, name)| {
-            match cells.get(index).map(|cell| cell.trim_matches(['[', ']', '(', ')'])) {
+            match cells
+                .get(index)
+                .map(|cell| cell.trim_matches(['[', ']', '(', ')']))
+            {
                 None | Some("" | "-") => name.clone(),
                 Some(unit) => format!("{name} [{unit}]"),
             }
@@ -384,7 +391,11 @@ mod tests {
         for (text, separator, width) in [
             ("a;b;c\n1,5;2,5;3,5\n1;2;3\n", Separator::Semicolon, 3),
             ("a,b,c\n1.5,2.5,3.5\n", Separator::Comma, 3),
-            ("P1, 1.0, 2.0, 3.0\nP2, 1.0, 2.0, 3.0\n", Separator::Comma, 4),
+            (
+                "P1, 1.0, 2.0, 3.0\nP2, 1.0, 2.0, 3.0\n",
+                Separator::Comma,
+                4,
+            ),
             ("P1\t1,5\t2,5\t3,5\n", Separator::Tab, 4),
             ("P1  1,5  2,5  3,5\nP2 1 2 3\n", Separator::Spaces, 4),
             ("P 1,1.0,2.0,3.0\n", Separator::Comma, 4),

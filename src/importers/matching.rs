@@ -81,7 +81,10 @@ pub(crate) fn by_order(
             quoted(b[row])
         );
     }
-    Err((found, "as many of one as of the other, or --match name or time"))
+    Err((
+        found,
+        "as many of one as of the other, or --match name or time",
+    ))
 }
 
 /// Pairs by name. Without names on both sides, or without a common one, the error says so.
@@ -179,7 +182,11 @@ pub(crate) fn join(measured: Columns, commands: Columns, pairs: &Pairs) -> (Colu
             }
             role => {
                 let quantity = role.quantity();
-                if joined.list.iter().any(|other| other.role.quantity() == quantity) {
+                if joined
+                    .list
+                    .iter()
+                    .any(|other| other.role.quantity() == quantity)
+                {
                     left.push(column.name);
                     continue;
                 }
@@ -216,7 +223,10 @@ mod tests {
         let pairs = by_name(&measured, &commands).unwrap();
         assert_eq!(pairs.measured, [0, 1, 2]);
         assert_eq!(pairs.commands, [1, 0, 2]);
-        assert_eq!(pairs.lonely_measured, ["'X' (line 5)", "'A' (line 6)", "line 7"]);
+        assert_eq!(
+            pairs.lonely_measured,
+            ["'X' (line 5)", "'A' (line 6)", "line 7"]
+        );
         assert_eq!(pairs.lonely_commands, ["'C' (line 5)"]);
         assert!(by_name(&points(&["P"]), &points(&["Q"])).is_err());
     }

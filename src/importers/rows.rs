@@ -294,7 +294,8 @@ mod tests {
 
     #[test]
     fn spaces_run_and_quotes_hold_together() {
-        let text = "# comment\n  P1   1.5\t-2 \n\"P 2\" 3 4\n// more\n\"P\"\"3\" \"5\n6\" 7\n8 9 1\n";
+        let text =
+            "# comment\n  P1   1.5\t-2 \n\"P 2\" 3 4\n// more\n\"P\"\"3\" \"5\n6\" 7\n8 9 1\n";
         assert_eq!(
             read(text, Separator::Spaces),
             rows(&[
