@@ -59,6 +59,7 @@ struct Sidecar {
     session: String,
     samples_hash: String,
     model_hash: String,
+    joint_name: &'static str,
     units: &'static str,
     sign: &'static str,
     example: Example,
@@ -187,7 +188,7 @@ fn sidecar(job: &Job, corrected: &Corrected, names: &Names, robot: &Robot, text:
         );
     }
     Sidecar {
-        format: "truepose-urdf/1",
+        format: "truepose-table/1",
         table: job.file_name.to_owned(),
         table_format: "urdf",
         table_sha256: sha256(text.as_bytes()),
@@ -195,6 +196,7 @@ fn sidecar(job: &Job, corrected: &Corrected, names: &Names, robot: &Robot, text:
         session: calibration.session.clone(),
         samples_hash: calibration.samples_hash.clone(),
         model_hash: model_hash(calibration),
+        joint_name: "all",
         units: "metres and radians",
         sign: SIGN,
         example: Example {

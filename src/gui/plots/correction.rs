@@ -90,10 +90,10 @@ pub(crate) fn caption(made: &Made) -> String {
     let Some(table) = &made.export.reads_as else {
         return String::new();
     };
-    let mut says = if table.forward != table.reverse {
-        "solid: moving positive · dashed: moving negative".to_owned()
-    } else {
+    let mut says = if table.forward == table.reverse {
         "the same for both directions".to_owned()
+    } else {
+        "solid: moving positive · dashed: moving negative".to_owned()
     };
     let every = stride(table.forward.values().len(), MOST_POINTS / 4);
     if let Some(note) = thinned(every, "entry") {
