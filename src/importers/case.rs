@@ -231,7 +231,7 @@ impl<'a> Case<'a> {
         {
             if unit != heading {
                 let found = format!("the headings name another unit than {symbol}");
-                self.warn(found, "the headings are believed; rename them if they are wrong");
+                self.warn(found, "the same unit as the headings, which are believed");
             }
             self.found.unit = "from the headings".to_owned();
         } else if says_length.is_some() {
@@ -276,7 +276,10 @@ impl<'a> Case<'a> {
         if missing.is_empty() {
             return true;
         }
-        let says = format!("no column is {} for certain{headings}", missing.join(" or "));
+        let says = format!(
+            "no column is {} for certain{headings}",
+            missing.join(" or ")
+        );
         self.ask(About::Columns, says, &[]);
         false
     }
@@ -390,7 +393,9 @@ pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, &'
         (Err(_), Role::Time(_)) => {
             clock_text::seconds(cell, decimal).ok_or("a time: seconds, or 12:34:56.7")
         }
-        (Err(NotANumber::NotFinite), _) => Err("a finite number, or an empty cell where it is missing"),
+        (Err(NotANumber::NotFinite), _) => {
+            Err("a finite number, or an empty cell where it is missing")
+        }
         (Err(NotANumber::Overflow), _) => Err("a number that a double can hold"),
         (Err(NotANumber::DecimalComma), _) => Err("a number with a decimal point"),
         (Err(NotANumber::Garbage), _) => match decimal {
@@ -406,9 +411,9 @@ pub(crate) fn direction(text: &str) -> Option<f64> {
     match plain.as_str() {
         "+" | "+1" | "1" | "1.0" | "up" | "forward" | "fwd" | "f" | "positive" | "pos" | "cw+"
         | "↑" | "→" | "vor" | "vorwärts" | "auf" | "plus" => Some(1.0),
-        "-" | "-1" | "-1.0" | "\u{2212}" | "\u{2212}1" | "\u{2013}" | "down" | "backward" | "back"
-        | "bwd" | "b" | "reverse" | "rev" | "r" | "negative" | "neg" | "↓" | "←" | "zurück"
-        | "rückwärts" | "ab" | "minus" => Some(-1.0),
+        "-" | "-1" | "-1.0" | "\u{2212}" | "\u{2212}1" | "\u{2013}" | "down" | "backward"
+        | "back" | "bwd" | "b" | "reverse" | "rev" | "r" | "negative" | "neg" | "↓" | "←"
+        | "zurück" | "rückwärts" | "ab" | "minus" => Some(-1.0),
         "0" | "0.0" | "?" => Some(0.0),
         _ => None,
     }

@@ -101,10 +101,9 @@ pub(crate) fn find(
         return Err(NoOffset::NothingMoves);
     };
     // A rival is another valley, not another place in this one.
-    let rival = best
-        .iter()
-        .skip(1)
-        .find(|other| (other.0 - offset_s).abs() > 3.0 * step && fine.is_ridge_between(offset_s, other.0, cost));
+    let rival = best.iter().skip(1).find(|other| {
+        (other.0 - offset_s).abs() > 3.0 * step && fine.is_ridge_between(offset_s, other.0, cost)
+    });
     if let Some(rival) = rival
         && rival.1 <= 1.2 * cost + 1e-9 * fine.variance
     {
@@ -139,7 +138,9 @@ fn every(points: &[Timed], most: usize) -> Vec<Timed> {
 /// Local minima, the deepest first.
 fn minima(costs: &[f64]) -> Vec<usize> {
     let below = |i: usize, other: Option<usize>| {
-        other.and_then(|other| costs.get(other)).is_none_or(|cost| costs[i] <= *cost)
+        other
+            .and_then(|other| costs.get(other))
+            .is_none_or(|cost| costs[i] <= *cost)
     };
     let mut found: Vec<usize> = (0..costs.len())
         .filter(|&i| below(i, i.checked_sub(1)) && below(i, Some(i + 1)))
@@ -175,13 +176,28 @@ impl<'a> Search<'a> {
             return Err(NoOffset::NothingMoves);
         }
         let count = points.len() as f64;
-        let centre = points.iter().map(|point| point.position).sum::<Vector3<f64>>() / count;
-        let squares = points.iter().map(|point| (point.position - centre).norm_squared());
+        let centre = points
+            .iter()
+            .map(|point| point.position)
+            .sum::<Vector3<f64>>()
+            / count;
+        let squares = points
+            .iter()
+            .map(|point| (point.position - centre).norm_squared());
         let variance = squares.sum::<f64>() / count;
-        let earliest = points.iter().map(|point| point.time_s).fold(f64::INFINITY, f64::min);
-        let latest = points.iter().map(|point| point.time_s).fold(f64::NEG_INFINITY, f64::max);
+        let earliest = points
+            .iter()
+            .map(|point| point.time_s)
+            .fold(f64::INFINITY, f64::min);
+        let latest = points
+            .iter()
+            .map(|point| point.time_s)
+            .fold(f64::NEG_INFINITY, f64::max);
         let overlap = 0.5 * (latest - earliest).min(path.end() - path.start());
-        let (from, to) = (path.start() - latest + overlap, path.end() - earliest - overlap);
+        let (from, to) = (
+            path.start() - latest + overlap,
+            path.end() - earliest - overlap,
+        );
         // Written so that what is not a number is refused too.
         let sound = variance > 1e-12 && to > from && (to - from).is_finite();
         if !sound {
@@ -260,7 +276,11 @@ impl<'a> Search<'a> {
         moment -= b_sum * a_sum.transpose() / inside;
         let singular = moment.singular_values();
         let smallest = singular.min();
-        let sign = if moment.determinant() < 0.0 { -1.0 } else { 1.0 };
+        let sign = if moment.determinant() < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
         let fitted = singular.sum() - smallest + sign * smallest;
         ((squares - 2.0 * fitted).max(0.0) + outside) / count
     }
@@ -298,7 +318,11 @@ impl<'a> Search<'a> {
         let mut q = vec![0.0; self.robot.joint_count()];
         let mut position = |point: &Timed, offset_s: f64| {
             let inside = self.path.at(point.time_s + offset_s, &mut q);
-            inside.then(|| self.robot.point_in_base(&q, &self.targets[point.target]).coords)
+            inside.then(|| {
+                self.robot
+                    .point_in_base(&q, &self.targets[point.target])
+                    .coords
+            })
         };
         let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = self
             .points
@@ -319,11 +343,16 @@ impl<'a> Search<'a> {
         let mut shared = Vector6::zeros();
         let mut frame = Matrix6::zeros();
         for point in &self.points {
-            let (Some(before), Some(after)) = (position(point, offset_s - h), position(point, offset_s + h)) else {
+            let (Some(before), Some(after)) =
+                (position(point, offset_s - h), position(point, offset_s + h))
+            else {
                 continue;
             };
             let speed = motion.rotation * (after - before) / (2.0 * h);
-            let arm = motion.transform_point(&Point3::from((before + after) / 2.0)).coords - self.centre;
+            let arm = motion
+                .transform_point(&Point3::from((before + after) / 2.0))
+                .coords
+                - self.centre;
             let cross = arm.cross_matrix();
             for axis in 0..3 {
                 let turn = cross.row(axis);
@@ -367,7 +396,11 @@ mod tests {
             name: "r".to_owned(),
             joints: vec![
                 Joint::new("pan", JointKind::Revolute, axis(Vector3::z(), [0.0; 3])),
-                Joint::new("tilt", JointKind::Revolute, axis(Vector3::y(), [0.0, 0.0, 300.0])),
+                Joint::new(
+                    "tilt",
+                    JointKind::Revolute,
+                    axis(Vector3::y(), [0.0, 0.0, 300.0]),
+                ),
             ],
             base_from_tool: Pose::translation(400.0, 0.0, 300.0),
             gravity_m_s2: None,
@@ -394,7 +427,10 @@ mod tests {
     }
 
     fn measured(path: &Path, offset_s: f64, noise_mm: f64) -> Vec<Timed> {
-        let frame = Isometry3::new(Vector3::new(900.0, -40.0, 7.0), Vector3::new(0.3, -1.0, 2.0));
+        let frame = Isometry3::new(
+            Vector3::new(900.0, -40.0, 7.0),
+            Vector3::new(0.3, -1.0, 2.0),
+        );
         let robot = robot();
         let mut q = vec![0.0; 2];
         let mut points = Vec::new();
@@ -416,10 +452,16 @@ mod tests {
 
     #[test]
     fn the_offset_of_the_clocks_is_found_from_the_motion_alone() {
-        let path = path(60.0, |t| [(0.4 * t).sin() + 0.3 * (0.13 * t).cos(), 0.5 * (0.27 * t + 0.01 * t * t).sin()]);
+        let path = path(60.0, |t| {
+            [
+                (0.4 * t).sin() + 0.3 * (0.13 * t).cos(),
+                0.5 * (0.27 * t + 0.01 * t * t).sin(),
+            ]
+        });
         for (offset, noise) in [(0.0, 0.1), (-87.654, 0.1), (12.345, 2.0)] {
             let points = measured(&path, offset, noise);
-            let found = find(&path, &robot(), &[Point3::origin()], &points).expect("it is determined");
+            let found =
+                find(&path, &robot(), &[Point3::origin()], &points).expect("it is determined");
             let sigma = found.sigma_s.expect("it was fitted");
             let off = (found.offset_s - offset).abs();
             assert!(off < 5.0 * sigma + 1e-4, "{offset}: {found:?}");
@@ -429,7 +471,12 @@ mod tests {
 
     #[test]
     fn a_motion_that_repeats_is_not_decided() {
-        let path = path(60.0, |t| [(t * std::f64::consts::TAU / 10.0).sin(), 0.3 * (t * std::f64::consts::TAU / 5.0).sin()]);
+        let path = path(60.0, |t| {
+            [
+                (t * std::f64::consts::TAU / 10.0).sin(),
+                0.3 * (t * std::f64::consts::TAU / 5.0).sin(),
+            ]
+        });
         let points: Vec<Timed> = measured(&path, 0.0, 0.01)
             .into_iter()
             .filter(|point| (115.0..140.0).contains(&point.time_s))

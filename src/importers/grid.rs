@@ -63,11 +63,16 @@ impl<'a> Grid<'a> {
                 best = Some((quality, separator, width, numbers));
             }
         }
+        // A single column has no separator; a tabulator cuts nothing that may be in it.
+        let single = || Head::read(text, Separator::Tab).is_single();
+        if best.is_none() && separator.is_none() && quote.is_none() && single() {
+            best = Some((0.0, Separator::Tab, 1, 1));
+        }
         let Some((_, separator, width, numbers)) = best else {
             if let Some(quote) = quote {
                 return Err(open_quote(file, quote));
             }
-            let found = "no table: no line with two cells of which one is a number";
+            let found = "no table: no line of cells of which one is a number";
             let expected = "rows of cells between tabs, semicolons, commas or spaces";
             return Err(Diagnostic::error(file.clone(), found, expected));
         };
@@ -150,7 +155,8 @@ impl<'a> Grid<'a> {
                     "{} between {}, as in the rows before",
                     self.width, self.separator
                 );
-                complaints.add(|| Diagnostic::error(file.clone().at_line(row.line), found, expected));
+                complaints
+                    .add(|| Diagnostic::error(file.clone().at_line(row.line), found, expected));
             }
         }
     }
@@ -298,6 +304,12 @@ impl Head {
         head
     }
 
+    /// Whether this is a column of numbers below a heading.
+    fn is_single(&self) -> bool {
+        let numbers = self.lines.iter().filter(|line| **line == (1, 1)).count();
+        numbers > 0 && numbers + 1 >= self.lines.len()
+    }
+
     /// How much of a table this is, with its number of columns and of number columns: over the
     /// lines of the best width, the sum of numbers² / cells, which favours many numbers and few
     /// other cells.
@@ -327,10 +339,13 @@ impl Head {
 /// Takes the header out of the lines before the table.
 fn take_header(before: &mut Vec<(u64, Vec<String>)>, width: usize) -> Option<(u64, Vec<String>)> {
     let fits = |cells: &[String]| {
-        let filled = cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |at| at + 1);
+        let filled = cells
+            .iter()
+            .rposition(|cell| !cell.is_empty())
+            .map_or(0, |at| at + 1);
         let numbers = cells.iter().filter(|cell| is_number(cell)).count();
         // A line of one or two words is a remark, unless the table is as narrow.
-        cells.len() >= width.saturating_sub(1)
+        cells.len() >= width.saturating_sub(1).max(1)
             && (filled > 2 || filled + 1 >= width)
             && 2 * numbers < filled.max(1)
     };
@@ -344,7 +359,10 @@ fn take_header(before: &mut Vec<(u64, Vec<String>)>, width: usize) -> Option<(u6
     let all_units = some > 1 && cells.iter().all(is_unit);
     if all_units && let Some((line, names)) = before.pop_if(|(_, cells)| fits(cells)) {
         let joined = names.iter().enumerate().map(|(index, name)| {
-            match cells.get(index).map(|cell| cell.trim_matches(['[', ']', '(', ')'])) {
+            match cells
+                .get(index)
+                .map(|cell| cell.trim_matches(['[', ']', '(', ')']))
+            {
                 None | Some("" | "-") => name.clone(),
                 Some(unit) => format!("{name} [{unit}]"),
             }
@@ -384,7 +402,11 @@ mod tests {
         for (text, separator, width) in [
             ("a;b;c\n1,5;2,5;3,5\n1;2;3\n", Separator::Semicolon, 3),
             ("a,b,c\n1.5,2.5,3.5\n", Separator::Comma, 3),
-            ("P1, 1.0, 2.0, 3.0\nP2, 1.0, 2.0, 3.0\n", Separator::Comma, 4),
+            (
+                "P1, 1.0, 2.0, 3.0\nP2, 1.0, 2.0, 3.0\n",
+                Separator::Comma,
+                4,
+            ),
             ("P1\t1,5\t2,5\t3,5\n", Separator::Tab, 4),
             ("P1  1,5  2,5  3,5\nP2 1 2 3\n", Separator::Spaces, 4),
             ("P 1,1.0,2.0,3.0\n", Separator::Comma, 4),
@@ -412,18 +434,18 @@ mod tests {
 
     #[test]
     fn a_text_without_a_table_is_no_table() {
-        for text in ["hello\nworld\n", "1\n2\n3\n", "a,b\nc,d\n", "1,\"2\n"] {
+        for text in ["hello\nworld\n", "1\nx\ny\n", "a,b\nc,d\n", "1,\"2\n"] {
             assert!(Grid::find(text, None, &Place::default()).is_err(), "{text}");
         }
     }
 
     #[test]
     fn rows_of_another_width_are_named() {
-        let grid = find("x,y\n1,2\n3,4,,\n5\n6,7,8\n");
+        let grid = find("x,y\n1,2\n3,4,,\n5\n6,7,8\n9,1\n");
         let mut complaints = Complaints::default();
         let mut rows = 0;
         grid.each_row(&Place::default(), &mut complaints, |_, _| rows += 1);
-        assert_eq!(rows, 2);
+        assert_eq!(rows, 3);
         let lines: Vec<_> = complaints.findings.iter().map(|d| d.place.line).collect();
         assert_eq!(lines, [Some(4), Some(5)]);
     }

@@ -214,12 +214,32 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
 
 /// Words that say nothing more than that something was measured.
 const MEASURED: [&str; 14] = [
-    "actual", "act", "measured", "meas", "ist", "istwert", "position", "pos", "coordinate",
-    "coord", "koordinate", "value", "wert", "messwert",
+    "actual",
+    "act",
+    "measured",
+    "meas",
+    "ist",
+    "istwert",
+    "position",
+    "pos",
+    "coordinate",
+    "coord",
+    "koordinate",
+    "value",
+    "wert",
+    "messwert",
 ];
 /// Words that say that a column was commanded.
 const COMMANDED: [&str; 9] = [
-    "commanded", "command", "cmd", "setpoint", "soll", "sollwert", "demand", "angle", "winkel",
+    "commanded",
+    "command",
+    "cmd",
+    "setpoint",
+    "soll",
+    "sollwert",
+    "demand",
+    "angle",
+    "winkel",
 ];
 /// Words that say that the controller read it back.
 const READ_BACK: [&str; 6] = ["read", "feedback", "actual", "act", "ist", "measured"];
@@ -271,7 +291,11 @@ fn role_of(words: &[&str]) -> Role {
 
 /// `qw`, `quat w`, `Rotation X`.
 fn orientation(words: &[&str]) -> Option<Role> {
-    let part = |letter: &str| ["w", "x", "y", "z"].iter().position(|other| *other == letter);
+    let part = |letter: &str| {
+        ["w", "x", "y", "z"]
+            .iter()
+            .position(|other| *other == letter)
+    };
     let part = match words {
         ["quat" | "quaternion" | "orientation", letter] => part(letter)?,
         [word] => part(word.strip_prefix("quat")?)?,
@@ -322,7 +346,11 @@ fn joint_role(words: &[&str]) -> Role {
     };
     // `axis 1` alone is a joint, `a` and `j` only with a number.
     let numbered = !numbers.is_empty();
-    let all = |list: &[&str]| others.iter().all(|word| list.contains(word) || *word == "position");
+    let all = |list: &[&str]| {
+        others
+            .iter()
+            .all(|word| list.contains(word) || *word == "position")
+    };
     match name {
         "dir" | "direction" | "approach" | "richtung" if others.is_empty() => {
             Role::Known(Quantity::Direction(joint), Some(Unit::Fixed))
@@ -389,8 +417,19 @@ mod tests {
     #[test]
     fn what_was_not_measured_is_not_taken_for_it() {
         for heading in [
-            "X nominal", "dX", "Dev X [mm]", "X Sigma", "rx [deg]", "X [deg]", "Remark", "", "1",
-            "A", "Temperature [min]", "J0", "x y",
+            "X nominal",
+            "dX",
+            "Dev X [mm]",
+            "X Sigma",
+            "rx [deg]",
+            "X [deg]",
+            "Remark",
+            "",
+            "1",
+            "A",
+            "Temperature [min]",
+            "J0",
+            "x y",
         ] {
             assert_eq!(word(heading), "-", "{heading}");
         }
@@ -399,7 +438,10 @@ mod tests {
     #[test]
     fn the_words_of_the_option_are_those_of_a_session() {
         assert_eq!(Role::from_word("x"), Some(Role::Known(Quantity::X, None)));
-        assert_eq!(Role::from_word("speed2"), Some(Role::Known(Quantity::Speed(1), None)));
+        assert_eq!(
+            Role::from_word("speed2"),
+            Some(Role::Known(Quantity::Speed(1), None))
+        );
         assert_eq!(
             Role::from_word("y_in"),
             Some(Role::Known(Quantity::Y, Some(Unit::Length(25.4))))

@@ -32,7 +32,10 @@ enum Part {
     /// Measured less target, in a long table.
     Deviation,
     /// Measured in this run, with this direction.
-    Of { run: u64, dir: f64 },
+    Of {
+        run: u64,
+        dir: f64,
+    },
     Other,
 }
 
@@ -70,7 +73,10 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
         })
         .collect();
     let is_number = |index: usize| {
-        !matches!(parts.get(index), None | Some(Part::Direction | Part::Run | Part::Other))
+        !matches!(
+            parts.get(index),
+            None | Some(Part::Direction | Part::Run | Part::Other)
+        )
     };
     let place = case.place.clone();
     let found = &mut case.found;
@@ -104,7 +110,9 @@ fn headings(grid: &Grid<'_>) -> Vec<String> {
     };
     let mut names: Vec<String> = names.clone();
     names.resize(grid.width, String::new());
-    let has_run = names.iter().any(|name| name.chars().any(|c| c.is_ascii_digit()));
+    let has_run = names
+        .iter()
+        .any(|name| name.chars().any(|c| c.is_ascii_digit()));
     let above = grid.preamble.last().filter(|above| {
         above.len() + 1 >= names.len() && above.iter().filter(|cell| !cell.is_empty()).count() > 1
     });
@@ -190,9 +198,23 @@ fn part_of(heading: &str) -> Part {
         Part::Direction
     } else if has(&["run", "cycle", "lauf", "zyklus", "repeat"]) {
         Part::Run
-    } else if has(&["target", "nominal", "soll", "sollposition", "commanded", "setpoint"]) {
+    } else if has(&[
+        "target",
+        "nominal",
+        "soll",
+        "sollposition",
+        "commanded",
+        "setpoint",
+    ]) {
         Part::Target
-    } else if has(&["position", "actual", "measured", "ist", "istposition", "reading"]) {
+    } else if has(&[
+        "position",
+        "actual",
+        "measured",
+        "ist",
+        "istposition",
+        "reading",
+    ]) {
         Part::Position
     } else {
         Part::Other
@@ -208,7 +230,9 @@ fn direction_in(heading: &str) -> Option<f64> {
         .filter(|word| word.chars().any(char::is_alphabetic) && word.chars().count() > 1)
         .find_map(direction);
     let last = name.chars().last();
-    let by_sign = last.filter(|c| !c.is_alphanumeric()).and_then(|c| direction(&c.to_string()));
+    let by_sign = last
+        .filter(|c| !c.is_alphanumeric())
+        .and_then(|c| direction(&c.to_string()));
     // `position -` says nothing; `1 -` and `run -` do.
     let is_run = numbered || name.contains("run") || name.chars().count() == 1;
     by_word.or_else(|| by_sign.filter(|_| is_run))
@@ -283,7 +307,12 @@ fn units_of(
     let measured_unit = measured.or(default).or(inherited);
     match (target_unit, measured_unit) {
         (Some(target), Some(measured)) => {
-            case.found.unit = if default.is_some() { "as was said" } else { "from the headings" }.to_owned();
+            case.found.unit = if default.is_some() {
+                "as was said"
+            } else {
+                "from the headings"
+            }
+            .to_owned();
             Some(Units { target, measured })
         }
         _ => {
@@ -292,7 +321,11 @@ fn units_of(
             } else {
                 (About::AngleUnit, &["deg", "rad"])
             };
-            case.ask(about, "the unit of the targets or of the positions is not said", answers);
+            case.ask(
+                about,
+                "the unit of the targets or of the positions is not said",
+                answers,
+            );
             None
         }
     }
@@ -354,7 +387,10 @@ fn measurements(
                     line: row.line,
                 }),
                 (Ok(_), None) => {}
-                (Err(_), _) => wrong(index, "a number, or an empty cell where it was not measured"),
+                (Err(_), _) => wrong(
+                    index,
+                    "a number, or an empty cell where it was not measured",
+                ),
             }
         }
     });
@@ -375,7 +411,10 @@ fn deviations(
     if parts.contains(&Part::Deviation) {
         return Some(true);
     }
-    let targets: Vec<f64> = list.iter().map(|m| m.target * units.target.factor()).collect();
+    let targets: Vec<f64> = list
+        .iter()
+        .map(|m| m.target * units.target.factor())
+        .collect();
     let travel = extent(&targets);
     let largest = |of: &dyn Fn(f64, f64) -> f64| {
         let each = list.iter().zip(&targets);
@@ -394,7 +433,10 @@ fn deviations(
         return Some(true);
     }
     case.refuse(
-        format!("measured positions are up to {:.1} % of the travel away from their targets", 100.0 * off / travel),
+        format!(
+            "measured positions are up to {:.1} % of the travel away from their targets",
+            100.0 * off / travel
+        ),
         "positions near their targets, in the same unit, or deviations",
     );
     None
@@ -407,7 +449,11 @@ fn in_order(mut list: Vec<Measurement>, is_wide: bool) -> Vec<Measurement> {
         list.sort_by(|a, b| {
             let run = a.run.cmp(&b.run).then(b.dir.total_cmp(&a.dir));
             let target = a.target.total_cmp(&b.target);
-            run.then(if a.dir < 0.0 { target.reverse() } else { target })
+            run.then(if a.dir < 0.0 {
+                target.reverse()
+            } else {
+                target
+            })
         });
     } else {
         list.sort_by_key(|measurement| measurement.run);
@@ -420,7 +466,11 @@ fn columns(case: &Case<'_>, list: Vec<Measurement>, is_deviation: bool, units: U
     let of = |get: fn(&Measurement) -> f64| list.iter().map(get).collect::<Vec<f64>>();
     let position = |m: &Measurement| {
         let measured = m.measured * units.measured.factor();
-        let target = if is_deviation { m.target * units.target.factor() } else { 0.0 };
+        let target = if is_deviation {
+            m.target * units.target.factor()
+        } else {
+            0.0
+        };
         target + measured
     };
     let mut lines = Lines::default();

@@ -86,12 +86,20 @@ pub(crate) fn by_time(
         Ok(path) => path,
         Err(None) => {
             let found = "no column of times, or not all joints".to_owned();
-            return refused(commands_place, found, "time_s and the commanded value of every joint");
+            return refused(
+                commands_place,
+                found,
+                "time_s and the commanded value of every joint",
+            );
         }
         Err(Some(row)) => {
             let line = commands.lines.get(row).unwrap_or(row as u64 + 1);
             let place = commands_place.clone().at_line(line);
-            return refused(&place, "a time that is not later than the one before".to_owned(), "rows in the order of time");
+            return refused(
+                &place,
+                "a time that is not later than the one before".to_owned(),
+                "rows in the order of time",
+            );
         }
     };
     let points = timed(&measured, &time_s, targets.1);
@@ -100,7 +108,11 @@ pub(crate) fn by_time(
         None => match clock::find(&path, robot, targets.0, &points) {
             Ok(clock) => clock,
             Err(why) => {
-                return refused(measured_place, why.in_words(), "--clock-offset with the seconds to add to a measured time");
+                return refused(
+                    measured_place,
+                    why.in_words(),
+                    "--clock-offset with the seconds to add to a measured time",
+                );
             }
         },
     };
@@ -122,7 +134,11 @@ pub(crate) fn by_time(
     let standing = in_stop.iter().flatten().count();
     if inside == 0 {
         let found = "no measurement falls into the time of the commands".to_owned();
-        return refused(measured_place, found, "recordings of the same time, or another --clock-offset");
+        return refused(
+            measured_place,
+            found,
+            "recordings of the same time, or another --clock-offset",
+        );
     }
     let by_stops = match timing.motion {
         Motion::Stops => true,
@@ -132,14 +148,17 @@ pub(crate) fn by_time(
     let mut findings = Vec::new();
     let outside: Vec<usize> = (0..at.len()).filter(|&row| !usable[row]).collect();
     if !outside.is_empty() {
-        let rows: Vec<String> = outside.iter().map(|&row| row_in_words(&measured, row)).collect();
+        let rows: Vec<String> = outside
+            .iter()
+            .map(|&row| row_in_words(&measured, row))
+            .collect();
         let found = format!(
-            "{} of {} measurements were taken before the first or after the last command: {}",
+            "left out {} of {} measurements, taken before the first or after the last command: {}",
             outside.len(),
             at.len(),
             listed(&rows)
         );
-        findings.push(Diagnostic::warning(measured_place.clone(), found, "they are left out"));
+        findings.push(Diagnostic::warning(measured_place.clone(), found, ""));
     }
     let robot_kinds: Vec<JointKind> = robot.joints.iter().map(|joint| joint.kind).collect();
     let job = Job {
@@ -153,10 +172,19 @@ pub(crate) fn by_time(
             let found = "no measurement falls into a stop of the commands".to_owned();
             return refused(measured_place, found, "--motion all");
         }
-        job.at_stops(measured, commands, &stops, &in_stop, measured_place, &mut findings)
+        job.at_stops(
+            measured,
+            commands,
+            &stops,
+            &in_stop,
+            measured_place,
+            &mut findings,
+        )
     } else {
         if standing > 0 && inside > standing && timing.motion == Motion::Auto {
-            let found = format!("{standing} of {inside} measurements were taken at stops: all are kept, with their speeds");
+            let found = format!(
+                "{standing} of {inside} measurements were taken at stops: all are kept, with their speeds"
+            );
             findings.push(Diagnostic::note(measured_place.clone(), found));
         }
         job.in_motion(measured, commands, &usable)
@@ -176,7 +204,11 @@ fn timed(measured: &Columns, time_s: &[f64], targets: &[usize]) -> Vec<Timed> {
     };
     let z = of(Quantity::Z).unwrap_or_else(|| vec![0.0; x.len()]);
     (0..x.len())
-        .filter(|&row| [x[row], y[row], z[row], time_s[row]].iter().all(|v| v.is_finite()))
+        .filter(|&row| {
+            [x[row], y[row], z[row], time_s[row]]
+                .iter()
+                .all(|v| v.is_finite())
+        })
         .map(|row| Timed {
             time_s: time_s[row],
             position: nalgebra::Vector3::new(x[row], y[row], z[row]),
@@ -208,15 +240,24 @@ impl Job<'_> {
     }
 
     /// Every measurement with the joint values at its time.
-    fn in_motion(&self, measured: Columns, commands: Columns, usable: &[bool]) -> (Columns, Vec<String>) {
+    fn in_motion(
+        &self,
+        measured: Columns,
+        commands: Columns,
+        usable: &[bool],
+    ) -> (Columns, Vec<String>) {
         let rows: Vec<usize> = (0..usable.len()).filter(|&row| usable[row]).collect();
         let entries: Vec<usize> = rows
             .iter()
             .map(|&row| self.path.entry(self.at[row]).unwrap_or(0))
             .collect();
         let has = |quantity| commands.find(quantity).is_some() || measured.find(quantity).is_some();
-        let with_speed: Vec<bool> = (0..self.kinds.len()).map(|joint| !has(Quantity::Speed(joint))).collect();
-        let with_dir: Vec<bool> = (0..self.kinds.len()).map(|joint| !has(Quantity::Direction(joint))).collect();
+        let with_speed: Vec<bool> = (0..self.kinds.len())
+            .map(|joint| !has(Quantity::Speed(joint)))
+            .collect();
+        let with_dir: Vec<bool> = (0..self.kinds.len())
+            .map(|joint| !has(Quantity::Direction(joint)))
+            .collect();
         let pairs = Pairs {
             commands: entries.iter().map(|&entry| self.path.row[entry]).collect(),
             measured: rows.clone(),
@@ -234,13 +275,24 @@ impl Job<'_> {
         for (joint, values) in q.into_iter().enumerate() {
             let unit = self.unit(joint);
             joined.put(Column::made(Quantity::Commanded(joint), unit, values));
-            let speeds: Vec<f64> = entries.iter().map(|&entry| self.path.speed(joint, entry)).collect();
+            let speeds: Vec<f64> = entries
+                .iter()
+                .map(|&entry| self.path.speed(joint, entry))
+                .collect();
             if with_dir[joint] {
                 let dir = entries.iter().zip(&speeds);
                 let dir = dir.map(|(&entry, speed)| {
-                    if *speed == 0.0 { self.path.came_from(joint, entry) } else { speed.signum() }
+                    if *speed == 0.0 {
+                        self.path.came_from(joint, entry)
+                    } else {
+                        speed.signum()
+                    }
                 });
-                joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir.collect()));
+                joined.put(Column::made(
+                    Quantity::Direction(joint),
+                    Unit::Fixed,
+                    dir.collect(),
+                ));
             }
             if with_speed[joint] {
                 joined.put(Column::made(Quantity::Speed(joint), unit, speeds));
@@ -270,10 +322,15 @@ impl Job<'_> {
         findings.push(Diagnostic::note(place.clone(), found));
         let means = Means::of(&measured, &groups);
         let has = |quantity| commands.find(quantity).is_some() || measured.find(quantity).is_some();
-        let with_dir: Vec<bool> = (0..self.kinds.len()).map(|joint| !has(Quantity::Direction(joint))).collect();
+        let with_dir: Vec<bool> = (0..self.kinds.len())
+            .map(|joint| !has(Quantity::Direction(joint)))
+            .collect();
         let pairs = Pairs {
             measured: groups.iter().map(|group| group.rows[0]).collect(),
-            commands: groups.iter().map(|group| self.path.row[stops[group.stop].last]).collect(),
+            commands: groups
+                .iter()
+                .map(|group| self.path.row[stops[group.stop].last])
+                .collect(),
             ..Pairs::default()
         };
         let (mut joined, left) = join(measured, commands, &pairs);
@@ -283,7 +340,10 @@ impl Job<'_> {
             let dir = groups.iter().map(dir).collect();
             joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
         }
-        let counts = groups.iter().map(|group| group.rows.len().to_string()).collect();
+        let counts = groups
+            .iter()
+            .map(|group| group.rows.len().to_string())
+            .collect();
         joined.list.push(Column {
             name: "averaged".to_owned(),
             number: 0,
@@ -309,11 +369,14 @@ impl Job<'_> {
         order.sort_by_key(|&row| (in_stop[row], target(row), row));
         let mut groups: Vec<Group> = Vec::new();
         for chunk in order.chunk_by(|&a, &b| (in_stop[a], target(a)) == (in_stop[b], target(b))) {
-            let Some(stop) = in_stop[chunk[0]] else { continue };
+            let Some(stop) = in_stop[chunk[0]] else {
+                continue;
+            };
             let Stop { from_s, to_s, .. } = stops[stop];
             let length = to_s - from_s;
             let settled = |&&row: &&usize| {
-                self.at[row] >= from_s + SETTLING * length && self.at[row] <= to_s - LEAVING * length
+                self.at[row] >= from_s + SETTLING * length
+                    && self.at[row] <= to_s - LEAVING * length
             };
             let mut rows: Vec<usize> = chunk.iter().filter(settled).copied().collect();
             if rows.is_empty() {
@@ -344,13 +407,23 @@ fn without_strays(rows: Vec<usize>, coordinates: &[&Vec<f64>]) -> Vec<usize> {
         return rows;
     }
     let of = |values: &Vec<f64>| rows.iter().map(|&row| values[row]).collect::<Vec<f64>>();
-    let middle: Vec<f64> = coordinates.iter().map(|values| median(of(values))).collect();
+    let middle: Vec<f64> = coordinates
+        .iter()
+        .map(|values| median(of(values)))
+        .collect();
     let distance = |row: usize| {
         let parts = coordinates.iter().zip(&middle);
-        parts.map(|(values, middle)| (values[row] - middle).powi(2)).sum::<f64>().sqrt()
+        parts
+            .map(|(values, middle)| (values[row] - middle).powi(2))
+            .sum::<f64>()
+            .sqrt()
     };
     let usual = median(rows.iter().map(|&row| distance(row)).collect());
-    let kept: Vec<usize> = rows.iter().copied().filter(|&row| distance(row) <= STRAY * usual).collect();
+    let kept: Vec<usize> = rows
+        .iter()
+        .copied()
+        .filter(|&row| distance(row) <= STRAY * usual)
+        .collect();
     if kept.is_empty() { rows } else { kept }
 }
 
@@ -367,7 +440,11 @@ impl Means {
         for quantity in [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Time] {
             if let Some(values) = measured.numbers(quantity) {
                 let means = groups.iter().map(|group| mean(&values, group)).collect();
-                let unit = if quantity == Quantity::Time { Unit::Fixed } else { Unit::Length(1.0) };
+                let unit = if quantity == Quantity::Time {
+                    Unit::Fixed
+                } else {
+                    Unit::Length(1.0)
+                };
                 columns.push(Column::made(quantity, unit, means));
             }
         }
@@ -375,10 +452,17 @@ impl Means {
             .filter_map(|part| measured.numbers(Quantity::Orientation(part)))
             .collect();
         if parts.len() == 4 {
-            let means: Vec<[f64; 4]> = groups.iter().map(|group| mean_orientation(&parts, group)).collect();
+            let means: Vec<[f64; 4]> = groups
+                .iter()
+                .map(|group| mean_orientation(&parts, group))
+                .collect();
             for part in 0..4 {
                 let values = means.iter().map(|mean| mean[part]).collect();
-                columns.push(Column::made(Quantity::Orientation(part), Unit::Fixed, values));
+                columns.push(Column::made(
+                    Quantity::Orientation(part),
+                    Unit::Fixed,
+                    values,
+                ));
             }
         }
         Self(columns)
@@ -405,5 +489,9 @@ fn mean_orientation(parts: &[Vec<f64>], group: &Group) -> [f64; 4] {
         }
     }
     let norm = sum.iter().map(|part| part * part).sum::<f64>().sqrt();
-    if norm > 0.0 { sum.map(|part| part / norm) } else { first }
+    if norm > 0.0 {
+        sum.map(|part| part / norm)
+    } else {
+        first
+    }
 }

@@ -81,7 +81,10 @@ pub(crate) fn by_order(
             quoted(b[row])
         );
     }
-    Err((found, "as many of one as of the other, or --match name or time"))
+    Err((
+        found,
+        "as many of one as of the other, or --match name or time",
+    ))
 }
 
 /// Pairs by name. Without names on both sides, or without a common one, the error says so.
@@ -157,10 +160,14 @@ pub(crate) fn row_in_words(columns: &Columns, row: usize) -> String {
 
 /// A list that a line can bear.
 pub(crate) fn listed(words: &[String]) -> String {
-    const SHOWN: usize = 8;
-    match words.len().saturating_sub(SHOWN) {
+    listed_up_to(words, 8)
+}
+
+/// A list of at most so many words, and how many more there are.
+pub(crate) fn listed_up_to(words: &[String], shown: usize) -> String {
+    match words.len().saturating_sub(shown) {
         0 => words.join(", "),
-        more => format!("{} and {more} more", words[..SHOWN].join(", ")),
+        more => format!("{} and {more} more", words[..shown].join(", ")),
     }
 }
 
@@ -179,7 +186,11 @@ pub(crate) fn join(measured: Columns, commands: Columns, pairs: &Pairs) -> (Colu
             }
             role => {
                 let quantity = role.quantity();
-                if joined.list.iter().any(|other| other.role.quantity() == quantity) {
+                if joined
+                    .list
+                    .iter()
+                    .any(|other| other.role.quantity() == quantity)
+                {
                     left.push(column.name);
                     continue;
                 }
@@ -216,7 +227,10 @@ mod tests {
         let pairs = by_name(&measured, &commands).unwrap();
         assert_eq!(pairs.measured, [0, 1, 2]);
         assert_eq!(pairs.commands, [1, 0, 2]);
-        assert_eq!(pairs.lonely_measured, ["'X' (line 5)", "'A' (line 6)", "line 7"]);
+        assert_eq!(
+            pairs.lonely_measured,
+            ["'X' (line 5)", "'A' (line 6)", "line 7"]
+        );
         assert_eq!(pairs.lonely_commands, ["'C' (line 5)"]);
         assert!(by_name(&points(&["P"]), &points(&["Q"])).is_err());
     }

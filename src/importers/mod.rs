@@ -139,7 +139,11 @@ fn proposed(text: &str, reading: &Reading) -> Kind {
             found: Inspection::default(),
         };
         let read = importer.and_then(|importer| (importer.read)(&mut case));
-        let asks_for_columns = case.found.questions.iter().any(|q| q.about == About::Columns);
+        let asks_for_columns = case
+            .found
+            .questions
+            .iter()
+            .any(|q| q.about == About::Columns);
         let errors = |finding: &Diagnostic| finding.severity == Severity::Error;
         let is_sound = !asks_for_columns && !case.found.findings.iter().any(errors);
         let has_header = case.found.header_line.is_some();

@@ -35,7 +35,9 @@ struct Tracked {
 
 /// Whether a text starts as these files do.
 pub(crate) fn is_likely(text: &str) -> bool {
-    text.trim_start().trim_start_matches('"').starts_with("Format Version")
+    text.trim_start()
+        .trim_start_matches('"')
+        .starts_with("Format Version")
 }
 
 /// Reads what was tracked.
@@ -50,7 +52,9 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let chosen = choose(case, tracked);
     case.found.first_rows = first_rows(&rows);
     let with_orientation = rotation_is_quaternion(case, &keys);
-    if value_of(&keys, "coordinate space").is_some_and(|space| !space.eq_ignore_ascii_case("global")) {
+    if value_of(&keys, "coordinate space")
+        .is_some_and(|space| !space.eq_ignore_ascii_case("global"))
+    {
         case.warn(
             "coordinates that are not in the global space",
             "an export in the coordinate space Global",
@@ -99,7 +103,10 @@ fn key_line(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<Vec<(String, Str
         (pair[0].to_lowercase(), value.to_owned())
     });
     let pairs: Vec<(String, String)> = pairs.collect();
-    case.found.preamble = pairs.iter().map(|(key, value)| format!("{key}: {value}")).collect();
+    case.found.preamble = pairs
+        .iter()
+        .map(|(key, value)| format!("{key}: {value}"))
+        .collect();
     Some(pairs)
 }
 
@@ -121,7 +128,7 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
             case.found.unit = format!("{}, from the first line", named.unwrap_or_default());
             if given.is_some_and(|given| given.unit() != unit) {
                 let found = format!("the first line names another unit: {}", case.found.unit);
-                case.warn(found, "the file is believed");
+                case.warn(found, "the same unit as the file, which is believed");
             }
             Some(unit)
         }
@@ -130,7 +137,11 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
             Some(given.unit())
         }
         (None, None) => {
-            case.ask(About::Unit, "the first line has no Length Units", &["mm", "m", "in"]);
+            case.ask(
+                About::Unit,
+                "the first line has no Length Units",
+                &["mm", "m", "in"],
+            );
             None
         }
     }
@@ -140,7 +151,10 @@ fn rotation_is_quaternion(case: &mut Case<'_>, keys: &[(String, String)]) -> boo
     let rotation = value_of(keys, "rotation type").unwrap_or("Quaternion");
     let is = rotation.eq_ignore_ascii_case("quaternion");
     if !is {
-        let found = format!("rotations as {}: the orientation is left out", quoted(rotation));
+        let found = format!(
+            "rotations as {}: the orientation is left out",
+            quoted(rotation)
+        );
         case.warn(found, "an export with the rotation type Quaternion");
     }
     is
@@ -161,7 +175,10 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
                 return None;
             }
             Ok(_) => {
-                case.refuse("no line that starts with Frame", "Frame,Time (Seconds),X,Y,Z,…");
+                case.refuse(
+                    "no line that starts with Frame",
+                    "Frame,Time (Seconds),X,Y,Z,…",
+                );
                 return None;
             }
         }
@@ -174,7 +191,9 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
     // Newer exports name the lines; in older ones they are type, name, ID in this order.
     let labelled = |label: &str| {
         lines.iter().position(|line| {
-            line.iter().take(2).any(|cell| cell.eq_ignore_ascii_case(label))
+            line.iter()
+                .take(2)
+                .any(|cell| cell.eq_ignore_ascii_case(label))
         })
     };
     let Some(what) = lines.len().checked_sub(1) else {
@@ -185,7 +204,8 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
     let kinds_line = labelled("type").or_else(|| (what >= 1).then_some(0));
     let cell = |line: Option<usize>, column: usize| {
         let line = line.and_then(|line| lines.get(line));
-        line.and_then(|line| line.get(column)).map_or("", String::as_str)
+        line.and_then(|line| line.get(column))
+            .map_or("", String::as_str)
     };
     let mut tracked: Vec<Tracked> = Vec::new();
     for (column, axis) in axes.iter().enumerate().skip(2) {
@@ -200,9 +220,15 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
                 orientation: [None; 4],
             });
         }
-        let Some(last) = tracked.last_mut() else { continue };
+        let Some(last) = tracked.last_mut() else {
+            continue;
+        };
         let place = ["x", "y", "z"].iter().position(|other| other == axis);
-        match (cell(Some(what), column).to_lowercase().as_str(), place, axis.as_str()) {
+        match (
+            cell(Some(what), column).to_lowercase().as_str(),
+            place,
+            axis.as_str(),
+        ) {
             ("position", Some(place), _) => last.position[place] = Some(column),
             ("rotation", Some(place), _) => last.orientation[place + 1] = Some(column),
             ("rotation", None, "w") => last.orientation[0] = Some(column),
@@ -218,13 +244,20 @@ fn choose(case: &mut Case<'_>, tracked: Vec<Tracked>) -> Option<Vec<Tracked>> {
     const SHOWN: usize = 100;
     let is_body = |thing: &&Tracked| thing.kind.eq_ignore_ascii_case("rigid body");
     let names: Vec<&str> = tracked.iter().map(|thing| thing.name.as_str()).collect();
-    case.found.names = names.iter().take(SHOWN).map(|&name| name.to_owned()).collect();
+    case.found.names = names
+        .iter()
+        .take(SHOWN)
+        .map(|&name| name.to_owned())
+        .collect();
     if !case.reading.names.is_empty() {
         let mut chosen = Vec::new();
         for name in &case.reading.names {
             let mut called = tracked.iter().filter(|thing| thing.name == *name);
             // A body and its own marker may be called alike.
-            let body = tracked.iter().filter(is_body).find(|thing| thing.name == *name);
+            let body = tracked
+                .iter()
+                .filter(is_body)
+                .find(|thing| thing.name == *name);
             match body.or_else(|| called.next()) {
                 Some(thing) => chosen.push(thing.clone()),
                 None => {
@@ -353,12 +386,12 @@ fn frames(
     complaints.into(&case.place.clone(), &mut case.found.findings);
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
         let found = format!(
-            "{} was occluded in {count} of {} frames, first in line {}",
+            "{} was occluded in {count} of {} frames, first in line {}: these have no position",
             quoted(&thing.name),
             frames.frame.len() / chosen.len(),
             first_occluded.unwrap_or(0)
         );
-        case.warn(found, "these frames have no position and cannot be used");
+        case.warn(found, "");
     }
     frames
 }
@@ -411,13 +444,23 @@ pub(crate) fn turn_up(columns: &mut Columns) {
         turned.push((Quantity::Y, z.iter().map(|z| -z).collect()));
         turned.push((Quantity::Z, y));
     }
-    let parts: Vec<Vec<f64>> = (0..4).filter_map(|part| inner(Quantity::Orientation(part))).collect();
+    let parts: Vec<Vec<f64>> = (0..4)
+        .filter_map(|part| inner(Quantity::Orientation(part)))
+        .collect();
     if let [w, x, y, z] = &parts[..] {
         // (cos 45°, sin 45°, 0, 0) times the quaternion.
         let both = |a: &[f64], b: &[f64], sign: f64| -> Vec<f64> {
-            a.iter().zip(b).map(|(a, b)| HALF * (a + sign * b)).collect()
+            a.iter()
+                .zip(b)
+                .map(|(a, b)| HALF * (a + sign * b))
+                .collect()
         };
-        let products = [both(w, x, -1.0), both(x, w, 1.0), both(y, z, -1.0), both(z, y, 1.0)];
+        let products = [
+            both(w, x, -1.0),
+            both(x, w, 1.0),
+            both(y, z, -1.0),
+            both(z, y, 1.0),
+        ];
         for (part, values) in products.into_iter().enumerate() {
             turned.push((Quantity::Orientation(part), values));
         }

@@ -75,7 +75,9 @@ impl Alignment {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum AlignError {
     /// Fewer than three.
-    #[error("{0} points with a name that is known in the base frame; a place and an orientation take 3")]
+    #[error(
+        "{0} points with a name that is known in the base frame; a place and an orientation take 3"
+    )]
     TooFew(usize),
     /// All on one line, or all in one place.
     #[error("the points lie on one line: nothing fixes the turn about it")]
@@ -93,7 +95,9 @@ pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, Alig
     if landmarks.len() < 3 {
         return Err(AlignError::TooFew(landmarks.len()));
     }
-    if on_a_line(landmarks.iter().map(|l| l.known)) || on_a_line(landmarks.iter().map(|l| l.measured)) {
+    if on_a_line(landmarks.iter().map(|l| l.known))
+        || on_a_line(landmarks.iter().map(|l| l.measured))
+    {
         return Err(AlignError::OnALine);
     }
     let inside = majority(landmarks, with_scale).ok_or(AlignError::NoMajority)?;
@@ -128,15 +132,23 @@ pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, Alig
 
 fn chosen<'l>(landmarks: &'l [Landmark], inside: &[bool]) -> Vec<&'l Landmark> {
     let with = landmarks.iter().zip(inside);
-    with.filter(|(_, inside)| **inside).map(|(landmark, _)| landmark).collect()
+    with.filter(|(_, inside)| **inside)
+        .map(|(landmark, _)| landmark)
+        .collect()
 }
 
 /// Whether points lie on one line.
 fn on_a_line(points: impl Iterator<Item = Point3<f64>> + Clone) -> bool {
     let count = points.clone().count().max(1) as f64;
     let centre = points.clone().map(|p| p.coords).sum::<Vector3<f64>>() / count;
-    let scatter: Matrix3<f64> = points.map(|p| (p.coords - centre) * (p.coords - centre).transpose()).sum();
-    let mut extents: Vec<f64> = scatter.symmetric_eigenvalues().iter().map(|v| v.max(0.0).sqrt()).collect();
+    let scatter: Matrix3<f64> = points
+        .map(|p| (p.coords - centre) * (p.coords - centre).transpose())
+        .sum();
+    let mut extents: Vec<f64> = scatter
+        .symmetric_eigenvalues()
+        .iter()
+        .map(|v| v.max(0.0).sqrt())
+        .collect();
     extents.sort_by(f64::total_cmp);
     // Written so that what is not a number lies on a line too.
     let spread = extents[1] > LINE * extents[2];
@@ -154,12 +166,18 @@ impl Fit {
         let mut scale = 1.0;
         if with_scale {
             // The scale is that of the extents along the best rotation, which it does not change.
-            let pairs: Vec<_> = landmarks.iter().map(|l| (l.measured.coords, l.known.coords)).collect();
+            let pairs: Vec<_> = landmarks
+                .iter()
+                .map(|l| (l.measured.coords, l.known.coords))
+                .collect();
             let motion = rigid_motion(&pairs)?;
             let count = landmarks.len() as f64;
             let from = pairs.iter().map(|p| p.0).sum::<Vector3<f64>>() / count;
             let to = pairs.iter().map(|p| p.1).sum::<Vector3<f64>>() / count;
-            let along: f64 = pairs.iter().map(|p| (p.1 - to).dot(&(motion.rotation * (p.0 - from)))).sum();
+            let along: f64 = pairs
+                .iter()
+                .map(|p| (p.1 - to).dot(&(motion.rotation * (p.0 - from))))
+                .sum();
             let squares: f64 = pairs.iter().map(|p| (p.0 - from).norm_squared()).sum();
             scale = along / squares;
             let sound = scale > 0.0 && scale.is_finite();
@@ -193,7 +211,9 @@ fn majority(landmarks: &[Landmark], with_scale: bool) -> Option<Vec<bool>> {
         if on_a_line(three.iter().map(|l| l.known)) || on_a_line(three.iter().map(|l| l.measured)) {
             return;
         }
-        let Some(fit) = Fit::of(&three, with_scale) else { return };
+        let Some(fit) = Fit::of(&three, with_scale) else {
+            return;
+        };
         let mut distances: Vec<(f64, usize)> = landmarks
             .iter()
             .enumerate()
@@ -236,7 +256,10 @@ fn index(rng: &mut ChaCha8Rng, count: usize) -> usize {
 fn grown(landmarks: &[Landmark], mut inside: Vec<bool>, with_scale: bool) -> Option<Vec<bool>> {
     const ROUNDS: usize = 100;
     let parameters = if with_scale { 7.0 } else { 6.0 };
-    let size = landmarks.iter().map(|l| l.known.coords.amax()).fold(0.0, f64::max);
+    let size = landmarks
+        .iter()
+        .map(|l| l.known.coords.amax())
+        .fold(0.0, f64::max);
     // Files are rounded; nobody calls a millionth of the extent an outlier.
     let rounding = 1e-6 * size;
     for _ in 0..ROUNDS {
@@ -245,7 +268,11 @@ fn grown(landmarks: &[Landmark], mut inside: Vec<bool>, with_scale: bool) -> Opt
         let freedom = 3.0 * kept.len() as f64 - parameters;
         let sum: f64 = kept.iter().map(|l| fit.residual(l).norm_squared()).sum();
         let variance = sum / freedom + rounding * rounding;
-        let limit = 3.0 * variance * FisherSnedecor::new(3.0, freedom).ok()?.inverse_cdf(1.0 - CHANCE);
+        let limit = 3.0
+            * variance
+            * FisherSnedecor::new(3.0, freedom)
+                .ok()?
+                .inverse_cdf(1.0 - CHANCE);
         let next: Vec<bool> = landmarks
             .iter()
             .zip(&inside)
@@ -275,7 +302,10 @@ mod tests {
     use super::*;
 
     fn landmarks(count: usize, noise_mm: f64, scale: f64) -> Vec<Landmark> {
-        let motion = Isometry3::new(Vector3::new(1500.0, -300.0, 200.0), Vector3::new(0.2, 0.4, -1.9));
+        let motion = Isometry3::new(
+            Vector3::new(1500.0, -300.0, 200.0),
+            Vector3::new(0.2, 0.4, -1.9),
+        );
         (0..count)
             .map(|i| {
                 let wave = |k: f64| (k * (i as f64 + 1.0)).sin();
@@ -297,7 +327,11 @@ mod tests {
             let found = align(&landmarks(count, 0.02, 1.0), false).expect("points in space");
             assert!(found.rms_mm < 0.04, "{count}: {}", found.rms_mm);
             assert_eq!(found.outliers().count(), 0, "{count}");
-            assert!((found.best_scale - 1.0).abs() < 1e-4, "{}", found.best_scale);
+            assert!(
+                (found.best_scale - 1.0).abs() < 1e-4,
+                "{}",
+                found.best_scale
+            );
         }
     }
 
@@ -306,7 +340,11 @@ mod tests {
         let points = landmarks(8, 0.01, 1.001);
         let rigid = align(&points, false).expect("points in space");
         assert_eq!(rigid.scale, 1.0);
-        assert!((rigid.best_scale * 1.001 - 1.0).abs() < 3e-5, "{}", rigid.best_scale);
+        assert!(
+            (rigid.best_scale * 1.001 - 1.0).abs() < 3e-5,
+            "{}",
+            rigid.best_scale
+        );
         let scaled = align(&points, true).expect("points in space");
         assert_eq!(scaled.scale, scaled.best_scale);
         assert!(scaled.rms_mm < 0.03 && rigid.rms_mm > 0.3);

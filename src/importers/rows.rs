@@ -232,8 +232,11 @@ impl<'a> Rows<'a> {
                 break;
             }
         }
-        let behind = self.to_separator().trim();
-        add(&mut text, behind);
+        let rest = &self.text[self.at..];
+        let stop = |c: char| c == '\n' || c == '\r' || self.separator.is(c);
+        let end = rest.find(stop).unwrap_or(rest.len());
+        self.at += end;
+        add(&mut text, rest[..end].trim());
         Ok(text)
     }
 }
@@ -294,7 +297,8 @@ mod tests {
 
     #[test]
     fn spaces_run_and_quotes_hold_together() {
-        let text = "# comment\n  P1   1.5\t-2 \n\"P 2\" 3 4\n// more\n\"P\"\"3\" \"5\n6\" 7\n8 9 1\n";
+        let text =
+            "# comment\n  P1   1.5\t-2 \n\"P 2\" 3 4\n// more\n\"P\"\"3\" \"5\n6\" 7\n8 9 1\n";
         assert_eq!(
             read(text, Separator::Spaces),
             rows(&[

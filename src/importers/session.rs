@@ -19,8 +19,8 @@ use crate::importers::settings::{About, Inspection, Reading};
 use crate::importers::{csv, optitrack, read, text, tracker};
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::assemble;
-use crate::sessions::format_v1::read::default_targets;
 use crate::sessions::columns::{Heading, Layout, Quantity, Unit, check_joint};
+use crate::sessions::format_v1::read::default_targets;
 use crate::sessions::number::quoted;
 use crate::sessions::table::{Cells, Table};
 use crate::sessions::{Instrument, Session, Target, validation};
@@ -122,7 +122,12 @@ pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejecte
     let (inspection, columns) = read(bytes, &reading);
     let mut findings = inspection.findings.clone();
     let Some(mut columns) = columns else {
-        findings.extend(inspection.questions.iter().map(|question| question.as_diagnostic()));
+        findings.extend(
+            inspection
+                .questions
+                .iter()
+                .map(|question| question.as_diagnostic()),
+        );
         return Err(Rejected {
             diagnostics: findings,
         });
@@ -137,9 +142,11 @@ pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejecte
     job.say_source(bytes, &inspection);
     if reading.z_up {
         optitrack::turn_up(&mut columns);
-        job.said.push("turned so that z points up: (x, y, z) became (x, -z, y)".to_owned());
+        job.said
+            .push("turned so that z points up: (x, y, z) became (x, -z, y)".to_owned());
     } else if inspection.kind == Some(super::Kind::Optitrack) && settings.reference.is_none() {
-        job.warn("Motive exports with y upwards: the coordinates are taken as they are", "--z-up, or --reference");
+        let found = "Motive exports with y upwards, and the coordinates are taken as they are: --z-up turns them, --reference aligns them";
+        job.warn(found, "");
     }
     job.axis_to_points(&mut columns)?;
     let targets = job.targets(&columns)?;
@@ -160,12 +167,18 @@ fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
     let Some(joint) = robot.joints.get(reading.joint) else {
         let found = format!("joint {} does not exist", reading.joint + 1);
         let expected = format!("--joint from 1 to {}", robot.joint_count());
-        return Err(Rejected::because(Diagnostic::error(Place::default(), found, expected)));
+        return Err(Rejected::because(Diagnostic::error(
+            Place::default(),
+            found,
+            expected,
+        )));
     };
     let mut reading = reading.clone();
     reading.slides = joint.kind == JointKind::Prismatic;
     let reach = robot.base_from_tool.translation.vector.norm();
-    reading.reach_mm = reading.reach_mm.or(Some(reach).filter(|reach| *reach > 0.0));
+    reading.reach_mm = reading
+        .reach_mm
+        .or(Some(reach).filter(|reach| *reach > 0.0));
     Ok(reading)
 }
 
@@ -185,16 +198,23 @@ impl Job<'_> {
         Err(Rejected { diagnostics: all })
     }
 
-    fn refuse<T>(&self, place: Place, found: impl Into<String>, expected: impl Into<String>) -> Result<T, Rejected> {
+    fn refuse<T>(
+        &self,
+        place: Place,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Result<T, Rejected> {
         self.refused(vec![Diagnostic::error(place, found, expected)])
     }
 
     fn note(&mut self, found: impl Into<String>) {
-        self.findings.push(Diagnostic::note(self.place.clone(), found));
+        self.findings
+            .push(Diagnostic::note(self.place.clone(), found));
     }
 
     fn warn(&mut self, found: impl Into<String>, expected: impl Into<String>) {
-        self.findings.push(Diagnostic::warning(self.place.clone(), found, expected));
+        self.findings
+            .push(Diagnostic::warning(self.place.clone(), found, expected));
     }
 
     fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
@@ -244,11 +264,17 @@ impl Job<'_> {
         if values.len() > 1 && moved < 1e-9 {
             return self.refuse(
                 self.place.clone(),
-                format!("the tool lies on the axis of joint {}: it does not move", joint + 1),
+                format!(
+                    "the tool lies on the axis of joint {}: it does not move",
+                    joint + 1
+                ),
                 "a tool off the axis, in the robot",
             );
         }
-        for (quantity, list) in [Quantity::X, Quantity::Y, Quantity::Z].into_iter().zip(points) {
+        for (quantity, list) in [Quantity::X, Quantity::Y, Quantity::Z]
+            .into_iter()
+            .zip(points)
+        {
             columns.put(Column::made(quantity, Unit::Length(1.0), list));
         }
         let rows = columns.rows();
@@ -257,10 +283,17 @@ impl Job<'_> {
                 JointKind::Revolute => Unit::Angle(1.0),
                 JointKind::Prismatic => Unit::Length(1.0),
             };
-            columns.put(Column::made(Quantity::Commanded(other), unit, vec![0.0; rows]));
+            columns.put(Column::made(
+                Quantity::Commanded(other),
+                unit,
+                vec![0.0; rows],
+            ));
         }
         if robot.joint_count() > 1 {
-            self.note(format!("joints other than {} are taken to stand at home", joint + 1));
+            self.note(format!(
+                "joints other than {} are taken to stand at home",
+                joint + 1
+            ));
         }
         let said = format!(
             "only the position of joint {} was measured: x, y, z are where the nominal robot carries its tool at that position, so that the radius is nominal",
@@ -285,13 +318,16 @@ impl Job<'_> {
             Ok(decoded) => decoded,
             Err(error) => return self.refused(vec![error]),
         };
-        let read_with = |decimal| {
+        let read_with = |asked: &[About]| {
+            let given = self.reading;
+            // What was said about the measured file holds here only where this file does not tell.
+            let asks = |about| asked.contains(&about);
             let reading = Reading {
                 file: companion.file.clone(),
-                unit: self.reading.unit,
-                angle_unit: self.reading.angle_unit,
-                reach_mm: self.reading.reach_mm,
-                decimal,
+                unit: given.unit.filter(|_| asks(About::Unit)),
+                angle_unit: given.angle_unit.filter(|_| asks(About::AngleUnit)),
+                decimal: given.decimal.filter(|_| asks(About::Decimal)),
+                reach_mm: given.reach_mm,
                 ..Reading::default()
             };
             let mut case = Case {
@@ -304,11 +340,14 @@ impl Job<'_> {
             let columns = columns.filter(|_| !case.is_open());
             (case.found, columns)
         };
-        let (mut found, mut columns) = read_with(None);
-        let asks = found.questions.iter().any(|question| question.about == About::Decimal);
-        // What was said about the measured file holds here only where this file cannot tell.
-        if asks && self.reading.decimal.is_some() {
-            (found, columns) = read_with(self.reading.decimal);
+        let (mut found, mut columns) = read_with(&[]);
+        if !found.questions.is_empty() {
+            let asked: Vec<About> = found
+                .questions
+                .iter()
+                .map(|question| question.about)
+                .collect();
+            (found, columns) = read_with(&asked);
         }
         findings.append(&mut found.findings);
         let Some(columns) = columns else {
@@ -330,11 +369,19 @@ impl Job<'_> {
     }
 
     /// Points with their names, mm.
-    fn named_points(&mut self, companion: &Companion<'_>, what: &str) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
+    fn named_points(
+        &mut self,
+        companion: &Companion<'_>,
+        what: &str,
+    ) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
         let columns = self.companion(companion, what, "name,x_mm,y_mm,z_mm", tracker::read)?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
-            return self.refuse(place, "no names, or not all of x, y and z", "name,x_mm,y_mm,z_mm");
+            return self.refuse(
+                place,
+                "no names, or not all of x, y and z",
+                "name,x_mm,y_mm,z_mm",
+            );
         };
         let mut named = BTreeMap::new();
         for (row, (name, point)) in names.iter().zip(points).enumerate() {
@@ -343,10 +390,18 @@ impl Job<'_> {
                 None => place.clone(),
             };
             if name.is_empty() || point.coords.iter().any(|v| !v.is_finite()) {
-                return self.refuse(place, "a point without a name or a coordinate", "name, x, y and z");
+                return self.refuse(
+                    place,
+                    "a point without a name or a coordinate",
+                    "name, x, y and z",
+                );
             }
             if named.insert((*name).to_owned(), point).is_some() {
-                return self.refuse(place, format!("{} a second time", quoted(name)), "each name once");
+                return self.refuse(
+                    place,
+                    format!("{} a second time", quoted(name)),
+                    "each name once",
+                );
             }
         }
         Ok(named)
@@ -356,22 +411,38 @@ impl Job<'_> {
     fn targets(&mut self, columns: &Columns) -> Result<Vec<Target>, Rejected> {
         if let Some(companion) = &self.settings.targets {
             let named = self.named_points(companion, "targets")?;
-            let targets = named.into_iter().map(|(name, position_mm)| Target { name, position_mm });
+            let targets = named
+                .into_iter()
+                .map(|(name, position_mm)| Target { name, position_mm });
             return Ok(targets.collect());
         }
         let used = columns.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
-        let used: BTreeSet<&str> = used.unwrap_or_default().into_iter().filter(|name| !name.is_empty()).collect();
+        let used: BTreeSet<&str> = used
+            .unwrap_or_default()
+            .into_iter()
+            .filter(|name| !name.is_empty())
+            .collect();
         let used: Vec<&str> = used.into_iter().collect();
         match used[..] {
             [] => Ok(default_targets()),
             [name] => {
-                self.note(format!("target {} is taken to sit at the tool's origin", quoted(name)));
+                self.note(format!(
+                    "target {} is taken to sit at the tool's origin",
+                    quoted(name)
+                ));
                 Ok(vec![at_origin(name)])
             }
             _ => {
                 let names: Vec<String> = used.iter().map(|name| quoted(name)).collect();
-                let found = format!("several targets, and nothing says where they sit: {}", listed(&names));
-                self.refuse(self.place.clone(), found, "--targets with their names and positions in the tool frame")
+                let found = format!(
+                    "several targets, and nothing says where they sit: {}",
+                    listed(&names)
+                );
+                self.refuse(
+                    self.place.clone(),
+                    found,
+                    "--targets with their names and positions in the tool frame",
+                )
             }
         }
     }
@@ -384,7 +455,11 @@ impl Job<'_> {
         let known = self.named_points(companion, "reference points")?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
-            return self.refuse(self.place.clone(), "no names, or not all of x, y and z", "names and points in space to align by");
+            return self.refuse(
+                self.place.clone(),
+                "no names, or not all of x, y and z",
+                "names and points in space to align by",
+            );
         };
         let is_there = |point: &Point3<f64>| point.coords.iter().all(|v| v.is_finite());
         let landmarks: Vec<Landmark> = names
@@ -400,8 +475,15 @@ impl Job<'_> {
                 })
             })
             .collect();
-        let measured: BTreeSet<&str> = landmarks.iter().map(|landmark| landmark.name.as_str()).collect();
-        let missing: Vec<String> = known.keys().filter(|name| !measured.contains(name.as_str())).map(|name| quoted(name)).collect();
+        let measured: BTreeSet<&str> = landmarks
+            .iter()
+            .map(|landmark| landmark.name.as_str())
+            .collect();
+        let missing: Vec<String> = known
+            .keys()
+            .filter(|name| !measured.contains(name.as_str()))
+            .map(|name| quoted(name))
+            .collect();
         let alignment = match align(&landmarks, self.settings.scale) {
             Ok(alignment) => alignment,
             Err(error) => {
@@ -410,26 +492,45 @@ impl Job<'_> {
                 } else {
                     format!("{error}; not measured: {}", listed(&missing))
                 };
-                return self.refuse(place, found, "at least 3 points that are not on one line, with the same names in both files");
+                return self.refuse(
+                    place,
+                    found,
+                    "at least 3 points that are not on one line, with the same names in both files",
+                );
             }
         };
         if !missing.is_empty() {
-            let found = format!("reference points that were not measured: {}", listed(&missing));
-            self.findings.push(Diagnostic::warning(place.clone(), found, "they are left out"));
+            let found = format!(
+                "left out reference points that were not measured: {}",
+                listed(&missing)
+            );
+            self.findings
+                .push(Diagnostic::warning(place.clone(), found, ""));
         }
         self.say_alignment(&alignment, &place);
         // The points that fix the frame are no poses of the robot, unless a command says so.
         let commanded = self.commanded_names();
         let is_pose = |name: &&str| !known.contains_key(*name) || commanded.contains(*name);
-        let rows: Vec<usize> = (0..names.len()).filter(|&row| is_pose(&names[row])).collect();
+        let rows: Vec<usize> = (0..names.len())
+            .filter(|&row| is_pose(&names[row]))
+            .collect();
         if rows.is_empty() {
-            return self.refuse(self.place.clone(), "nothing but reference points", "measured poses as well");
+            return self.refuse(
+                self.place.clone(),
+                "nothing but reference points",
+                "measured poses as well",
+            );
         }
         let dropped = names.len() - rows.len();
         if dropped > 0 {
-            self.note(format!("{dropped} measurements of reference points are no samples"));
+            self.note(format!(
+                "{dropped} measurements of reference points are no samples"
+            ));
         }
-        Ok((aligned(columns, &points, &alignment).only(&rows), Some(alignment)))
+        Ok((
+            aligned(columns, &points, &alignment).only(&rows),
+            Some(alignment),
+        ))
     }
 
     /// Names in the commands; what is wrong with them is said when they are matched.
@@ -442,7 +543,11 @@ impl Job<'_> {
         let columns = self.companion(companion, "commands", "q1_deg", csv::read_any);
         self.findings.truncate(findings);
         self.said.truncate(said);
-        let names = columns.as_ref().ok().and_then(Columns::points).unwrap_or_default();
+        let names = columns
+            .as_ref()
+            .ok()
+            .and_then(Columns::points)
+            .unwrap_or_default();
         names.into_iter().map(str::to_owned).collect()
     }
 
@@ -453,54 +558,95 @@ impl Job<'_> {
             alignment.rms_mm
         );
         if self.settings.scale {
-            said += &format!(", scaled by {:.6} ({:+.1} ppm)", alignment.scale, 1e6 * (alignment.scale - 1.0));
+            said += &format!(
+                ", scaled by {:.6} ({:+.1} ppm)",
+                alignment.scale,
+                1e6 * (alignment.scale - 1.0)
+            );
         }
-        let worst = alignment.residuals.iter().filter(|residual| !residual.is_outlier);
-        let worst = worst.max_by(|a, b| a.vector_mm.norm().total_cmp(&b.vector_mm.norm()));
-        let found = match worst {
-            Some(worst) => format!("{said}; the largest {:.4} mm at {}", worst.vector_mm.norm(), quoted(&worst.name)),
-            None => said.clone(),
-        };
+        let each: Vec<String> = alignment
+            .residuals
+            .iter()
+            .filter(|residual| !residual.is_outlier)
+            .map(|residual| {
+                format!(
+                    "{} {:.4} mm",
+                    quoted(&residual.name),
+                    residual.vector_mm.norm()
+                )
+            })
+            .collect();
+        let found = format!("{said}: {}", matching::listed_up_to(&each, 40));
         self.findings.push(Diagnostic::note(place.clone(), found));
         for outlier in alignment.outliers() {
-            let found = format!("reference point {} is {:.3} mm off", quoted(&outlier.name), outlier.vector_mm.norm());
-            self.findings.push(Diagnostic::warning(place.clone(), found, "it is left out of the alignment"));
+            let found = format!(
+                "reference point {} is {:.3} mm off: left out of the alignment",
+                quoted(&outlier.name),
+                outlier.vector_mm.norm()
+            );
+            self.findings
+                .push(Diagnostic::warning(place.clone(), found, ""));
         }
         if !self.settings.scale && (alignment.best_scale - 1.0).abs() > 1e-3 {
-            let found = format!("the reference points would fit better scaled by {:.5}", alignment.best_scale);
+            let found = format!(
+                "the reference points would fit better scaled by {:.5}",
+                alignment.best_scale
+            );
             let expected = "the right unit in both files, or --scale";
-            self.findings.push(Diagnostic::warning(place.clone(), found, expected));
+            self.findings
+                .push(Diagnostic::warning(place.clone(), found, expected));
         }
         self.said.push(said);
     }
 
     /// Adds the commands.
-    fn with_commands(&mut self, columns: Columns, targets: &[Target]) -> Result<(Columns, Option<Matched>), Rejected> {
+    fn with_commands(
+        &mut self,
+        columns: Columns,
+        targets: &[Target],
+    ) -> Result<(Columns, Option<Matched>), Rejected> {
         let joints = self.settings.robot.joint_count();
-        let own: Vec<usize> = (0..joints).filter(|&joint| columns.find(Quantity::Commanded(joint)).is_some()).collect();
+        let own: Vec<usize> = (0..joints)
+            .filter(|&joint| columns.find(Quantity::Commanded(joint)).is_some())
+            .collect();
         let Some(companion) = &self.settings.commands else {
             if let Some(joint) = (0..joints).find(|joint| !own.contains(joint)) {
                 let found = format!("nothing says where joint {} was sent", joint + 1);
-                let expected = format!("--commands with a column q{}_deg, or such a column in the measured file", joint + 1);
+                let expected = format!(
+                    "--commands with a column q{}_deg, or such a column in the measured file",
+                    joint + 1
+                );
                 return self.refuse(self.place.clone(), found, expected);
             }
             return Ok((columns, None));
         };
         if let Some(joint) = own.first() {
-            let found = format!("commands are given, and the measured file has those of joint {} too", joint + 1);
+            let found = format!(
+                "commands are given, and the measured file has those of joint {} too",
+                joint + 1
+            );
             return self.refuse(self.place.clone(), found, "one of the two");
         }
         let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
         let commands = self.companion(companion, "commands", &header.join(","), csv::read_any)?;
         let place = companion.place();
-        if let Some(joint) = (0..joints).find(|&joint| commands.find(Quantity::Commanded(joint)).is_none()) {
+        if let Some(joint) =
+            (0..joints).find(|&joint| commands.find(Quantity::Commanded(joint)).is_none())
+        {
             let found = format!("no column for the commanded value of joint {}", joint + 1);
-            return self.refuse(place, found, format!("a header such as {}", header.join(",")));
+            return self.refuse(
+                place,
+                found,
+                format!("a header such as {}", header.join(",")),
+            );
         }
         if let Some(wrong) = self.joints_checked(&commands, &place) {
             return self.refused(wrong);
         }
         let by = self.settings.matching;
+        let time_heading = commands
+            .find(Quantity::Time)
+            .map_or_else(String::new, |column| column.name.clone());
         let mut matched = Matched {
             by,
             samples: 0,
@@ -524,13 +670,19 @@ impl Job<'_> {
                 Err((found, expected)) => return self.refuse(self.place.clone(), found, expected),
             },
             Matching::Time => {
-                let (columns, left, clock) = self.by_time(columns, commands, targets, &place)?;
+                let (columns, mut left, clock) =
+                    self.by_time(columns, commands, targets, &place)?;
+                // Both have a time, of course.
+                left.retain(|name| name != &time_heading);
                 matched.clock = Some(clock);
                 (columns, left)
             }
         };
         if !left.is_empty() {
-            let found = format!("both files have {}: the measured ones are taken", left.join(", "));
+            let found = format!(
+                "both files have {}: the measured ones are taken",
+                left.join(", ")
+            );
             self.note(found);
         }
         matched.samples = columns.rows();
@@ -541,19 +693,20 @@ impl Job<'_> {
     fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
             let found = format!(
-                "{} measurements without a command: {}",
+                "left out {} measurements without a command: {}",
                 pairs.lonely_measured.len(),
                 listed(&pairs.lonely_measured)
             );
-            self.warn(found, "they are left out");
+            self.warn(found, "");
         }
         if !pairs.lonely_commands.is_empty() {
             let found = format!(
-                "{} commands without a measurement: {}",
+                "left out {} commands without a measurement: {}",
                 pairs.lonely_commands.len(),
                 listed(&pairs.lonely_commands)
             );
-            self.findings.push(Diagnostic::warning(commands.clone(), found, "they are left out"));
+            self.findings
+                .push(Diagnostic::warning(commands.clone(), found, ""));
         }
     }
 
@@ -566,14 +719,26 @@ impl Job<'_> {
     ) -> Result<(Columns, Vec<String>, ClockOffset), Rejected> {
         let positions: Vec<Point3<f64>> = targets.iter().map(|target| target.position_mm).collect();
         let used = columns.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
-        let index = |name: &str| targets.iter().position(|target| target.name == name).unwrap_or(0);
+        let index = |name: &str| {
+            targets
+                .iter()
+                .position(|target| target.name == name)
+                .unwrap_or(0)
+        };
         let used: Vec<usize> = used.unwrap_or_default().into_iter().map(index).collect();
         let timing = Timing {
             motion: self.settings.motion,
             offset_s: self.settings.clock_offset_s,
         };
         let robot = self.settings.robot;
-        let done = join::by_time(columns, commands, robot, (&positions, &used), timing, (&self.place, place));
+        let done = join::by_time(
+            columns,
+            commands,
+            robot,
+            (&positions, &used),
+            timing,
+            (&self.place, place),
+        );
         let done = match done {
             Ok(done) => done,
             Err(error) => return self.refused(vec![error]),
@@ -594,7 +759,13 @@ impl Job<'_> {
 
     /// Joints that do not exist, and units that do not suit them.
     fn joints_checked(&self, columns: &Columns, place: &Place) -> Option<Vec<Diagnostic>> {
-        let kinds: Vec<JointKind> = self.settings.robot.joints.iter().map(|joint| joint.kind).collect();
+        let kinds: Vec<JointKind> = self
+            .settings
+            .robot
+            .joints
+            .iter()
+            .map(|joint| joint.kind)
+            .collect();
         let mut findings = Vec::new();
         for column in &columns.list {
             if let Role::Known(quantity, Some(unit)) = column.role {
@@ -680,12 +851,20 @@ fn points_of(columns: &Columns) -> Option<Vec<Point3<f64>>> {
 
 /// The columns with points and orientations in the base frame.
 fn aligned(mut columns: Columns, points: &[Point3<f64>], alignment: &Alignment) -> Columns {
-    let points: Vec<Point3<f64>> = points.iter().map(|point| alignment.to_base(point)).collect();
-    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z].into_iter().enumerate() {
+    let points: Vec<Point3<f64>> = points
+        .iter()
+        .map(|point| alignment.to_base(point))
+        .collect();
+    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .enumerate()
+    {
         let values = points.iter().map(|point| point[axis]).collect();
         columns.put(Column::made(quantity, Unit::Length(1.0), values));
     }
-    let parts: Vec<Vec<f64>> = (0..4).filter_map(|part| columns.numbers(Quantity::Orientation(part))).collect();
+    let parts: Vec<Vec<f64>> = (0..4)
+        .filter_map(|part| columns.numbers(Quantity::Orientation(part)))
+        .collect();
     if let [w, x, y, z] = &parts[..] {
         let rotation: UnitQuaternion<f64> = alignment.base_from_instrument.rotation;
         let turned: Vec<Quaternion<f64>> = (0..w.len())
@@ -694,7 +873,11 @@ fn aligned(mut columns: Columns, points: &[Point3<f64>], alignment: &Alignment) 
         let part = |of: fn(&Quaternion<f64>) -> f64| turned.iter().map(of).collect();
         let parts: [Vec<f64>; 4] = [part(|q| q.w), part(|q| q.i), part(|q| q.j), part(|q| q.k)];
         for (part, values) in parts.into_iter().enumerate() {
-            columns.put(Column::made(Quantity::Orientation(part), Unit::Fixed, values));
+            columns.put(Column::made(
+                Quantity::Orientation(part),
+                Unit::Fixed,
+                values,
+            ));
         }
     }
     columns
@@ -713,9 +896,10 @@ fn table(columns: Columns, joints: usize) -> Table {
     };
     for column in columns.list {
         let (heading, cells) = match column.role {
-            Role::Known(quantity, unit) => {
-                (Heading::Known(quantity, unit.unwrap_or(Unit::Fixed)), column.cells)
-            }
+            Role::Known(quantity, unit) => (
+                Heading::Known(quantity, unit.unwrap_or(Unit::Fixed)),
+                column.cells,
+            ),
             Role::Time(_) => (Heading::Known(Quantity::Time, Unit::Fixed), column.cells),
             Role::Point | Role::Group | Role::Kept => match column.cells {
                 Cells::Text(cells) => {
@@ -744,7 +928,11 @@ fn plain(text: String, with_line_feeds: bool) -> String {
     }
     let text = text.replace("\r\n", "\n").replace('\r', "\n");
     let keeps = |c: char| !c.is_control() || c == '\t' || (c == '\n' && with_line_feeds);
-    text.chars().map(|c| if keeps(c) { c } else { ' ' }).collect::<String>().trim().to_owned()
+    text.chars()
+        .map(|c| if keeps(c) { c } else { ' ' })
+        .collect::<String>()
+        .trim()
+        .to_owned()
 }
 
 /// A heading that no other column has and that a session does not take for one of its own.
@@ -753,7 +941,9 @@ fn own_name(name: String, number: u64, others: &[String]) -> String {
         "" | "-" => format!("column {number}"),
         _ => name,
     };
-    let is_free = |name: &String| !others.contains(name) && matches!(Heading::read(name), Heading::Unknown { .. });
+    let is_free = |name: &String| {
+        !others.contains(name) && matches!(Heading::read(name), Heading::Unknown { .. })
+    };
     if is_free(&base) {
         return base;
     }

@@ -139,7 +139,9 @@ impl Question {
         let option = self.about.option();
         let expected = match (&self.answers[..], self.about) {
             ([], About::Columns) => {
-                format!("{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-")
+                format!(
+                    "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-"
+                )
             }
             ([], _) => option.to_owned(),
             (answers, _) => format!("{option} {}", answers.join(" or ")),

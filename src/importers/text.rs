@@ -73,6 +73,11 @@ pub(crate) fn decode<'a>(
             }
         },
     };
+    if let Some(line) = too_long(&text) {
+        let place = file.clone().at_line(line);
+        let found = format!("a line of more than {LONGEST_LINE} bytes");
+        return Err(Diagnostic::error(place, found, EXPECTED));
+    }
     match memchr::memchr(0, text.as_bytes()) {
         None if text.trim().is_empty() => Err(refused("an empty file")),
         None => Ok((text, encoding)),
@@ -82,6 +87,20 @@ pub(crate) fn decode<'a>(
             EXPECTED,
         )),
     }
+}
+
+/// A line of a table is shorter than this; what is longer is something else, and would take many
+/// times its size as cells.
+const LONGEST_LINE: usize = 1 << 22;
+
+/// The first line that is too long.
+fn too_long(text: &str) -> Option<u64> {
+    if text.len() <= LONGEST_LINE {
+        return None;
+    }
+    let lines = text.split(['\n', '\r']).zip(1..);
+    let mut long = lines.filter(|(line, _)| line.len() > LONGEST_LINE);
+    long.next().map(|(_, number)| number)
 }
 
 const EXPECTED: &str = "a table as text, in UTF-8, UTF-16 or Windows-1252";

@@ -102,11 +102,13 @@ fn names_before(kinds: &[Kind]) -> Option<usize> {
         },
         (text, 3) => Some(text),
         // A group, and points with numbers for names; or a tool number behind the coordinates.
-        (text, _) => Some(if is_whole(text) && fractions_from(text + 1) && !is_whole(text + 1) {
-            text + 1
-        } else {
-            text
-        }),
+        (text, _) => Some(
+            if is_whole(text) && fractions_from(text + 1) && !is_whole(text + 1) {
+                text + 1
+            } else {
+                text
+            },
+        ),
     }
 }
 

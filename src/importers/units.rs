@@ -167,10 +167,7 @@ pub(crate) fn hint(spread: f64, reach_mm: Option<f64>) -> String {
             1.4 * reach,
             format!("beside a robot that reaches {reach:.0} mm"),
         ),
-        _ => (
-            1000.0,
-            "as robots are mostly as large as people".to_owned(),
-        ),
+        _ => (1000.0, "as robots are mostly as large as people".to_owned()),
     };
     let off = |unit: &LengthUnit| (mm(*unit) / wanted).ln().abs();
     let likeliest = LengthUnit::ALL
@@ -200,7 +197,10 @@ mod tests {
         assert_eq!(length("\u{b5}m"), Some(1e-3));
         assert_eq!(length("\u{3bc}m"), Some(1e-3));
         assert_eq!(length("inches"), Some(25.4));
-        assert_eq!(word("deg/s"), Some(Word::Unit(Unit::Angle(rad_from_deg(1.0)))));
+        assert_eq!(
+            word("deg/s"),
+            Some(Word::Unit(Unit::Angle(rad_from_deg(1.0))))
+        );
         assert_eq!(word("ms"), Some(Word::Time(1e-3)));
         assert_eq!(word("furlong"), None);
         assert_eq!(word("/s"), None);
