@@ -40,11 +40,11 @@ fn reading(kind: Kind) -> Reading {
     }
 }
 
-fn companion(bytes: &[u8]) -> Option<Companion<'_>> {
-    Some(Companion {
+fn companion(bytes: &[u8]) -> Companion<'_> {
+    Companion {
         bytes,
         file: Some(PathBuf::from("beside.csv")),
-    })
+    }
 }
 
 fn imported(bytes: &[u8], settings: &Settings<'_>) -> Imported {
@@ -113,8 +113,8 @@ fn tracker_text_is_aligned_by_its_reference_points_and_matched_by_names_that_rec
     let robot = robot();
     let (reference, commands) = (bytes("reference.txt"), bytes("commands-by-name.csv"));
     let mut settings = Settings::new(reading(Kind::Tracker), &robot);
-    settings.reference = companion(&reference);
-    settings.commands = companion(&commands);
+    settings.reference = Some(companion(&reference));
+    settings.commands = Some(companion(&commands));
     settings.matching = Matching::Name;
     // The file does not say that it is in inches, and nobody guesses.
     let question = refusal(&bytes("sa.txt"), &settings);
@@ -192,7 +192,7 @@ fn a_recording_of_cameras_finds_the_clock_of_the_controller_and_averages_its_sto
     let robot = robot();
     let log = bytes("controller-log.csv");
     let mut settings = Settings::new(reading(Kind::Optitrack), &robot);
-    settings.commands = companion(&log);
+    settings.commands = Some(companion(&log));
     settings.matching = Matching::Time;
     settings.reading.z_up = true;
     let done = imported(&bytes("motive.csv"), &settings);
@@ -277,7 +277,7 @@ fn a_trajectory_is_read_with_its_quaternion_in_the_order_of_a_session() {
     let robot = robot();
     let commands = bytes("commands-in-order.csv");
     let mut settings = Settings::new(reading(Kind::Tum), &robot);
-    settings.commands = companion(&commands);
+    settings.commands = Some(companion(&commands));
     let done = imported(&bytes("trajectory.txt"), &settings);
     assert!(
         off_the_truth(&done.session) < 1e-4,
@@ -292,7 +292,7 @@ fn a_trajectory_is_read_with_its_quaternion_in_the_order_of_a_session() {
     }
     assert_eq!(samples.time_s.as_ref().unwrap()[1], 1714744216.1);
     // One command too few is said with what differs.
-    settings.commands = companion(&commands[..commands.len() - 4]);
+    settings.commands = Some(companion(&commands[..commands.len() - 4]));
     let message = refusal(&bytes("trajectory.txt"), &settings);
     assert!(
         message.contains("7 measurements and 6 commands") && message.contains("line 10"),
@@ -449,17 +449,17 @@ fn reference_points_that_fix_nothing_are_refused() {
     let mut settings = Settings::new(reading(Kind::Csv), &robot);
     let measured = b"name,q1_deg,x_mm,y_mm,z_mm\nA,0,0,0,0\nB,0,100,0,0\nC,0,200,0,0\nP,1,1,2,3\n";
     let line = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nB,5,105,5\nC,5,205,5\n";
-    settings.reference = companion(line);
+    settings.reference = Some(companion(line));
     assert!(refusal(measured, &settings).contains("the points lie on one line"));
     let few = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nB,5,105,5\nX,5,205,5\n";
-    settings.reference = companion(few);
+    settings.reference = Some(companion(few));
     let message = refusal(measured, &settings);
     assert!(
         message.contains("2 points with a name") && message.contains("not measured: 'X'"),
         "{message}"
     );
     let twice = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nA,5,105,5\n";
-    settings.reference = companion(twice);
+    settings.reference = Some(companion(twice));
     assert!(refusal(measured, &settings).contains("beside.csv, line 3: 'A' a second time"));
 }
 
@@ -571,14 +571,14 @@ fn the_program_imports_into_a_session_that_it_can_read() {
 fn a_million_rows_take_seconds() {
     use std::fmt::Write;
     let robot = robot();
-    let rows = 1_000_000;
+    let rows: u32 = 1_000_000;
     let mut text = "name;q1_deg;x_mm;y_mm;z_mm\n".to_owned();
     for i in 0..rows {
         let q = f64::from(i % 180) - 90.0;
         writeln!(text, "P{i};{q};{},5;{},25;300", i % 250, i % 77).unwrap();
     }
     let done = imported(text.as_bytes(), &Settings::new(reading(Kind::Csv), &robot));
-    assert_eq!(done.session.samples.len(), rows as usize);
+    assert_eq!(done.session.samples.len(), 1_000_000);
     assert_eq!(done.inspection.decimal, Some(Decimal::Comma));
 }
 
@@ -694,7 +694,7 @@ proptest! {
             commands += &format!("{:?},{:?}\n", q[0], q[1]);
         }
         let mut settings = Settings::new(reading(Kind::Tum), &robot);
-        settings.commands = companion(commands.as_bytes());
+        settings.commands = Some(companion(commands.as_bytes()));
         let done = import(text.as_bytes(), &settings).map_err(|e| TestCaseError::fail(e.to_string()))?;
         let back = &done.session.samples;
         for (i, (q, p, t)) in samples.iter().enumerate() {

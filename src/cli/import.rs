@@ -18,6 +18,10 @@ use super::output;
 
 /// Make a session of a file that an instrument wrote
 #[derive(Debug, Args)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command"
+)]
 pub(crate) struct Import {
     /// Measured file
     file: PathBuf,
@@ -30,8 +34,12 @@ pub(crate) struct Import {
     /// Write the session to this file, its samples to a CSV file beside it; - is standard output
     #[arg(long, value_name = "SESSION")]
     out: PathBuf,
-    /// Where the robot was sent: a table with q1_deg, … and perhaps name, time_s, dir1, load_kg, …
-    #[arg(long, value_name = "FILE")]
+    /// Where the robot was sent
+    #[arg(
+        long,
+        value_name = "FILE",
+        help = "Where the robot was sent: a table with q1_deg, … and perhaps name, time_s, dir1, load_kg, …"
+    )]
     commands: Option<PathBuf>,
     /// How commands find their measurements
     #[arg(long = "match", value_name = "HOW", default_value = "order", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
@@ -48,9 +56,10 @@ pub(crate) struct Import {
     /// What separates cells
     #[arg(long, value_parser = PossibleValuesParser::new(["tab", "semicolon", "comma", "spaces"]))]
     separator: Option<String>,
-    /// What the columns are, such as name,x_mm,y_mm,z_mm,-
+    /// What the columns are
     #[arg(
         long,
+        help = "What the columns are, such as name,x_mm,y_mm,z_mm,-",
         value_name = "A,B,…",
         value_delimiter = ',',
         allow_hyphen_values = true

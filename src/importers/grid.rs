@@ -47,7 +47,7 @@ impl<'a> Grid<'a> {
         text: &'a str,
         separator: Option<Separator>,
         file: &Place,
-    ) -> Result<Self, Diagnostic> {
+    ) -> Result<Self, Box<Diagnostic>> {
         let candidates = match separator {
             Some(separator) => vec![separator],
             None => Separator::ALL.to_vec(),
@@ -70,18 +70,19 @@ impl<'a> Grid<'a> {
         }
         let Some((_, separator, width, numbers)) = best else {
             if let Some(quote) = quote {
-                return Err(open_quote(file, quote));
+                return Err(Box::new(open_quote(file, quote)));
             }
             let found = "no table: no line of cells of which one is a number";
             let expected = "rows of cells between tabs, semicolons, commas or spaces";
-            return Err(Diagnostic::error(file.clone(), found, expected));
+            return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };
         if width > MOST_COLUMNS {
             let found = format!("{width} columns");
             let expected = format!("a table of at most {MOST_COLUMNS} columns");
-            return Err(Diagnostic::error(file.clone(), found, expected));
+            return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }
-        Self::with(text, separator, width, numbers).map_err(|quote| open_quote(file, quote))
+        Self::with(text, separator, width, numbers)
+            .map_err(|quote| Box::new(open_quote(file, quote)))
     }
 
     /// Finds the start of a table with so many cells in a row and so many numbers among them.
@@ -103,7 +104,7 @@ impl<'a> Grid<'a> {
             if row.cells.len() == width && numbers_in(&row) >= enough {
                 break start;
             }
-            let cells = row.cells.iter().map(|cell| cell.to_string()).collect();
+            let cells = row.cells.iter().map(ToString::to_string).collect();
             before.push((row.line, cells));
             // Only the last lines can be a header.
             if before.len() > LOOKED_AT {
@@ -167,7 +168,7 @@ impl<'a> Grid<'a> {
         let mut row = Row::default();
         let mut first = Vec::new();
         while first.len() < count && rows.next(&mut row) == Ok(true) {
-            first.push(row.cells.iter().map(|cell| cell.to_string()).collect());
+            first.push(row.cells.iter().map(ToString::to_string).collect());
         }
         first
     }
@@ -382,7 +383,7 @@ fn header_in_comment(comment: &str, separator: Separator, width: usize) -> Optio
     }
     let known = |cell: &&std::borrow::Cow<'_, str>| !matches!(understand(cell), Role::Kept);
     let enough = row.cells.iter().filter(known).count() >= 2;
-    enough.then(|| row.cells.iter().map(|cell| cell.to_string()).collect())
+    enough.then(|| row.cells.iter().map(ToString::to_string).collect())
 }
 
 #[cfg(test)]

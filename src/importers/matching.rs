@@ -64,10 +64,10 @@ pub(crate) fn by_order(
         ("commands", commands)
     };
     let mut found = format!("{m} measurements and {c} commands");
-    let rest: Vec<String> = (fewer..more).map(|row| row_in_words(longer, row)).collect();
+    let rest: Vec<usize> = (fewer..more).collect();
     found += &format!(
         "; {which} beyond the {fewer} of the other side: {}",
-        listed(&rest)
+        listed_rows(longer, &rest)
     );
     // Names on both sides show where the first gap is.
     if let (Some(a), Some(b)) = (measured.points(), commands.points())
@@ -148,13 +148,24 @@ pub(crate) fn by_name(
 
 /// A row by its name and line.
 pub(crate) fn row_in_words(columns: &Columns, row: usize) -> String {
-    let name = columns.points().and_then(|names| names.get(row).copied());
+    let name = columns.point(row);
     let line = columns.lines.get(row);
     match (name.filter(|name| !name.is_empty()), line) {
         (Some(name), Some(line)) => format!("{} (line {line})", quoted(name)),
         (Some(name), None) => quoted(name),
         (None, Some(line)) => format!("line {line}"),
         (None, None) => format!("row {}", row + 1),
+    }
+}
+
+/// Rows by their names and lines, the first ones.
+pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> String {
+    const SHOWN: usize = 8;
+    let named = rows.iter().take(SHOWN);
+    let named: Vec<String> = named.map(|&row| row_in_words(columns, row)).collect();
+    match rows.len().saturating_sub(SHOWN) {
+        0 => named.join(", "),
+        more => format!("{} and {more} more", named.join(", ")),
     }
 }
 
