@@ -62,6 +62,9 @@ fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
     };
     let after = series.after.as_ref().map(Positioning::rows);
     for (k, (symbol, name, before)) in series.before.rows().into_iter().enumerate() {
+        if before.is_none() {
+            continue;
+        }
         let corrected = after
             .as_ref()
             .map_or_else(|| "–".to_owned(), |rows| show(rows[k].2));

@@ -467,13 +467,10 @@ impl Told<'_> {
             || "too few samples".to_owned(),
             |[before, after]| format!("{} → {} mm", plain(before), plain(after)),
         );
+        let fit = format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1]));
         let mut facts = vec![
             fact("Evidence", sentence(&f.says)),
-            fact(
-                "Gap on the fit",
-                format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1])),
-            ),
-            fact("Gap on unseen samples", unseen),
+            fact("Gap on the fit, unseen", format!("{fit}; {unseen}")),
             fact("Share of what was explained", percent),
         ];
         if let Some(about) = about {

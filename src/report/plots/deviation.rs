@@ -8,7 +8,7 @@ use crate::report::numbers::plain;
 
 const PANEL: f64 = 92.0;
 const TOP: f64 = 18.0;
-const BETWEEN: f64 = 36.0;
+const BETWEEN: f64 = 34.0;
 const LEFT: f64 = 46.0;
 /// Marks in a panel.
 const MOST: usize = 1200;
@@ -36,6 +36,9 @@ pub fn deviation(stages: &Stages) -> Drawing {
             y: [0.0, highest(stages, stage) * 1.06],
         };
         draw(stages, stage, &panel, &mut drawing);
+        if k + 1 == stages.stages.len() {
+            panel.x_label(&stages.over, &mut drawing);
+        }
     }
     legend(stages, &mut drawing);
     drawing
@@ -58,7 +61,6 @@ fn draw(stages: &Stages, stage: &Stage, panel: &Panel, drawing: &mut Drawing) {
     panel.frame([8, 4], drawing);
     panel.title(&stage.name, drawing);
     panel.y_label("deviation, mm", 8.0, drawing);
-    panel.x_label(&stages.over, drawing);
     let lengths = &stage.deviations.length_mm;
     let kept = thinned(&stages.usable(stage), MOST, |i| lengths[i]);
     for (shape, side) in [(Shape::Square, 0.0), (Shape::Up, 1.0), (Shape::Down, -1.0)] {

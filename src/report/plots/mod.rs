@@ -82,17 +82,16 @@ fn thinned(samples: &[usize], most: usize, value: impl Fn(usize) -> f64) -> Vec<
 
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `value`; 1 where that makes no sense.
 fn round_below(value: f64) -> f64 {
+    among(value, &[5.0, 2.0])
+}
+
+/// The largest of these leading digits, or 1, × 10ⁿ that is not above `value`.
+fn among(value: f64, digits: &[f64]) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;
     }
     let ten = 10f64.powf(value.log10().floor());
     let lead = value / ten;
-    let digit = if lead >= 5.0 {
-        5.0
-    } else if lead >= 2.0 {
-        2.0
-    } else {
-        1.0
-    };
+    let digit = digits.iter().copied().find(|d| lead >= *d).unwrap_or(1.0);
     digit * ten
 }
