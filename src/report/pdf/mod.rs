@@ -143,7 +143,7 @@ impl Writer {
         let name = format!(
             "TPAAA{}+{}",
             ["A", "B", "C", "D"][number % 4],
-            fonts.name(number)
+            Fonts::name(number)
         );
         let base = Name(name.as_bytes());
         let system = SystemInfo {

@@ -4,7 +4,7 @@
 use super::panel::{Panel, room};
 use super::{FULL_WIDTH, Stage, Stages, thinned};
 use crate::report::drawing::{Drawing, INK, Item, Label, MUTED, Shape, Stroke};
-use crate::report::numbers::plain;
+use crate::report::numbers::short;
 
 const PANEL: f64 = 92.0;
 const TOP: f64 = 18.0;
@@ -62,7 +62,7 @@ fn draw(stages: &Stages, stage: &Stage, panel: &Panel, drawing: &mut Drawing) {
     panel.title(&stage.name, drawing);
     panel.y_label("deviation, mm", 8.0, drawing);
     let lengths = &stage.deviations.length_mm;
-    let kept = thinned(&stages.usable(stage), MOST, |i| lengths[i]);
+    let kept = thinned(&stage.usable(), MOST, |i| lengths[i]);
     for (shape, side) in [(Shape::Square, 0.0), (Shape::Up, 1.0), (Shape::Down, -1.0)] {
         let of_side = kept.iter().filter(|i| stages.side[**i] == side);
         let at: Vec<[f64; 2]> = of_side
@@ -119,7 +119,7 @@ fn legend(stages: &Stages, drawing: &mut Drawing) {
         let Some(mm) = mm else { continue };
         let stroke = Stroke::new(0.9, INK).dashed(dash[0], dash[1]);
         drawing.line([x, y - 2.4], [x + 18.0, y - 2.4], stroke);
-        let text = format!("{name} {} mm", plain(mm));
+        let text = format!("{name} {} mm", short(mm));
         drawing.text(Label::new([x + 22.0, y], text, 7.0, MUTED));
         x += 120.0;
     }

@@ -54,10 +54,10 @@ pub struct Stages {
     pub tolerance_mm: Option<f64>,
 }
 
-impl Stages {
-    /// Samples that a stage can show.
-    fn usable(&self, stage: &Stage) -> Vec<usize> {
-        let lengths = &stage.deviations.length_mm;
+impl Stage {
+    /// Samples that the stage can show.
+    fn usable(&self) -> Vec<usize> {
+        let lengths = &self.deviations.length_mm;
         (0..lengths.len())
             .filter(|i| lengths[*i].is_finite())
             .collect()

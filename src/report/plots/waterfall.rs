@@ -6,7 +6,7 @@ use crate::model::GapStep;
 use crate::report::drawing::{
     AFTER, BEFORE, CORRECTED, Colour, Drawing, INK, Item, Label, MUTED, Shape, Stroke,
 };
-use crate::report::numbers::plain;
+use crate::report::numbers::{plain, short};
 
 const ROW: f64 = 17.0;
 const TOP: f64 = 20.0;
@@ -90,7 +90,7 @@ pub fn waterfall(steps: &[GapStep], floor_mm: Option<f64>, tolerance_mm: Option<
             [legend + 18.0, bottom + 8.0],
             stroke,
         );
-        let label = format!("{name} {} mm", plain(mm));
+        let label = format!("{name} {} mm", short(mm));
         drawing.text(Label::new(
             [legend + 22.0, bottom + 10.5],
             label,

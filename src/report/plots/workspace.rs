@@ -131,7 +131,7 @@ fn lines(
     drawing: &mut Drawing,
 ) {
     let lengths = &stage.deviations.length_mm;
-    let kept = thinned(&stages.usable(stage), MOST, |i| lengths[i]);
+    let kept = thinned(&stage.usable(), MOST, |i| lengths[i]);
     let from = |i: usize| [column(stages, axes[0])[i], column(stages, axes[1])[i]];
     let mut ends = Vec::with_capacity(kept.len());
     let mut starts = Vec::with_capacity(kept.len());
