@@ -257,6 +257,60 @@ fn every_kind_of_session_has_a_report() {
     assert!(!one.contains("NaN") && !one.contains("inf mm"));
 }
 
+#[test]
+fn a_joint_that_turns_the_other_way_is_reported_as_a_data_problem_and_the_rest_as_mended() {
+    let mut reversed = small(60, false);
+    for q in &mut reversed.samples.q[0] {
+        *q = -*q;
+    }
+    let made = report(&reversed);
+    let page = html(&made);
+    assert!(
+        page.contains("the data had problems") && page.contains("Data: "),
+        "{page}"
+    );
+    // Against the mended session the model is as good as the scatter of 0.02 mm.
+    let left = &made.headline[1];
+    assert!(left.value.starts_with("0.0"), "{left:?}");
+    check_pdf(&pdf(&made).unwrap());
+}
+
+#[test]
+fn an_arm_of_two_joints_has_a_report() {
+    let (mut q1, mut q2, mut x, mut y, mut z) = (vec![], vec![], vec![], vec![], vec![]);
+    for k in 0..30 {
+        let (a, b) = (f64::from(k * 37 % 90) - 45.0, f64::from(k * 53 % 80));
+        let radius = 300.0 + b + 0.3;
+        let turn = (a + 0.1).to_radians();
+        let scatter = 0.02 * (f64::from(k) * 12.9898).sin();
+        q1.push(a);
+        q2.push(b);
+        x.push(radius * turn.cos() + scatter);
+        y.push(radius * turn.sin() - scatter);
+        z.push(100.0 + scatter);
+    }
+    let robot = json!({
+        "name": "pan and slide",
+        "joints": [
+            { "name": "pan", "kind": "revolute", "axis": [0, 0, 1], "point_mm": [0, 0, 0] },
+            { "name": "slide", "kind": "prismatic", "axis": [1, 0, 0], "point_mm": [0, 0, 0] }
+        ],
+        "tool": { "position_mm": [300, 0, 100], "quaternion_wxyz": [1, 0, 0, 0] }
+    });
+    let made = report(&session(&json!({
+        "format": "truepose-session/1", "name": "arm", "robot": robot, "samples": { "columns": {
+            "q1_deg": q1, "q2_mm": q2, "x_mm": x, "y_mm": y, "z_mm": z
+        } }
+    })));
+    let page = html(&made);
+    assert!(
+        page.contains("Joint 2") && page.contains("slide, slides"),
+        "{page}"
+    );
+    check_offline(&page);
+    check_pdf(&pdf(&made).unwrap());
+}
+
 /// Sessions with known truth, where they are at hand.
 #[test]
 fn ambiguous_unexplained_and_noisy_sessions_say_so() {

@@ -50,8 +50,8 @@ fn document(robot: &Value, columns: &Value) -> Value {
 }
 
 /// Measured positions of the x axis of a scanning table at a light source, five cycles both ways.
-/// Source: A. Sandström, ecmc motion system test report of 2022-10-20, target_x_report_8A.md in the
-/// public repository anderssandstrom/ecmc_target_muts_logger, with the results that it prints.
+/// Source: A. Sandström, ecmc motion system test report of 2022-10-20, `target_x_report_8A.md` in the
+/// public repository `anderssandstrom/ecmc_target_muts_logger`, with the results that it prints.
 const PUBLISHED_UP: [[f64; 5]; 5] = [
     [-3.99861, -3.98366, -3.98366, -3.95012, -3.95335],
     [-2.00655, -1.98836, -1.98109, -1.9419, -1.93341],

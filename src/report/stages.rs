@@ -13,7 +13,7 @@ use super::document::{Block, Section};
 use super::drawing::{AFTER, BEFORE, CORRECTED};
 use super::numbers::short;
 use super::parts::{of_joint, or_unnamed, unit_of_joint};
-use super::plots::{Stage, Stages, deviation, workspace};
+use super::plots::{Stage, Stages, deviation, shortened, workspace};
 
 /// A session's samples as measured, with corrected commands, and against the model.
 ///
@@ -78,7 +78,7 @@ pub fn stages(
         over: format!(
             "joint {} ({}), {}",
             k + 1,
-            or_unnamed(&joints[k].name),
+            shortened(&or_unnamed(&joints[k].name), 40),
             unit_of_joint(&joints[k]).trim()
         ),
         values: problem.inputs.q[k]

@@ -1,8 +1,8 @@
 //! The report's plots as drawings; the window saves the same ones as SVG.
 //!
-//! - [`workspace`]: where the points are and, magnified, how far off.
-//! - [`deviation`]: the length of the deviation over a joint's value.
-//! - [`waterfall`]: the gap step by step.
+//! - [`workspace`](fn@workspace): where the points are and, magnified, how far off.
+//! - [`deviation`](fn@deviation): the length of the deviation over a joint's value.
+//! - [`waterfall`](fn@waterfall): the gap step by step.
 //!
 //! At most some thousand marks are drawn, whatever the number of samples; the largest deviation is
 //! always among them.
@@ -78,6 +78,14 @@ fn thinned(samples: &[usize], most: usize, value: impl Fn(usize) -> f64) -> Vec<
         .max_by(|a, b| value(*a).total_cmp(&value(*b)));
     kept.extend(largest.filter(|i| !kept.contains(i)));
     kept
+}
+
+/// A name that leaves room for the rest of a label.
+pub(super) fn shortened(name: &str, most: usize) -> String {
+    if name.chars().count() <= most {
+        return name.to_owned();
+    }
+    name.chars().take(most - 1).chain(['…']).collect()
 }
 
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `value`; 1 where that makes no sense.
