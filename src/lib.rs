@@ -55,6 +55,7 @@ pub mod diagnosis;
 pub mod compensation;
 
 pub mod export;
+pub mod importers;
 pub mod pipeline;
 
 pub mod standards;

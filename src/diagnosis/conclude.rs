@@ -19,6 +19,7 @@ use super::limits;
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::Found as SearchEnd;
+use super::smooth;
 use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
@@ -87,7 +88,11 @@ pub(super) fn answer(
     let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
     let covariance = covariance(arena, fit);
     let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
-    let unexplained = unexplained(prepared, end, session);
+    let mut unexplained = unexplained(prepared, end, session);
+    if prepared.options().correct_unexplained {
+        let shapes: Vec<_> = unexplained.shapes.iter().map(|s| s.0).collect();
+        unexplained.correction = Some(smooth::correct(prepared, &shapes, &final_model));
+    }
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
@@ -115,7 +120,7 @@ pub(super) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: mended.problems.clone(),
+        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
         floor,
         gap,
         held_out,

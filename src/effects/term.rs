@@ -1,10 +1,13 @@
 //! An effect in a model: which joint, which setting, how large.
 
+use std::sync::Arc;
+
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
 use super::about::{DEGREE, Form, Quantity, Setting};
-use super::{Effect, find};
+use super::curve::Curve;
+use super::{Effect, UNEXPLAINED, find};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
 /// absent.
@@ -18,6 +21,8 @@ pub struct Term {
     pub setting: f64,
     /// What identification solves for.
     pub coefficients: Vec<f64>,
+    /// The curve of an unexplained correction, which no identification changes.
+    pub curve: Option<Arc<Curve>>,
 }
 
 /// One named value as the user reads it.
@@ -83,6 +88,7 @@ impl Term {
             joint,
             setting,
             coefficients: vec![0.0; effect.about().form.coefficients()],
+            curve: None,
         }
     }
 
@@ -102,6 +108,10 @@ impl Term {
         let about = effect.about();
         if joint == 0 || joint > joints {
             return Err(TermError::NoSuchJoint { joint, joints });
+        }
+        if id == UNEXPLAINED {
+            let (effect, name) = (about.id, "curve");
+            return Err(TermError::Missing { effect, name });
         }
         let known = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(effect, k));
         let is_known = |name: &str| known.iter().any(|names| names.contains(&name));
@@ -249,7 +259,9 @@ impl std::fmt::Debug for Term {
 
 impl PartialEq for Term {
     fn eq(&self, other: &Self) -> bool {
-        self.same_column(other) && self.coefficients == other.coefficients
+        self.same_column(other)
+            && self.coefficients == other.coefficients
+            && self.curve == other.curve
     }
 }
 
@@ -397,6 +409,8 @@ pub struct Placed {
     pub setting: f64,
     /// Coefficients in inner units.
     pub coefficients: Vec<f64>,
+    /// The curve of an unexplained correction.
+    pub curve: Option<Arc<Curve>>,
     /// Where its columns begin among the model's.
     pub first_column: usize,
     /// The joint's frame.

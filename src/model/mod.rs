@@ -204,6 +204,7 @@ impl Model {
                 joint: term.joint,
                 setting: term.setting,
                 coefficients: term.coefficients.clone(),
+                curve: term.curve.clone(),
                 first_column,
                 frame: JointFrame::new(&self.robot, term.joint),
                 down,

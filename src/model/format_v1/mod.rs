@@ -10,6 +10,7 @@
 //! The order of effects, keys and digits is fixed: the same model is the same file, byte for byte,
 //! and [`model_hash`] is what `sha256sum` says of it.
 
+mod curve;
 mod exact;
 mod read;
 mod term;
