@@ -1,12 +1,12 @@
 //! The gap step by step, from the nominal robot to the model with everything that was found. A bar
 //! is the gap of the samples that were fitted, a diamond that of samples that no fit has seen.
 
-use super::FULL_WIDTH;
+use super::{FULL_WIDTH, shortened};
 use crate::model::GapStep;
 use crate::report::drawing::{
     AFTER, BEFORE, CORRECTED, Colour, Drawing, INK, Item, Label, MUTED, Shape, Stroke,
 };
-use crate::report::numbers::plain;
+use crate::report::numbers::{plain, short};
 
 const ROW: f64 = 17.0;
 const TOP: f64 = 20.0;
@@ -39,7 +39,12 @@ pub fn waterfall(steps: &[GapStep], floor_mm: Option<f64>, tolerance_mm: Option<
     for (k, step) in shown.iter().enumerate() {
         let y = TOP + ROW * k as f64;
         let middle = y + ROW / 2.0;
-        drawing.text(Label::new([0.0, middle + 2.8], step.what.clone(), 8.0, INK));
+        drawing.text(Label::new(
+            [0.0, middle + 2.8],
+            shortened(&step.what, 34),
+            8.0,
+            INK,
+        ));
         let colour = colour(k, shown.len());
         let length = (step.gap_mm * scale).max(0.8);
         drawing
@@ -90,7 +95,7 @@ pub fn waterfall(steps: &[GapStep], floor_mm: Option<f64>, tolerance_mm: Option<
             [legend + 18.0, bottom + 8.0],
             stroke,
         );
-        let label = format!("{name} {} mm", plain(mm));
+        let label = format!("{name} {} mm", short(mm));
         drawing.text(Label::new(
             [legend + 22.0, bottom + 10.5],
             label,
