@@ -201,6 +201,9 @@ fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
     assert!(says(&window, "A part of the gap is explained"));
     let identified = gap_mm(&window);
     assert!(says(&window, "held-out gap, corrected"));
+    // It stands below the fold of the list.
+    window.get_by_label("Add smooth correction").scroll_to_me();
+    window.run_steps(4);
     press(&mut window, "Add smooth correction");
 
     // The name that was found comes along, and what is left is noise.
