@@ -57,7 +57,7 @@ pub(super) fn answer(
     } else {
         &names
     };
-    let final_model = on_all_samples(prepared, fit);
+    let final_model = on_all_samples(prepared, fit).settled();
     let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
     let identified = deviations(problem, &on_all_samples(prepared, &base));
     let after = deviations(problem, &final_model);
@@ -120,7 +120,7 @@ pub(super) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: mended.problems.clone(),
+        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
         floor,
         gap,
         held_out,

@@ -42,6 +42,7 @@ mod conclude;
 mod floor;
 mod ground;
 mod held_out;
+mod incomplete;
 mod leftover;
 mod linear;
 mod prepare;

@@ -153,6 +153,9 @@ impl Term {
                 let phase = crate::units::rad_from_deg(value("phase_deg").unwrap_or(0.0));
                 term.coefficients = vec![amplitude * phase.cos(), amplitude * phase.sin()];
             }
+            Form::Fading(quantity) => {
+                term.coefficients[0] = inner_value(quantity).unwrap_or(0.0);
+            }
         }
         Ok(term)
     }
@@ -168,7 +171,7 @@ impl Term {
         let mut parameters = Vec::new();
         if let Some(quantity) = setting_quantity(about.setting) {
             let Quantity { name, inner } = quantity.on(kind);
-            let value = self.setting / inner;
+            let value = self.scanned() / inner;
             parameters.push(Parameter { name, value });
         }
         match about.form {
@@ -192,8 +195,47 @@ impl Term {
                     value: crate::units::deg_from_rad(wrapped_positive(b.atan2(a))),
                 });
             }
+            Form::Fading(quantity) => {
+                let quantity = quantity.on(kind);
+                parameters.push(Parameter {
+                    name: quantity.name,
+                    value: self.coefficients[0] / quantity.inner,
+                });
+            }
         }
         parameters
+    }
+
+    /// The scanned parameter with what was solved for beside it, inner units.
+    fn scanned(&self) -> f64 {
+        match self.effect.about().form {
+            Form::Fading(_) => fade(self.setting, self.coefficients[1]),
+            Form::Plain(_) | Form::Harmonic(_) => self.setting,
+        }
+    }
+
+    /// The same effect, bit by bit, with the fade that was solved for as its setting.
+    #[must_use]
+    pub fn settled(&self) -> Self {
+        let mut settled = self.clone();
+        settled.setting = self.scanned();
+        if let Form::Fading(_) = self.effect.about().form {
+            settled.coefficients[1] = 0.0;
+        }
+        settled
+    }
+
+    /// The coefficients after a step, which moves no fade by more than a factor [`e^½`](fade) at
+    /// once: far from the solution a linear step means nothing for it.
+    pub(crate) fn step(&mut self, by: &[f64]) {
+        for (coefficient, by) in self.coefficients.iter_mut().zip(by) {
+            *coefficient += by;
+        }
+        if let (Form::Fading(_), Some(by)) = (self.effect.about().form, by.get(1)) {
+            let before = self.coefficients[1] - by;
+            let moved = before + by.clamp(-LONGEST_STEP, LONGEST_STEP);
+            self.coefficients[1] = moved.clamp(-FARTHEST, FARTHEST);
+        }
     }
 
     /// Whether two terms are the same effect on the same joint at the same setting.
@@ -223,6 +265,16 @@ impl PartialEq for Term {
     }
 }
 
+/// How far a fade moves in one step, and from its setting, as logarithms.
+const LONGEST_STEP: f64 = 0.5;
+const FARTHEST: f64 = 3.0;
+
+/// The fade of a setting and its coefficient u: f₀ eᵘ.
+pub(super) fn fade(setting: f64, u: f64) -> f64 {
+    // Times one is exact, so a settled term acts like the one it came from, bit by bit.
+    setting * u.exp()
+}
+
 /// Name and inner size of the scanned parameter, where the user sees one.
 pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
     let quantity = |name, inner| Some(Quantity { name, inner });
@@ -247,6 +299,22 @@ pub fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
     match about.form {
         Form::Plain(quantities) => names.extend(quantities.iter().map(|q| q.on(kind).name)),
         Form::Harmonic(quantity) => names.extend([quantity.name, "phase_deg"]),
+        Form::Fading(quantity) => names.push(quantity.on(kind).name),
+    }
+    names
+}
+
+/// Names of what identification solves for, one for each coefficient; an amplitude and its phase
+/// stand for their two parts.
+pub fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
+    let mut names = names_on(effect, kind);
+    match effect.about().form {
+        // The fade is shown first and solved for last.
+        Form::Fading(_) => names.reverse(),
+        form => {
+            let settings = names.len().saturating_sub(form.coefficients());
+            names.drain(..settings);
+        }
     }
     names
 }

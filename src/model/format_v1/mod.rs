@@ -18,7 +18,7 @@ mod write;
 
 pub(crate) use term::term;
 
-pub use read::{load_model, read_model};
+pub use read::{is_model, load_model, read_model};
 pub use write::{model_hash, write_model};
 
 /// What the key `format` says.
