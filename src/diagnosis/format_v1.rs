@@ -133,7 +133,7 @@ struct Unexplained {
     says: String,
     /// Only where it was asked for; null where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    correction: Option<Option<correction::Correction>>,
+    correction: Option<correction::Answer>,
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_correction_because: Option<String>,
@@ -242,10 +242,7 @@ impl Document {
                 place: d.unexplained.place.clone().map(place),
                 resembles: d.unexplained.resembles.clone(),
                 says: d.unexplained.says.clone(),
-                correction: d.unexplained.correction.as_ref().map(|c| {
-                    let corrected = c.as_ref().ok();
-                    corrected.and_then(|c| correction::Correction::of(c, session))
-                }),
+                correction: correction::Answer::of(&d.unexplained, session),
                 no_correction_because: match &d.unexplained.correction {
                     Some(Err(because)) => Some(because.clone()),
                     _ => None,

@@ -2,12 +2,27 @@
 
 use serde::Serialize;
 
+use crate::diagnosis::Unexplained;
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
+/// Null where none was made.
 #[derive(Debug, Serialize)]
-pub(super) struct Correction {
+#[serde(transparent)]
+pub(super) struct Answer(Option<Correction>);
+
+impl Answer {
+    /// `None` where nobody asked for a correction.
+    pub(super) fn of(left: &Unexplained, session: &Session) -> Option<Self> {
+        let asked = left.correction.as_ref()?;
+        let made = asked.as_ref().ok();
+        Some(Self(made.and_then(|c| Correction::of(c, session))))
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct Correction {
     joint: usize,
     gap_before_mm: f64,
     gap_after_mm: f64,
@@ -25,7 +40,7 @@ pub(super) struct Correction {
 }
 
 impl Correction {
-    pub(super) fn of(c: &crate::diagnosis::Correction, session: &Session) -> Option<Self> {
+    fn of(c: &crate::diagnosis::Correction, session: &Session) -> Option<Self> {
         let knots = c.curve()?.knots();
         let joint = c.term.joint;
         let turns = session.robot.joints[joint].kind == JointKind::Revolute;
