@@ -35,6 +35,7 @@ pub mod next_poses;
 mod arena;
 mod held_out;
 mod linear;
+mod mending;
 mod prepare;
 mod search;
 mod significance;
@@ -44,6 +45,7 @@ pub use answer::{
 };
 pub use candidates::Allowed;
 pub use measuring_list::measuring_list;
+pub use mending::Mend;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;

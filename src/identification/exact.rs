@@ -15,7 +15,7 @@ use crate::sessions::{Session, Sigma};
 use super::IdentifyError;
 use super::gap::{Deviations, Spread, deviations};
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
-use super::problem::{Problem, unusable};
+use super::problem::{Problem, Watch, unusable};
 use super::robust::suspects;
 use super::solver::{Solution, Stopped, solve};
 use super::uncertainty::{estimates, half_width_factor};
@@ -52,7 +52,22 @@ pub fn identify_with(
     known: &[Term],
     values: JointValues,
 ) -> Result<Identification, IdentifyError> {
+    identify_watched(session, effects, known, values, &|| true)
+}
+
+/// Like [`identify_with`], asking before every pass over the samples whether to go on.
+///
+/// # Errors
+/// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `go_on` said no.
+pub fn identify_watched(
+    session: &Session,
+    effects: &[String],
+    known: &[Term],
+    values: JointValues,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Identification, IdentifyError> {
     let mut problem = Problem::new(session, values);
+    problem.watch = Watch::by(go_on);
     if problem.samples() == 0 {
         return Err(IdentifyError::NothingToFit);
     }
@@ -88,6 +103,9 @@ pub fn identify_with(
         .iter()
         .fold(start, |model, term| model.with_term(term.clone()));
     let fitted = fit_without_outliers(&mut problem, &start);
+    if fitted.stopped == Stopped::Cancelled || !go_on() {
+        return Err(IdentifyError::Cancelled);
+    }
     Ok(report(
         session,
         &problem,
@@ -161,6 +179,9 @@ pub fn report(
 pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     let mut solution = solve(problem, start);
     for round in 0..MOST_ROUNDS {
+        if solution.stopped == Stopped::Cancelled {
+            break;
+        }
         let after = deviations(problem, &solution.model);
         let suspected = suspects(problem, &after);
         let used: Vec<bool> = problem
