@@ -66,6 +66,45 @@ pub fn identify_watched(
     values: JointValues,
     go_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyError> {
+    let Prepared {
+        mut problem,
+        start,
+        nominal,
+        not_identifiable,
+    } = prepare(session, effects, known, values, go_on)?;
+    let fitted = fit_without_outliers(&mut problem, &start);
+    if fitted.stopped == Stopped::Cancelled || !go_on() {
+        return Err(IdentifyError::Cancelled);
+    }
+    Ok(report(
+        session,
+        &problem,
+        fitted,
+        &nominal,
+        not_identifiable,
+    ))
+}
+
+/// What a fit begins with.
+pub(super) struct Prepared<'a> {
+    /// The samples.
+    pub(super) problem: Problem<'a>,
+    /// The terms to fit, with their best settings.
+    pub(super) start: Model,
+    /// The robot without them.
+    pub(super) nominal: Model,
+    /// What was asked for and cannot be fitted.
+    pub(super) not_identifiable: Vec<NotIdentifiable>,
+}
+
+/// Looks which of the effects the session can show, and scans those with a setting.
+pub(super) fn prepare<'a>(
+    session: &'a Session,
+    effects: &[String],
+    known: &[Term],
+    values: JointValues,
+    go_on: &'a dyn Fn() -> bool,
+) -> Result<Prepared<'a>, IdentifyError> {
     let mut problem = Problem::new(session, values);
     problem.watch = Watch::by(go_on);
     if problem.samples() == 0 {
@@ -102,17 +141,12 @@ pub fn identify_watched(
     let start = known
         .iter()
         .fold(start, |model, term| model.with_term(term.clone()));
-    let fitted = fit_without_outliers(&mut problem, &start);
-    if fitted.stopped == Stopped::Cancelled || !go_on() {
-        return Err(IdentifyError::Cancelled);
-    }
-    Ok(report(
-        session,
-        &problem,
-        fitted,
-        &nominal,
+    Ok(Prepared {
+        problem,
+        start,
+        nominal,
         not_identifiable,
-    ))
+    })
 }
 
 /// The answer for a model that was fitted elsewhere (the diagnosis does), on a problem whose

@@ -14,6 +14,7 @@ pub mod uncertainty;
 
 mod adaptive;
 mod exact;
+mod live;
 mod outcome;
 mod plane;
 mod regional;
@@ -24,6 +25,7 @@ pub use exact::{
     DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_watched, identify_with, report,
     testable_effects,
 };
+pub use live::{Live, identify_live};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
 };

@@ -63,6 +63,11 @@ impl Growing {
         &self.path
     }
 
+    /// Whether a file of this length was read to its end.
+    pub fn has_read(&self, length: u64) -> bool {
+        self.read_to == length
+    }
+
     /// Looks at the file, and reads what is new.
     ///
     /// # Errors

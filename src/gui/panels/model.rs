@@ -60,7 +60,7 @@ fn history(ui: &mut Ui, units: Units, answer: &Answer) {
 
 /// What the model does on the session that is open.
 pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
-    let number = |mm: f64| significant(units.length_value(mm), 3);
+    let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         title(ui, "Held against this session");
         widgets::fact(ui, "samples", verification.samples.to_string());

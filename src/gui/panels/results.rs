@@ -143,7 +143,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let found = &answer.identification;
-    let number = |mm: f64| significant(units.length_value(mm), 3);
+    let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         let method = match found.method {
             "regional" => "Gap, by region",
@@ -297,7 +297,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                         ui.label(RichText::new(half).size(size::SMALL).color(palette.muted));
                     });
                 }
-                let mm = |mm: f64| significant(units.length_value(mm), 3);
+                let mm = |mm: f64| units.length_number(mm);
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.y = 0.0;
                     ui.label(mm(result.rms_after_mm));
