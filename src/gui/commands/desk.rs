@@ -359,9 +359,10 @@ impl Workbench {
         let now = self.history.present();
         let kept = self.desk.kept.as_ref();
         self.desk.keeper.is_some()
-            && match kept {
-                Some(kept) => !Arc::ptr_eq(kept, now),
-                None => self.unsaved(),
+            && match (kept, self.unsaved()) {
+                (Some(kept), true) => !Arc::ptr_eq(kept, now),
+                (Some(_), false) | (None, true) => true,
+                (None, false) => !self.desk.restored.is_empty(),
             }
     }
 

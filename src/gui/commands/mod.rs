@@ -14,7 +14,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub(crate) use command::Command;
-pub(crate) use desk::Losses;
 
 use desk::Desk;
 

@@ -1,6 +1,6 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
-use egui::{Align, Button, Layout, MenuBar, RichText, Ui};
+use egui::{Align, Button, Layout, MenuBar, Response, RichText, Role, Ui, WidgetInfo};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::files::EXAMPLES;
@@ -85,6 +85,13 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     ui.label(RichText::new(says).size(size::SMALL).color(palette.muted));
 }
 
+/// An item goes by its text alone, without its keys.
+fn named(response: Response, text: &str) -> Response {
+    let enabled = response.enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, text));
+    response
+}
+
 fn item(
     ui: &mut Ui,
     workbench: &Workbench,
@@ -95,7 +102,7 @@ fn item(
 ) {
     let keys = shortcuts::keys(ui.ctx(), action);
     let button = Button::new(text).shortcut_text(keys);
-    if ui.add_enabled(enabled, button).clicked() {
+    if named(ui.add_enabled(enabled, button), text).clicked() {
         let dark = ui.visuals().dark_mode;
         commands.push(shortcuts::command_for(action, workbench, dark));
         ui.close();
@@ -110,6 +117,7 @@ fn file(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         for (index, example) in EXAMPLES.iter().enumerate() {
             let keys = shortcuts::keys(ui.ctx(), Action::Example(index));
             let button = ui.add(Button::new(example.name).shortcut_text(keys));
+            let button = named(button, example.name);
             if button.on_hover_text(example.what).clicked() {
                 commands.push(Command::OpenExample(index));
                 ui.close();
@@ -144,7 +152,7 @@ fn file(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     );
     let keys = shortcuts::keys(ui.ctx(), Action::SaveToPath);
     let to_path = Button::new("Save session to path…").shortcut_text(keys);
-    if ui.add_enabled(measured, to_path).clicked() {
+    if named(ui.add_enabled(measured, to_path), "Save session to path…").clicked() {
         commands.push(unsaved::typed_path(workbench));
         ui.close();
     }
@@ -187,7 +195,7 @@ fn file(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let keys = shortcuts::keys(ui.ctx(), Action::Follow);
     let button = Button::new(text).shortcut_text(keys);
-    if ui.add_enabled(can, button).clicked() {
+    if named(ui.add_enabled(can, button), text).clicked() {
         commands.push(Command::Follow(!follows));
         ui.close();
     }
@@ -215,7 +223,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                     String::new()
                 };
                 let button = Button::new(name.clone()).shortcut_text(keys);
-                let button = ui.add_enabled(*there, button);
+                let button = named(ui.add_enabled(*there, button), &name);
                 let button = button.on_hover_text(path.display().to_string());
                 if button.clicked() {
                     commands.push(Command::OpenFile(path.to_path_buf()));
@@ -243,13 +251,13 @@ fn edit(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_min_width(240.0);
     let undo = workbench.undoes();
     let redo = workbench.redoes();
-    let named = |verb: &str, what: Option<&str>| {
+    let with = |verb: &str, what: Option<&str>| {
         what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"))
     };
     item(
         ui,
         workbench,
-        &named("Undo", undo),
+        &with("Undo", undo),
         Action::Undo,
         undo.is_some(),
         commands,
@@ -257,7 +265,7 @@ fn edit(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     item(
         ui,
         workbench,
-        &named("Redo", redo),
+        &with("Redo", redo),
         Action::Redo,
         redo.is_some(),
         commands,
@@ -352,7 +360,7 @@ fn choice(
 ) {
     let keys = shortcuts::keys(ui.ctx(), action);
     let button = Button::selectable(on, text).shortcut_text(keys);
-    if ui.add(button).clicked() {
+    if named(ui.add(button), text).clicked() {
         let dark = ui.visuals().dark_mode;
         commands.push(shortcuts::command_for(action, workbench, dark));
         ui.close();

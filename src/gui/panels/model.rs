@@ -6,7 +6,7 @@ use crate::compensation::Verification;
 use crate::gui::commands::Workbench;
 use crate::gui::outcome::{Answer, Loaded};
 use crate::gui::tokens::{size, strong};
-use crate::gui::units::{Units, significant, trimmed};
+use crate::gui::units::{Units, trimmed};
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;

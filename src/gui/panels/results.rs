@@ -7,7 +7,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::given;
 use crate::gui::outcome::Answer;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::{significant, trimmed, with_interval};
+use crate::gui::units::{trimmed, with_interval};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};

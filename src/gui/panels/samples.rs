@@ -6,7 +6,7 @@ use egui_extras::{Column, TableBuilder};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::{significant, trimmed};
+use crate::gui::units::trimmed;
 
 const ROW: f32 = 22.0;
 

@@ -5,7 +5,6 @@ use egui::{Align, Layout, RichText, Spinner, Ui};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::significant;
 
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
