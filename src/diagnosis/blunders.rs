@@ -19,10 +19,10 @@ use crate::model::Model;
 use crate::sessions::{Samples, Session, Setups};
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::Options;
+use super::{Mend, Options};
 
 /// A mistake in the data, its evidence, and how to mend it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DataProblem {
     /// What is wrong.
     pub what: String,
@@ -30,6 +30,10 @@ pub struct DataProblem {
     pub evidence: String,
     /// What to do.
     pub proposal: String,
+    /// The same as a change of the session, where that is mechanical.
+    pub mend: Option<Mend>,
+    /// The samples that it is about, counted from 0; empty where it is about all of them.
+    pub samples: Vec<usize>,
 }
 
 /// A session with its blunders mended, and what they were.
@@ -75,7 +79,7 @@ pub fn mend<'a>(session: &'a Session, options: &Options) -> Mended<'a> {
 struct Hypothesis {
     what: String,
     proposal: String,
-    change: Box<dyn Fn(&mut Session)>,
+    mend: Mend,
 }
 
 fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataProblem)> {
@@ -91,7 +95,7 @@ fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataP
     let mut best: Option<(f64, Hypothesis)> = None;
     for hypothesis in hypotheses(&sample) {
         let mut trial = sample.clone();
-        (hypothesis.change)(&mut trial);
+        hypothesis.mend.apply(&mut trial);
         let Some(after) = base_gap(&trial, options) else {
             continue;
         };
@@ -103,13 +107,15 @@ fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataP
     }
     let (after, hypothesis) = best?;
     let mut better = session.clone();
-    (hypothesis.change)(&mut better);
+    hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
         evidence: format!(
             "with zero offset and link length fitted the gap is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
         ),
         what: hypothesis.what,
         proposal: hypothesis.proposal,
+        mend: Some(hypothesis.mend),
+        samples: Vec::new(),
     };
     Some((better, problem))
 }
@@ -176,11 +182,11 @@ const LARGEST_OFFSET_DEG: f64 = 45.0;
 )]
 fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     let mut all = Vec::new();
-    let mut push = |what: String, proposal: String, change: Box<dyn Fn(&mut Session)>| {
+    let mut push = |what: String, proposal: String, mend: Mend| {
         all.push(Hypothesis {
             what,
             proposal,
-            change,
+            mend,
         });
     };
     for joint in 0..session.robot.joints.len() {
@@ -190,7 +196,10 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             format!(
                 "reverse the sign of joint {number} in the robot's description or in the samples"
             ),
-            Box::new(move |s| scale_joint(s, joint, -1.0)),
+            Mend::ScaleJoint {
+                joint,
+                factor: -1.0,
+            },
         );
         if session.robot.joints[joint].kind != JointKind::Revolute {
             continue;
@@ -202,18 +211,17 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             push(
                 format!("the values of joint {number} {what}"),
                 format!("correct the unit in the heading of q{number}"),
-                Box::new(move |s| scale_joint(s, joint, factor)),
+                Mend::ScaleJoint { joint, factor },
             );
         }
         for turn in [90.0, -90.0, 180.0] {
             push(
                 format!("the home position of joint {number} is off by {turn}°"),
                 format!("add {turn}° to joint {number} at home, or home the joint again"),
-                Box::new(move |s| {
-                    for q in &mut s.samples.q[joint] {
-                        *q += rad_from_deg(turn);
-                    }
-                }),
+                Mend::TurnHome {
+                    joint,
+                    by_rad: rad_from_deg(turn),
+                },
             );
         }
     }
@@ -227,19 +235,7 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         push(
             format!("the measured coordinates are {what}"),
             "correct the unit in the headings of x, y and z".to_owned(),
-            Box::new(move |s| {
-                let samples = &mut s.samples;
-                let columns = [
-                    Some(&mut samples.x_mm),
-                    Some(&mut samples.y_mm),
-                    samples.z_mm.as_mut(),
-                ];
-                for column in columns.into_iter().flatten() {
-                    for value in column {
-                        *value *= factor;
-                    }
-                }
-            }),
+            Mend::ScaleLengths(factor),
         );
     }
     if session.samples.z_mm.is_some() {
@@ -253,14 +249,14 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             push(
                 format!("the measured axes {what} are swapped"),
                 "exchange the headings of the measured columns".to_owned(),
-                Box::new(move |s| permute(&mut s.samples, order)),
+                Mend::Reorder(order),
             );
         }
     } else {
         push(
             "the measured axes x and y are swapped".to_owned(),
             "exchange the headings of the measured columns".to_owned(),
-            Box::new(|s| std::mem::swap(&mut s.samples.x_mm, &mut s.samples.y_mm)),
+            Mend::Reorder([1, 0, 2]),
         );
     }
     if let Some(frame) = misaligned_frame(session) {
@@ -272,13 +268,7 @@ fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                 "align the instrument (turned by {turn:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or give the samples a `setup` column so that the frame is fitted",
                 t.x, t.y, t.z
             ),
-            Box::new(|s| {
-                let n = s.samples.len();
-                s.samples.setups = Some(Setups {
-                    names: vec!["1".to_owned()],
-                    index: vec![0; n],
-                });
-            }),
+            Mend::FreeFrame,
         );
     }
     all
@@ -305,30 +295,6 @@ fn misaligned_frame(session: &Session) -> Option<Isometry3<f64>> {
 /// Ten times what is usual for a tilt or an offset of the base.
 const LEAST_TURN_DEG: f64 = 1.5;
 const LEAST_MOVE_MM: f64 = 60.0;
-
-fn scale_joint(session: &mut Session, joint: usize, factor: f64) {
-    let samples = &mut session.samples;
-    let scale = |column: &mut Vec<f64>| column.iter_mut().for_each(|v| *v *= factor);
-    scale(&mut samples.q[joint]);
-    samples.q_read[joint].iter_mut().for_each(scale);
-    samples.speed[joint].iter_mut().for_each(scale);
-    if factor < 0.0 {
-        samples.dir[joint].iter_mut().for_each(scale);
-    }
-}
-
-/// The column that now stands at place `order[k]` becomes the k-th.
-fn permute(samples: &mut Samples, order: [usize; 3]) {
-    let Some(z) = samples.z_mm.take() else { return };
-    let old = [
-        std::mem::take(&mut samples.x_mm),
-        std::mem::take(&mut samples.y_mm),
-        z,
-    ];
-    samples.x_mm.clone_from(&old[order[0]]);
-    samples.y_mm.clone_from(&old[order[1]]);
-    samples.z_mm = Some(old[order[2]].clone());
-}
 
 /// Every so many-th sample, so that a trial is quick.
 fn thinned(session: &Session) -> Session {
@@ -387,6 +353,8 @@ fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
         what: format!("the instrument lost the reflector in {}", listed(&lost)),
         evidence: "it wrote 0, 0, 0".to_owned(),
         proposal: "these samples are left out; measure them again".to_owned(),
+        mend: Some(Mend::Remove(lost.clone())),
+        samples: lost,
     });
 }
 
@@ -432,6 +400,8 @@ fn mislocked(session: &Session, options: &Options, problems: &mut Vec<DataProble
                 evidence: format!("the points lie where {name} should be"),
                 proposal: "these samples are left out; correct their target or measure them again"
                     .to_owned(),
+                mend: Some(Mend::Remove(close.clone())),
+                samples: close,
             });
         }
     }
@@ -452,6 +422,8 @@ fn mislocked(session: &Session, options: &Options, problems: &mut Vec<DataProble
             ),
             evidence: "the measured point stays while the robot moves".to_owned(),
             proposal: "these samples are left out; measure them again".to_owned(),
+            mend: Some(Mend::Remove(stuck.clone())),
+            samples: stuck,
         });
     }
 }
@@ -490,6 +462,8 @@ fn lagging_read_back(session: &Session, problems: &mut Vec<DataProblem>) {
             proposal: format!(
                 "read joint {number} back at standstill; with --joint-values read the lag looks like backlash"
             ),
+            mend: None,
+            samples: Vec::new(),
         });
     }
 }

@@ -55,6 +55,8 @@ pub(super) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
             shown.join(", ")
         ),
         proposal: "they were left out of the diagnosis; fill in the cells to use them".to_owned(),
+        samples: lacking,
+        mend: None,
     })
 }
 

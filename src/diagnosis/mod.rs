@@ -45,6 +45,7 @@ mod held_out;
 mod incomplete;
 mod leftover;
 mod linear;
+mod mending;
 mod prepare;
 mod search;
 mod shapes;
@@ -59,6 +60,7 @@ pub use answer::{
 };
 pub use candidates::Allowed;
 pub use measuring_list::measuring_list;
+pub use mending::Mend;
 pub use regional_start::{RegionalStart, regional_start};
 pub use smooth::Correction;
 

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::effects::Term;
 use crate::export::{EXPORTERS, find};
-use crate::identification::DEFAULT_EFFECTS;
 use crate::identification::regions::RegionChoice;
+use crate::identification::{DEFAULT_EFFECTS, Live};
 use crate::model::RegionalCorrection;
 use crate::sessions::{Region, Session};
 
@@ -184,6 +184,8 @@ impl Document {
                 },
                 (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
             },
+            live: false,
+            before: None,
         })
     }
 }
@@ -195,6 +197,10 @@ pub(crate) struct Question {
     pub(crate) subject: Arc<Subject>,
     /// What.
     pub(crate) asks: Asks,
+    /// Whether more samples are to come.
+    pub(crate) live: bool,
+    /// What the answer left when there were fewer samples.
+    pub(crate) before: Option<Arc<Live>>,
 }
 
 /// The part of a [`Question`] beside the session.

@@ -30,6 +30,8 @@ pub enum Stopped {
     TooManySteps,
     /// No step, however short, made the fit better.
     NoDescent,
+    /// Nobody wants the answer any more.
+    Cancelled,
 }
 
 impl Stopped {
@@ -41,6 +43,7 @@ impl Stopped {
             Self::TooManySteps => {
                 "stopped after the largest number of steps: the result may be rough"
             }
+            Self::Cancelled => "cancelled",
             Self::NoDescent => "stopped where no step made the fit better: the result may be rough",
         }
     }
@@ -210,6 +213,9 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
     let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
     let coarse: Vec<usize> = (0..COARSE_BLOCKS).map(spaced).collect();
     let near = descend(problem, start, &coarse);
+    if near.stopped == Stopped::Cancelled {
+        return near;
+    }
     polish(problem, &near.model, &blocks, near.passes)
 }
 
@@ -226,6 +232,9 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
         }
         if passes > MOST_STEPS {
             break Stopped::TooManySteps;
+        }
+        if !problem.watch.goes_on() {
+            break Stopped::Cancelled;
         }
         let step = spectrum.step(&normal.gradient, damping);
         let trial = moved(&model, &step);

@@ -10,8 +10,11 @@ use crate::gui::units::significant;
 use crate::gui::view::{Lower, Plane, Step};
 use crate::gui::widgets;
 
+use super::disk;
+
 /// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    disk::show(ui, workbench, commands);
     message(ui, workbench, commands);
     let palette = Palette::of(ui);
     let height = ui.available_height();
