@@ -9,6 +9,7 @@ mod effects;
 mod export;
 mod failure;
 mod identify;
+mod import;
 mod output;
 mod report;
 mod simulate;
@@ -36,6 +37,8 @@ struct Arguments {
 enum Command {
     /// Make a session by simulation from a scenario
     Simulate(simulate::Simulate),
+    /// Make a session of a file that an instrument wrote
+    Import(Box<import::Import>),
     /// Identify a session's robot: the exact fit, or the paper's method by regions
     Identify(identify::Identify),
     /// Find what is missing, name it, and prove it on unseen samples
@@ -61,6 +64,7 @@ pub(crate) fn run() -> ExitCode {
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
+        Some(Command::Import(command)) => command.run(),
         Some(Command::Diagnose(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Standards(command)) => command.run(),

@@ -89,10 +89,7 @@ pub(super) fn answer(
     let covariance = covariance(arena, fit);
     let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
     let mut unexplained = unexplained(prepared, end, session);
-    if prepared.options().correct_unexplained {
-        let shapes: Vec<_> = unexplained.shapes.iter().map(|s| s.0).collect();
-        unexplained.correction = Some(smooth::correct(prepared, &shapes, &final_model));
-    }
+    unexplained.correction = smooth::asked(prepared, &unexplained, &final_model);
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,

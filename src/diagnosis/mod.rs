@@ -12,6 +12,8 @@
 //! 7. [`limits`]: what would have been seen, had it been there.
 //! 8. [`smooth`]: what no name explains, as a correction without a name.
 //!
+//! [`regional_start`](mod@regional_start) holds the paper's regional model against the answer.
+//!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
 
@@ -32,6 +34,7 @@ pub mod format_v1;
 pub mod limits;
 pub mod measuring_list;
 pub mod next_poses;
+pub mod regional_start;
 pub mod smooth;
 
 mod arena;
@@ -56,6 +59,7 @@ pub use answer::{
 };
 pub use candidates::Allowed;
 pub use measuring_list::measuring_list;
+pub use regional_start::{RegionalStart, regional_start};
 pub use smooth::Correction;
 
 use crate::effects::JointValues;

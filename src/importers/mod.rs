@@ -11,10 +11,15 @@
 //!
 //! A new format is one file like [`tum`] and one line in [`IMPORTERS`].
 
+mod assembled;
+mod averages;
+mod base;
+mod beside;
 mod case;
 mod clock;
 mod clock_text;
 mod columns;
+mod commanded;
 mod csv;
 mod decimals;
 mod grid;
@@ -105,7 +110,7 @@ fn read(bytes: &[u8], reading: &Reading) -> (Inspection, Option<Columns>) {
     let (text, encoding) = match text::decode(bytes, &place, &mut found.findings) {
         Ok(decoded) => decoded,
         Err(error) => {
-            found.findings.push(error);
+            found.findings.push(*error);
             return (found, None);
         }
     };

@@ -27,6 +27,7 @@ pub(crate) mod table;
 pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
+pub use files::read_document as read_whole;
 pub use hash::hash_of_samples;
 pub use lines::Lines;
 pub use load::{Loaded, LoadedRobot, load, load_robot, parse, parse_robot, parse_with_csv};
