@@ -2,8 +2,8 @@
 //! that is, what it brings, what stays open.
 //!
 //! A [`Report`] is built once, from a session ([`Report::of_session`], which runs the diagnosis) or
-//! from a model file ([`Report::of_model`]), and rendered by [`html`] or [`pdf`]: both say the same.
-//! The same input gives the same bytes; there is no clock, the date is a line to fill in.
+//! from a model file ([`Report::of_model`]), and rendered by [`html`](fn@html) or [`pdf`](fn@pdf):
+//! both say the same. The same input gives the same bytes; there is no clock, the date is a line to fill in.
 //!
 //! - [`document`]: sections and blocks. `session`, `findings`, `stages`,
 //!   `calibration`, `accuracy`, `parts`: what goes in.

@@ -33,6 +33,9 @@ pub(super) fn short(value: f64) -> String {
 
 /// A size with three significant digits.
 pub(super) fn three_digits(size: f64) -> String {
+    if size.abs() < 1e-9 {
+        return "0".to_owned();
+    }
     minus(&format!("{size:.*}", decimals_for(size, 3)))
 }
 

@@ -265,7 +265,7 @@ impl Told<'_> {
         let (d, v) = (self.found, self.verification);
         let mut table = Table::new(&["Gap, mm", ">Fit", ">Unseen", ">Largest", ">Over the floor"]);
         let times = |mm: f64| {
-            if d.floor.mm > 0.0 {
+            if d.floor.mm > 1e-9 {
                 format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
             } else {
                 "–".to_owned()

@@ -54,7 +54,8 @@ fn highest(stages: &Stages, stage: &Stage) -> f64 {
     let top = lines
         .filter(|mm| *mm <= 4.0 * largest)
         .fold(largest, f64::max);
-    if top > 0.0 { top } else { 1.0 }
+    // Below that there is only rounding to see.
+    top.max(1e-6)
 }
 
 fn draw(stages: &Stages, stage: &Stage, panel: &Panel, drawing: &mut Drawing) {
