@@ -187,29 +187,7 @@ fn in_words(d: &Diagnosis) -> String {
             rival.separate_by
         );
     }
-    if d.unexplained.present {
-        let _ = writeln!(
-            text,
-            "unexplained: {:.4} mm, {}",
-            d.unexplained.rms_mm, d.unexplained.says
-        );
-        if !d.unexplained.resembles.is_empty() {
-            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
-        }
-    }
-    match &d.unexplained.correction {
-        None => {}
-        Some(Ok(correction)) => {
-            let _ = writeln!(
-                text,
-                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
-                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
-            );
-        }
-        Some(Err(because)) => {
-            let _ = writeln!(text, "no smooth correction was added: {because}");
-        }
-    }
+    unexplained_in_words(&mut text, d);
     for pose in &d.not_testable {
         let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
     }
@@ -242,6 +220,33 @@ fn in_words(d: &Diagnosis) -> String {
         );
     }
     text
+}
+
+/// What no name explains, and its correction where one was asked for.
+fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
+    if d.unexplained.present {
+        let _ = writeln!(
+            text,
+            "unexplained: {:.4} mm, {}",
+            d.unexplained.rms_mm, d.unexplained.says
+        );
+        if !d.unexplained.resembles.is_empty() {
+            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
+        }
+    }
+    match &d.unexplained.correction {
+        None => {}
+        Some(Ok(correction)) => {
+            let _ = writeln!(
+                text,
+                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
+                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
+            );
+        }
+        Some(Err(because)) => {
+            let _ = writeln!(text, "no smooth correction was added: {because}");
+        }
+    }
 }
 
 /// A size with three significant digits.
