@@ -13,7 +13,7 @@
 //!    where it was meant to, and what no joint can remove.
 //! 6. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
-//! [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
+//! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
 //!
 //! ```
 //! use truepose::pipeline::{Method, calibrate};
