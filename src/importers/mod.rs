@@ -9,7 +9,7 @@
 //! person can answer; the answers go into [`Reading`], and [`import`] makes the session or refuses
 //! with every reason and its place. The command line and the window ask the same questions.
 //!
-//! A new format is one file like [`tum`] and one line in [`IMPORTERS`].
+//! A new format is one file like `tum.rs` and one line in [`IMPORTERS`].
 
 mod assembled;
 mod averages;
