@@ -182,8 +182,13 @@ fn in_words(d: &Diagnosis) -> String {
     if !d.next_poses.is_empty() {
         let _ = writeln!(
             text,
-            "{} poses would decide; --json lists them",
-            d.next_poses.len()
+            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
+            d.next_poses.len(),
+            if d.equivalent.is_empty() {
+                "make more testable"
+            } else {
+                "decide"
+            }
         );
     }
     text

@@ -10,6 +10,7 @@ mod export;
 mod failure;
 mod identify;
 mod output;
+mod plan;
 mod simulate;
 mod verify;
 mod window;
@@ -38,6 +39,8 @@ enum Command {
     Identify(identify::Identify),
     /// Find what is missing, name it, and prove it on unseen samples
     Diagnose(diagnose::Diagnose),
+    /// Say what to measure next, or first
+    Plan(plan::Plan),
     /// Check a model on another session
     Verify(verify::Verify),
     /// Write the table that a controller reads
@@ -56,6 +59,7 @@ pub(crate) fn run() -> ExitCode {
         None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
         Some(Command::Diagnose(command)) => command.run(),
+        Some(Command::Plan(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),

@@ -11,7 +11,7 @@ use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, GapStep, Model};
 use crate::sessions::{Session, Sigma};
 
-use super::aliases::{self, UNDECIDED};
+use super::aliases;
 use super::anonymous::{Shape, Where};
 use super::arena::{Arena, Fit};
 use super::blunders::{DataProblem, Mended};
@@ -22,7 +22,7 @@ use super::limits::{self, Limit};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
-use super::{DiagnoseError, Progress, Watch};
+use super::{DiagnoseError, Progress, Watch, unlock};
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -256,14 +256,15 @@ pub(super) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::rivals(arena, with_shapes);
-    let equivalent: Vec<_> = rivals
-        .iter()
-        .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
-        .collect();
-    let equivalent = aliases::without_idle_names(&equivalent);
+    let rivals = next_poses::open_rivals(arena, with_shapes);
+    let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
-    let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
+    let not_testable = not_testable(arena, &base);
+    let next_poses = if equivalent.is_empty() {
+        unlock::worth_unlocking(prepared, with_shapes, &not_testable)
+    } else {
+        next_poses::separate(prepared, with_shapes, &equivalent, next_poses::MOST)
+    };
     let covariance = covariance(arena, fit);
     let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
     let unexplained = unexplained(prepared, end, session);
@@ -302,7 +303,7 @@ pub(super) fn answer(
         found,
         equivalent: equivalents(&equivalent, with_shapes, &next_poses),
         unexplained,
-        not_testable: not_testable(prepared, &base),
+        not_testable,
         not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses,
@@ -775,8 +776,7 @@ fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexp
 }
 
 /// What the conditions forbid, and names of which nothing is left beside the base.
-fn not_testable(prepared: &Prepared, base: &Fit) -> Vec<NotTestable> {
-    let arena = &prepared.arena;
+pub(super) fn not_testable(arena: &Arena, base: &Fit) -> Vec<NotTestable> {
     let mut all = arena.table.not_testable.clone();
     let projected = arena.projected(&base.basis);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();

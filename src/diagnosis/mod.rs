@@ -25,16 +25,24 @@ pub mod anonymous;
 pub mod answer;
 pub mod blunders;
 pub mod candidates;
+pub mod duel;
 pub mod evidence;
 pub mod familywise;
+pub mod foresight;
 pub mod format_v1;
 pub mod limits;
 pub mod measuring_list;
 pub mod next_poses;
+pub mod plan;
+pub mod plan_v1;
+pub mod unlock;
 
 mod arena;
+mod contest;
+mod first_measurement;
 mod held_out;
 mod linear;
+mod offer;
 mod prepare;
 mod search;
 mod significance;
@@ -47,6 +55,8 @@ pub use measuring_list::measuring_list;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;
+use blunders::Mended;
+use prepare::Prepared;
 
 /// What to look for, and how.
 #[derive(Debug, Clone, Default)]
@@ -123,23 +133,42 @@ pub fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
-    let tell = |progress: Progress| {
-        if watch(&progress) {
-            Ok(())
-        } else {
-            Err(Cancelled)
-        }
-    };
-    tell(Progress::Checking)?;
-    let mended = blunders::mend(session, options);
-    tell(Progress::Preparing)?;
-    let mut prepared = prepare::Prepared::new(&mended.session, options)?;
+    let mended = checked(session, options, watch)?;
+    let (prepared, found) = searched(&mended.session, options, watch)?;
+    answer::answer(&mended, &prepared, &found, watch)
+}
+
+fn tell(watch: Watch, progress: Progress) -> Result<(), Cancelled> {
+    if watch(&progress) {
+        Ok(())
+    } else {
+        Err(Cancelled)
+    }
+}
+
+/// The session without its blunders.
+fn checked<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<Mended<'a>, Cancelled> {
+    tell(watch, Progress::Checking)?;
+    Ok(blunders::mend(session, options))
+}
+
+/// The search, done again once with the names known: outliers and correlation look different then.
+fn searched<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
+    tell(watch, Progress::Preparing)?;
+    let mut prepared = Prepared::new(session, options)?;
     let mut found = prepared.search(options, watch)?;
-    // With the names known, outliers and correlation are judged again, once.
     if prepared.reconsider(&found) {
         found = prepared.search(options, watch)?;
     }
-    answer::answer(&mended, &prepared, &found, watch)
+    Ok((prepared, found))
 }
 
 impl Options {
