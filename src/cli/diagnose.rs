@@ -195,7 +195,7 @@ fn in_words(d: &Diagnosis) -> String {
 }
 
 /// A size with three significant digits.
-fn three_digits(size: f64) -> String {
+pub(super) fn three_digits(size: f64) -> String {
     let magnitude = if size == 0.0 {
         0.0
     } else {

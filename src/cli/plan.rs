@@ -25,7 +25,8 @@ pub(crate) struct Plan {
     /// Session that was measured, or the robot alone (a session's `robot` object in a file)
     #[arg(value_name = "SESSION|ROBOT")]
     subject: PathBuf,
-    /// Number of poses [default: as many as are needed; 60 for a robot with one joint]
+    /// Number of poses; with --separate and a session at most so many [default: as many as are
+    /// needed; 60 for a robot with one joint]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     poses: Option<usize>,
     /// Two effects to tell apart, such as backlash,tracking-lag; ID:JOINT for another joint than 1
@@ -157,7 +158,9 @@ fn in_words(plan: &plan::Plan) -> String {
                 100.0 * separation.left_after[0],
                 100.0 * separation.left_before[1],
                 100.0 * separation.left_after[1],
-                if separation.decided {
+                if separation.poses.is_empty() {
+                    "; what is there decides already"
+                } else if separation.decided {
                     ""
                 } else {
                     "; an effect that is just seen may stay undecided, more poses would help"
@@ -188,26 +191,16 @@ fn in_words(plan: &plan::Plan) -> String {
             );
         }
     }
-    for locked in &plan.unlocks {
-        let _ = writeln!(
-            text,
-            "{} becomes testable: {}",
-            named(locked),
-            needs(locked)
-        );
+    for (names, locked) in grouped(&plan.unlocks) {
+        let _ = writeln!(text, "{names} becomes testable: {}", needs(locked));
     }
-    for locked in &plan.cannot {
+    for (names, locked) in grouped(&plan.cannot) {
         let help = if locked.needs.is_empty() {
             "no pose helps".to_owned()
         } else {
             needs(locked)
         };
-        let _ = writeln!(
-            text,
-            "{} stays untestable, {}: {help}",
-            named(locked),
-            locked.because
-        );
+        let _ = writeln!(text, "{names} stays untestable, {}: {help}", locked.because);
     }
     if !plan.poses.is_empty() {
         limits(plan, &mut text);
@@ -221,28 +214,50 @@ fn limits(plan: &plan::Plan, text: &mut String) {
         "with these poses and a noise of {:.4} mm an effect will be seen (95 %) above",
         plan.sigma_mm
     );
-    for limit in &plan.foresight.limits {
+    for limit in plan.seen_above() {
         let sizes: Vec<String> = limit
             .sizes
             .iter()
-            .map(|(name, size)| format!("{name} {size:.3e}"))
+            .map(|(name, size)| format!("{name} {}", super::diagnose::three_digits(*size)))
             .collect();
-        let _ = writeln!(text, "  {:<26}{}", limit.effect, sizes.join(", "));
+        let _ = writeln!(
+            text,
+            "  {:<28}{}",
+            named(limit.effect, limit.joint),
+            sizes.join(", ")
+        );
     }
     for pair in &plan.foresight.alike {
         let _ = writeln!(
             text,
             "{} and {} will look alike (correlation {:.3})",
-            pair.one.0, pair.other.0, pair.correlation
+            named(pair.one.0, pair.one.1.map(|j| j + 1)),
+            named(pair.other.0, pair.other.1.map(|j| j + 1)),
+            pair.correlation
         );
     }
 }
 
-fn named(locked: &Locked) -> String {
-    locked.joint.map_or_else(
-        || locked.effect.to_owned(),
-        |joint| format!("{} of joint {}", locked.effect, joint + 1),
-    )
+fn named(effect: &str, joint: Option<usize>) -> String {
+    joint.map_or_else(|| effect.to_owned(), |joint| format!("{effect} {joint}"))
+}
+
+/// Joints that lack the same for the same effect stand together.
+fn grouped(all: &[Locked]) -> Vec<(String, &Locked)> {
+    let mut groups: Vec<(String, &Locked)> = Vec::new();
+    for locked in all {
+        let number = locked.joint.map(|j| j + 1);
+        let same = |g: &&mut (String, &Locked)| {
+            g.1.effect == locked.effect && g.1.because == locked.because
+        };
+        match (groups.iter_mut().find(same), number) {
+            (Some(group), Some(number)) => {
+                let _ = write!(group.0, ", {number}");
+            }
+            _ => groups.push((named(locked.effect, number), locked)),
+        }
+    }
+    groups
 }
 
 fn needs(locked: &Locked) -> String {
@@ -253,7 +268,13 @@ fn needs(locked: &Locked) -> String {
 fn table(plan: &plan::Plan) -> String {
     let mut text = String::new();
     for (k, pose) in plan.poses.iter().enumerate() {
-        let _ = writeln!(text, "{:>4}  {}  {}", k + 1, pose_in_words(pose, plan), pose.why);
+        let _ = writeln!(
+            text,
+            "{:>4}  {}  {}",
+            k + 1,
+            pose_in_words(pose, plan),
+            pose.why
+        );
     }
     text
 }

@@ -162,7 +162,11 @@ fn attempt(
         .map(|n| terms_of(prepared, fit, *n))
         .collect();
     let shown: Vec<&Term> = terms.iter().flatten().collect();
-    let offer = Offer::new(prepared, targets.clone(), &menu(prepared, &shown, targets.len()));
+    let offer = Offer::new(
+        prepared,
+        targets.clone(),
+        &menu(prepared, &shown, targets.len()),
+    );
     let inputs = offer.inputs(prepared);
     let axes = axes_of(&prepared.arena);
     let (mut contests, mut possible, mut left) = (Vec::new(), 1.0_f64, [[1.0; 2]; 2]);
@@ -213,7 +217,10 @@ fn attempt(
     }
     Attempt {
         decided: !contests.is_empty() && contests.iter().all(Contest::decided),
-        worst: contests.iter().map(|c| c.delta).fold(f64::INFINITY, f64::min),
+        worst: contests
+            .iter()
+            .map(|c| c.delta)
+            .fold(f64::INFINITY, f64::min),
         offer,
         order,
         possible,
@@ -351,7 +358,12 @@ impl Duel {
     }
 
     /// One is there with these coefficients; the base and the other are refitted.
-    fn contest(&self, seen: &[Prospect], known: &DMatrix<f64>, direction: &DVector<f64>) -> Contest {
+    fn contest(
+        &self,
+        seen: &[Prospect],
+        known: &DMatrix<f64>,
+        direction: &DVector<f64>,
+    ) -> Contest {
         let columns: Vec<usize> = self.rest.iter().chain(&self.other).copied().collect();
         let own = seen.iter().map(|s| Prospect {
             difference: s.columns.select_columns(&self.own) * direction,

@@ -103,7 +103,14 @@ pub(super) fn extension(
     let mut stops: Vec<Stop> = Vec::with_capacity(n);
     for i in 0..n {
         let like = schedule.conditions(i);
-        let candidates = candidates(ranges, &stops, &like, schedule.ways[i], &information, &mut random);
+        let candidates = candidates(
+            ranges,
+            &stops,
+            &like,
+            schedule.ways[i],
+            &information,
+            &mut random,
+        );
         let best = information.best(&candidates, &stops);
         stops.extend(candidates.into_iter().nth(best));
     }
@@ -205,7 +212,12 @@ fn candidates(
         let dir: Vec<f64> = (0..q.len())
             .map(|j| if q[j] >= from(j) { 1.0 } else { -1.0 })
             .collect();
-        let speed = like.speed.iter().zip(&dir).map(|(s, d)| s * d + 0.0).collect();
+        let speed = like
+            .speed
+            .iter()
+            .zip(&dir)
+            .map(|(s, d)| s * d + 0.0)
+            .collect();
         let choice = Choice {
             q,
             dir,
@@ -220,15 +232,16 @@ fn candidates(
             last.q[j] - last.dir[j] * typed(share * (range.to - range.from), range)
         };
         let q: Vec<f64> = (0..ranges.len()).map(step).collect();
-        let inside = q.iter().zip(ranges).all(|(q, r)| *q >= r.from && *q <= r.to);
+        let inside = q
+            .iter()
+            .zip(ranges)
+            .all(|(q, r)| *q >= r.from && *q <= r.to);
         if inside {
             return vec![reached(q, Way::Short(share))];
         }
     }
     if wanted == WayWanted::Return {
-        let same = |s: &&Stop| {
-            s.choice.load_kg == like.load_kg && !matches!(s.way, Way::Return(_))
-        };
+        let same = |s: &&Stop| s.choice.load_kg == like.load_kg && !matches!(s.way, Way::Return(_));
         let earlier = before.len().saturating_sub(2);
         let all: Vec<Stop> = before[..earlier]
             .iter()
@@ -260,7 +273,11 @@ fn candidates(
         if k % 8 == 0 {
             let joint = random.random_range(0..ranges.len());
             let range = &ranges[joint];
-            q[joint] = if random.random::<bool>() { range.from } else { range.to };
+            q[joint] = if random.random::<bool>() {
+                range.from
+            } else {
+                range.to
+            };
         }
         let q = q.iter().zip(ranges).map(|(q, range)| {
             let rounded = typed(*q, range);
@@ -361,13 +378,8 @@ impl Information {
     }
 
     fn seen(&self, choices: &[Choice], travel: Option<&[Vec<f64>]>) -> Vec<Prospect> {
-        let mut inputs = offer::inputs(
-            &self.robot,
-            &self.targets,
-            &self.ranges,
-            choices,
-            Some(0.0),
-        );
+        let mut inputs =
+            offer::inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
         if let Some(travel) = travel {
             for (own, travel) in inputs.travel.iter_mut().zip(travel) {
                 *own = Some(travel.clone());
@@ -378,6 +390,20 @@ impl Information {
             sigma_mm: [1.0; 3],
         };
         prospects(&self.model, &self.model, &inputs, &axes)
+    }
+
+    /// From 0 at an earlier place to 1 far from all: places that lie together hide what is local.
+    fn gap(&self, choice: &Choice, before: &[Stop]) -> f64 {
+        let apart = |stop: &Stop| {
+            let each = (0..self.ranges.len()).map(|j| {
+                let span = self.ranges[j].to - self.ranges[j].from;
+                ((choice.q[j] - stop.choice.q[j]) / span).abs()
+            });
+            each.fold(0.0, f64::max)
+        };
+        let nearest = before.iter().map(apart).fold(1.0, f64::min);
+        let step = 1.0 / (before.len() + 1) as f64;
+        1.0 - (-(2.0 * nearest / step).powi(2)).exp()
     }
 
     /// The candidate that adds most; it is taken.
@@ -401,7 +427,12 @@ impl Information {
         };
         let worth = |j: &DMatrix<f64>| spread(j).determinant();
         let values: Vec<f64> = if scaled.len() > 1 {
-            scaled.iter().map(worth).collect()
+            let gaps = choices.iter().map(|c| self.gap(c, before));
+            scaled
+                .iter()
+                .zip(gaps)
+                .map(|(j, gap)| worth(j) * gap)
+                .collect()
         } else {
             vec![0.0; scaled.len()]
         };
@@ -465,7 +496,11 @@ fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
                     .collect(),
                 Setting::Time => vec![0.5 * SECONDS_PER_POSE * poses as f64],
             };
-            terms.extend(settings.into_iter().map(|s| Term::absent(*effect, joint, s)));
+            terms.extend(
+                settings
+                    .into_iter()
+                    .map(|s| Term::absent(*effect, joint, s)),
+            );
         }
     }
     Model::new(robot.clone(), terms)

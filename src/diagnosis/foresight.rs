@@ -19,11 +19,11 @@ use super::answer::not_testable;
 use super::arena::{Arena, Fit};
 use super::candidates::NotTestable;
 use super::evidence::Noise;
+use super::first_measurement::SECONDS_PER_POSE;
 use super::limits::{self, Limit};
 use super::linear::Basis;
-use super::offer::Choice;
-use super::first_measurement::SECONDS_PER_POSE;
 use super::next_poses::{LATER_S, NextPose};
+use super::offer::Choice;
 use super::prepare::Prepared;
 use super::{DiagnoseError, Options};
 
@@ -148,7 +148,11 @@ pub(super) fn extended(
         time_s.extend((0..more).map(later));
     }
     if targets.len() > 1 || samples.target.is_some() {
-        let place = |p: &NextPose| targets.iter().position(|t| Some(&t.name) == p.target.as_ref());
+        let place = |p: &NextPose| {
+            targets
+                .iter()
+                .position(|t| Some(&t.name) == p.target.as_ref())
+        };
         let of = |p: &NextPose| u32::try_from(place(p).unwrap_or(0)).unwrap_or(0);
         let column = samples.target.get_or_insert_with(|| vec![0; n]);
         column.extend(poses.iter().map(of));

@@ -8,7 +8,8 @@
 //! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
 //! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
-//! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can.
+//! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can;
+//!    [`unlock`]: poses that show what could not be seen; [`plan`]: both, and first measurements.
 //! 7. [`limits`]: what would have been seen, had it been there.
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
@@ -38,6 +39,7 @@ pub mod plan_v1;
 pub mod unlock;
 
 mod arena;
+mod classes;
 mod contest;
 mod first_measurement;
 mod held_out;

@@ -107,12 +107,10 @@ pub(super) fn separate(
         let mut contests = contests(prepared, &offer, &pairs);
         let order = choose(&mut contests, offer.choices.len(), most, REPEATS);
         let undecided = contests.iter().filter(|c| !c.decided()).count();
-        let short: f64 = contests
-            .iter()
-            .map(|c| (c.delta / c.enough).min(1.0))
-            .sum();
+        let short: f64 = contests.iter().map(|c| (c.delta / c.enough).min(1.0)).sum();
         let better = best.as_ref().is_none_or(|b| {
-            (undecided, order.len()) < (b.0, b.2) || undecided == b.0 && undecided > 0 && short > b.1 + 0.05
+            (undecided, order.len()) < (b.0, b.2)
+                || undecided == b.0 && undecided > 0 && short > b.1 + 0.05
         });
         if better {
             best = Some((undecided, short, order.len(), offer, order));

@@ -185,7 +185,13 @@ pub(super) fn inputs(
     }
     inputs.load_kg = Some(column(&|c| c.load_kg).into());
     inputs.warmth_c = Some(column(&|c| c.warmth_c));
-    inputs.target = Some(choices.iter().map(|c| c.target).collect::<Vec<u32>>().into());
+    inputs.target = Some(
+        choices
+            .iter()
+            .map(|c| c.target)
+            .collect::<Vec<u32>>()
+            .into(),
+    );
     inputs.time_s = Some(column(&|c| c.time_s).into());
     inputs.start_s = start_s;
     inputs
@@ -199,7 +205,10 @@ fn reflectors_of(robot: &Robot, targets: &[Target]) -> Vec<[f64; 3]> {
 /// Places for a second reflector within reach of the first, the likeliest to help first: further
 /// out and higher, across the first axis, and in towards it.
 pub(super) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target> {
-    let joint = robot.joints.iter().position(|j| j.kind == JointKind::Revolute);
+    let joint = robot
+        .joints
+        .iter()
+        .position(|j| j.kind == JointKind::Revolute);
     let frame = JointFrame::new(robot, joint.unwrap_or(0));
     let outward = if frame.radius_mm > 0.0 {
         frame.radial
@@ -213,7 +222,9 @@ pub(super) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target>
         outward * 0.3 + across * 0.85 + along * 0.4,
         outward * -0.9 + along * 0.4,
     ];
-    let first = targets.first().map_or_else(Vector3::zeros, |t| t.position_mm.coords);
+    let first = targets
+        .first()
+        .map_or_else(Vector3::zeros, |t| t.position_mm.coords);
     let mut name = format!("T{}", targets.len() + 1);
     while targets.iter().any(|t| t.name == name) {
         name.push('n');

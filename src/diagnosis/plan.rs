@@ -12,7 +12,7 @@
 //! ([`foresight`](super::foresight)): an effect counts as unlocked only if nothing stands against
 //! it there.
 
-use crate::effects::find;
+use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::{Session, Target};
 
@@ -25,7 +25,7 @@ use super::foresight::{self, Foresight};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::mean_sigma_mm;
-use super::unlock::{self, Locked, Need, TEST_LOAD_KG};
+use super::unlock::{self, Locked, TEST_LOAD_KG};
 use super::{DiagnoseError, Options, Watch, checked, searched};
 
 /// Noise of the instrument where nobody says it, mm: a laser tracker.
@@ -101,7 +101,9 @@ pub enum PlanError {
     #[error("--load is {0}; expected a mass above 0 in kg, such as 3")]
     Load(f64),
     /// A joint that is not there, or not a number.
-    #[error("--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1")]
+    #[error(
+        "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1"
+    )]
     Joint {
         /// What was given.
         given: String,
@@ -204,15 +206,21 @@ pub fn plan_session(
     } else {
         let rivals = next_poses::open_rivals(arena, fit);
         let rivals: Vec<_> = rivals.iter().collect();
-        let ids = |terms: &[crate::effects::Term]| terms.iter().map(|t| t.effect.about().id).collect();
+        let ids =
+            |terms: &[crate::effects::Term]| terms.iter().map(|t| t.effect.about().id).collect();
         plan.open = rivals
             .iter()
             .map(|r| [ids(&r.removed), ids(&r.instead)])
             .collect();
         plan.open.dedup();
         plan.poses = next_poses::separate(&prepared, fit, &rivals, most(next_poses::MOST));
-        let room = options.poses.map_or(MOST_UNLOCKING, |n| n - plan.poses.len());
-        let own_reflector = plan.poses.iter().find_map(|p| p.target_mm.map(|_| p.clone()));
+        let room = options
+            .poses
+            .map_or(MOST_UNLOCKING, |n| n - plan.poses.len());
+        let own_reflector = plan
+            .poses
+            .iter()
+            .find_map(|p| p.target_mm.map(|_| p.clone()));
         let mut more = unlock::unlock(&prepared, fit, &locked_now, true, room);
         same_reflector(&mut more, own_reflector.as_ref());
         plan.poses.extend(more);
@@ -268,28 +276,38 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         sigma_mm,
         foresight: Foresight::default(),
     };
-    let noise = Some((sigma_mm, options.diagnosis.seed.wrapping_add(1)));
-    if let Some(between) = between {
-        // Half of the poses measure the robot, the other half decides.
-        stops.truncate(poses.div_ceil(2));
+    let imagined = |stops: &[Stop]| {
         let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
-        let session = foresight::imagined(robot, &targets, &choices, noise);
+        let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
+        foresight::imagined(robot, &targets, &choices, Some(noise))
+    };
+    let mut decisive = Vec::new();
+    if let Some(between) = between {
+        // Half of the poses measure the robot, of the other half as many as it takes decide.
+        stops.truncate(poses.div_ceil(2));
+        let session = imagined(&stops);
         let prepared = Prepared::new(&session, &options.diagnosis)?;
         let fit = prepared.arena.fit(&prepared.arena.base, Vec::new());
         let separation = two(&prepared, &fit, between, poses - stops.len());
-        let decisive = separation.poses.clone();
-        plan.separation = Some(separation);
-        plan.poses = poses_of_stops(&stops, &targets, robot);
-        plan.poses.extend(decisive);
-        if plan.separation.as_ref().is_some_and(|s| s.impossible.is_some()) {
-            plan.poses.clear();
+        decisive.clone_from(&separation.poses);
+        let rest = Brief {
+            poses: poses - decisive.len(),
+            ..brief
+        };
+        stops = first_measurement::design(robot, &targets, &rest);
+        if separation.impossible.is_some() {
+            stops.clear();
         }
-        plan.targets.extend(new_targets(&plan.poses, &targets));
-    } else {
-        plan.poses = poses_of_stops(&stops, &targets, robot);
+        plan.separation = Some(separation);
     }
-    let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
-    let session = foresight::imagined(robot, &targets, &choices, noise);
+    plan.poses = poses_of_stops(&stops, &targets, robot);
+    plan.poses.extend(decisive.iter().cloned());
+    plan.targets.extend(new_targets(&plan.poses, &targets));
+    if stops.is_empty() {
+        return Ok(plan);
+    }
+    let model = crate::model::Model::nominal(robot.clone());
+    let session = foresight::extended(&imagined(&stops), &model, &decisive, &plan.targets);
     plan.foresight = foresight::foresee(&session, sigma_mm, &options.diagnosis)?;
     let prepared = Prepared::new(&session, &options.diagnosis)?;
     plan.cannot = unlock::locked(&prepared, &plan.foresight.not_testable);
@@ -344,7 +362,11 @@ fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
 fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize) -> Vec<NextPose> {
     let session = prepared.problem.session;
     let heaviest = prepared.survey.largest_load_kg;
-    let load = if heaviest > 0.0 { heaviest } else { TEST_LOAD_KG };
+    let load = if heaviest > 0.0 {
+        heaviest
+    } else {
+        TEST_LOAD_KG
+    };
     let brief = Brief {
         poses: count,
         load_kg: options.load_kg.unwrap_or(load),
@@ -355,11 +377,11 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
         sigma_mm: [1.0; 3],
     };
     let extended = foresight::extended(session, &prepared.arena.base, &plan.poses, &plan.targets);
-    let inputs =
-        crate::effects::Inputs::new(&extended, prepared.options().joint_values);
+    let inputs = crate::effects::Inputs::new(&extended, prepared.options().joint_values);
     let ranges = super::offer::ranges(&session.robot, Some(&prepared.problem.inputs));
     let known = |model: &crate::model::Model| prospects(model, model, &inputs, &axes);
-    let stops = first_measurement::extension(&session.robot, &plan.targets, &ranges, &brief, &known);
+    let stops =
+        first_measurement::extension(&session.robot, &plan.targets, &ranges, &brief, &known);
     let mut poses = poses_of_stops(&stops, &plan.targets, &session.robot);
     for pose in &mut poses {
         let is_new = |t: &&Target| Some(&t.name) == pose.target.as_ref();
@@ -385,9 +407,7 @@ fn poses_of_stops(stops: &[Stop], targets: &[Target], robot: &Robot) -> Vec<Next
                 .map(|t| t.position_mm.coords.into()),
             speed: Some(choice.speed.clone()),
             load_kg: loads.then_some(choice.load_kg),
-            temperature_c: Some(
-                choice.warmth_c + crate::effects::inputs::REFERENCE_TEMPERATURE_C,
-            ),
+            temperature_c: Some(choice.warmth_c + crate::effects::inputs::REFERENCE_TEMPERATURE_C),
             why: why(stop, robot),
         }
     };
@@ -404,20 +424,45 @@ fn why(stop: &Stop, robot: &Robot) -> String {
             "measure while moving: tracking lag against backlash".to_owned()
         }
         Way::Long if robot.joints.len() > 1 => "joint values that tell most".to_owned(),
-        Way::Long => "an angle that tells most, unequal steps".to_owned(),
+        Way::Long => "a place that tells most, unequal steps".to_owned(),
     }
 }
 
+/// A detection limit as the user reads it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeenAbove {
+    /// The effect's name.
+    pub effect: &'static str,
+    /// Joint, counted from 1; `None` where it belongs to none.
+    pub joint: Option<usize>,
+    /// For each parameter its name with its unit and the size above which it will be seen.
+    pub sizes: Vec<(&'static str, f64)>,
+}
+
 impl Plan {
-    /// Conditions that have to be written down, as nothing that is measured needs them otherwise.
-    pub fn to_do(&self) -> Vec<&'static str> {
-        let mut needs: Vec<Need> = self
-            .unlocks
-            .iter()
-            .flat_map(|l| l.needs.iter().copied())
-            .collect();
-        needs.sort_unstable();
-        needs.dedup();
-        needs.into_iter().map(Need::says).collect()
+    /// Detection limits once the poses are measured; what is called degrees is millimetres where
+    /// a joint slides.
+    pub fn seen_above(&self) -> Vec<SeenAbove> {
+        let one = |limit: &super::limits::Limit| {
+            let kind = self.robot.joints[limit.joint.unwrap_or(0)].kind;
+            let quantities = find(limit.effect).map(|e| e.about().form);
+            let size = |(name, size): &(&'static str, f64)| {
+                let quantity = match quantities {
+                    Some(Form::Plain(all)) => all.iter().find(|q| q.name == *name).copied(),
+                    Some(Form::Harmonic(quantity)) => Some(quantity),
+                    None => None,
+                };
+                quantity.map_or((*name, *size), |quantity| {
+                    let on = quantity.on(kind);
+                    (on.name, size * quantity.inner / on.inner)
+                })
+            };
+            SeenAbove {
+                effect: limit.effect,
+                joint: limit.joint.map(|j| j + 1),
+                sizes: limit.sizes.iter().map(size).collect(),
+            }
+        };
+        self.foresight.limits.iter().map(one).collect()
     }
 }

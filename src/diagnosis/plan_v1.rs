@@ -27,8 +27,6 @@
 
 use serde::Serialize;
 
-use crate::kinematics::JointKind;
-
 use super::duel::Separation;
 use super::format_v1::{Pose, poses};
 use super::plan::{Plan, Subject};
@@ -162,22 +160,16 @@ fn lock(locked: &Locked) -> Lock {
 }
 
 fn seen(plan: &Plan) -> Vec<Seen> {
-    let one = |limit: &super::limits::Limit| {
-        let kind = plan.robot.joints[limit.joint.unwrap_or(0)].kind;
-        let sizes = limit.sizes.iter().map(|(name, size)| {
-            let quantity = crate::effects::Quantity { name, inner: 1.0 }.on(kind);
-            // What is called degrees is millimetres where a joint slides: the inner unit.
-            let renamed = kind == JointKind::Prismatic && quantity.name != *name;
-            let inner = if renamed { 1.0_f64.to_radians() } else { 1.0 };
-            (quantity.name.to_owned(), (size * inner).into())
-        });
-        Seen {
-            named: Named {
-                effect: limit.effect,
-                joint: limit.joint.map(|j| j + 1),
-            },
-            sizes: sizes.collect(),
-        }
+    let one = |limit: super::plan::SeenAbove| Seen {
+        named: Named {
+            effect: limit.effect,
+            joint: limit.joint,
+        },
+        sizes: limit
+            .sizes
+            .into_iter()
+            .map(|(name, size)| (name.to_owned(), size.into()))
+            .collect(),
     };
-    plan.foresight.limits.iter().map(one).collect()
+    plan.seen_above().into_iter().map(one).collect()
 }

@@ -233,6 +233,7 @@ fn keep_clusters(problem: &mut Problem) {
     if count < RUN {
         return;
     }
+    super::classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];

@@ -141,7 +141,8 @@ pub(super) fn lacks(effect: &dyn Effect, survey: &Survey, joint: usize) -> Vec<N
     let mut needs: Vec<Need> = Vec::new();
     while let Some(reason) = effect.obstacle(&now, joint) {
         let helps = |need: &Need| {
-            !needs.contains(need) && effect.obstacle(&need.met(&now), joint).as_ref() != Some(&reason)
+            !needs.contains(need)
+                && effect.obstacle(&need.met(&now), joint).as_ref() != Some(&reason)
         };
         let Some(need) = NEEDS.into_iter().find(|n| helps(n)) else {
             return Vec::new();
@@ -200,7 +201,11 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize
 fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Menu) {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
-    let turns = session.robot.joints.iter().any(|j| j.kind == JointKind::Revolute);
+    let turns = session
+        .robot
+        .joints
+        .iter()
+        .any(|j| j.kind == JointKind::Revolute);
     if reflector && turns && targets.len() < 2 {
         targets.extend(
             offer::other_reflectors(&session.robot, &targets)
@@ -219,7 +224,14 @@ fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Me
     }
     if needs.contains(&Need::Loads) {
         let heaviest = prepared.survey.largest_load_kg;
-        menu.loads_kg = vec![0.0, if heaviest > 0.0 { heaviest } else { TEST_LOAD_KG }];
+        menu.loads_kg = vec![
+            0.0,
+            if heaviest > 0.0 {
+                heaviest
+            } else {
+                TEST_LOAD_KG
+            },
+        ];
     }
     if needs.contains(&Need::Temperatures) {
         menu.warmths_c = vec![0.0, WARMING_C];
@@ -338,7 +350,11 @@ pub(super) fn unlock(
             Need::Temperatures => samples.temperature_c.is_none(),
             _ => false,
         };
-        let weight = if one.needs.iter().any(unsaid) { WEAK } else { 1.0 };
+        let weight = if one.needs.iter().any(unsaid) {
+            WEAK
+        } else {
+            1.0
+        };
         let truth = with_effect(&fit.model, effect, one.joint.unwrap_or(0), &inputs, &axes);
         let seen = prospects(&truth, &fit.model, &inputs, &axes);
         let contest = Contest::new(seen, &(&known * weight), enough_for(6.0, 0.0));
