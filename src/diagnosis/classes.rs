@@ -27,7 +27,9 @@ pub(super) fn keep(problem: &mut Problem, suspected: &[bool]) {
         for class in order.chunk_by(|a, b| key[*a] == key[*b]) {
             let count = class.iter().filter(|i| suspected[**i]).count();
             if class.len() < all && count >= FEWEST && 2 * count > class.len() {
-                class.iter().for_each(|i| back[*i] = suspected[*i]);
+                for i in class {
+                    back[*i] = suspected[*i];
+                }
             }
         }
     }

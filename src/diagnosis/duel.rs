@@ -67,9 +67,9 @@ pub(super) fn separate_two(
 ) -> Separation {
     let base = fit.model.without(|t| between.iter().any(|b| is(t, *b)));
     let mut best: Option<Attempt> = None;
-    let mut sets = reflector_sets(prepared);
+    let sets = reflector_sets(prepared);
     // The plain set comes first: nothing has to be mounted.
-    for (index, targets) in sets.drain(..).enumerate() {
+    for (index, targets) in sets.iter().enumerate() {
         let attempt = attempt(prepared, &base, fit, between, targets, most);
         let better = best.as_ref().is_none_or(|b| attempt.better_than(b));
         let done = attempt.decided && index == 0;
@@ -154,7 +154,7 @@ fn attempt(
     base: &Model,
     fit: &Fit,
     between: [Named; 2],
-    targets: Vec<Target>,
+    targets: &[Target],
     most: usize,
 ) -> Attempt {
     let terms: Vec<Vec<Term>> = between
@@ -164,7 +164,7 @@ fn attempt(
     let shown: Vec<&Term> = terms.iter().flatten().collect();
     let offer = Offer::new(
         prepared,
-        targets.clone(),
+        targets.to_vec(),
         &menu(prepared, &shown, targets.len()),
     );
     let inputs = offer.inputs(prepared);

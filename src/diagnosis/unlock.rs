@@ -1,7 +1,8 @@
 //! What would make an effect testable that a session cannot show: each effect is asked again with
 //! one condition after the other met, until nothing stands against it. Then poses under these
-//! conditions are chosen on which each such effect, at a size of three times the noise, cannot
-//! hide behind the model (T-optimality, as for rivals).
+//! conditions are chosen on which each such effect, at one and a half times the noise, cannot
+//! hide behind the model or behind another effect that is unlocked with it (T-optimality, as for
+//! rivals).
 
 use nalgebra::DVector;
 
@@ -15,6 +16,7 @@ use super::contest::{Axes, Contest, Prospect, choose, enough_for, prospects};
 use super::next_poses::{NextPose, Offer, axes_of, gram, later_s, poses_of};
 use super::offer::{self, Choice, Menu};
 use super::prepare::Prepared;
+use super::search::compatible;
 
 /// Load for a test where the session says nothing about loads, kg.
 pub const TEST_LOAD_KG: f64 = 3.0;
@@ -241,8 +243,12 @@ fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Me
     (Offer::new(prepared, targets, &menu), menu)
 }
 
-/// A model with an effect more, at a size whose displacement has a root mean square of three
-/// times the noise over the inputs.
+/// Size of an effect that is to be unlocked, in units of the noise: small enough that each new
+/// condition is measured several times, as a single odd sample would pass for an outlier.
+const SMALL: f64 = 1.5;
+
+/// A model with an effect more, at a size whose displacement has a root mean square of
+/// [`SMALL`] times the noise over the inputs.
 pub(super) fn with_effect(
     model: &Model,
     effect: &'static dyn Effect,
@@ -279,7 +285,7 @@ pub(super) fn with_effect(
     for (coefficient, energy) in term.coefficients.iter_mut().zip(&energy) {
         let rms = (energy / rows).sqrt();
         if rms > 0.0 {
-            *coefficient = 3.0 / rms / (size as f64).sqrt();
+            *coefficient = SMALL / rms / (size as f64).sqrt();
         }
     }
     model.with_term(term)
@@ -336,13 +342,24 @@ pub(super) fn unlock(
     let (offer, _) = offer_for(prepared, &needs, mounted);
     let inputs = offer.inputs(prepared);
     let axes = axes_of(&prepared.arena);
-    let known = gram(&prepared.arena, &fit.model);
     let samples = &prepared.problem.session.samples;
+    let terms: Vec<Term> = wanted
+        .iter()
+        .filter_map(|one| {
+            let joint = one.joint.unwrap_or(0);
+            let model = with_effect(&fit.model, find(one.effect)?, joint, &inputs, &axes);
+            let mut terms = model.terms().iter();
+            let own = |t: &&Term| t.effect.about().id == one.effect && t.joint == joint;
+            terms.find(own).cloned()
+        })
+        .collect();
     let mut contests: Vec<Contest> = Vec::new();
-    for one in &wanted {
-        let Some(effect) = find(one.effect) else {
-            continue;
-        };
+    for (one, term) in wanted.iter().zip(&terms) {
+        // What is unlocked together has to be told apart as well.
+        let others = terms.iter().filter(|t| compatible(&[term], t));
+        let rival = others.fold(fit.model.clone(), |model, t| {
+            model.with_term(Term::absent(t.effect, t.joint, t.setting))
+        });
         let unsaid = |need: &Need| match need {
             Need::BothSides => samples.dir.iter().all(Option::is_none),
             Need::Speeds => samples.speed.iter().all(Option::is_none),
@@ -355,11 +372,12 @@ pub(super) fn unlock(
         } else {
             1.0
         };
-        let truth = with_effect(&fit.model, effect, one.joint.unwrap_or(0), &inputs, &axes);
-        let seen = prospects(&truth, &fit.model, &inputs, &axes);
-        let contest = Contest::new(seen, &(&known * weight), enough_for(6.0, 0.0));
+        let truth = fit.model.with_term(term.clone());
+        let seen = prospects(&truth, &rival, &inputs, &axes);
+        let known = gram(&prepared.arena, &rival) * weight;
+        let contest = Contest::new(seen, &known, enough_for(6.0, 0.0));
         // The effect was there already; the samples so far could not show it.
-        let (pull, square) = history(&prepared.arena, &truth, &fit.model);
+        let (pull, square) = history(&prepared.arena, &truth, &rival);
         contests.push(contest.starting(&(pull * weight), square * weight));
     }
     let fresh = contests.clone();
