@@ -221,19 +221,6 @@ fn aliases(n: usize) {
             }
             resolved.0 += usize::from(decided(&again, &truth));
             resolved.1 += poses;
-            if std::env::var_os("ALIAS_DETAILS").is_some() && !decided(&again, &truth) {
-                let rest: Vec<_> = again
-                    .equivalent
-                    .iter()
-                    .map(|e| (&e.explanation, &e.instead, e.odds))
-                    .collect();
-                eprintln!(
-                    "{k}: {poses} poses, {:?} {rest:?} unexplained {} {:?}",
-                    names(&again),
-                    again.unexplained.present,
-                    rig.hidden
-                );
-            }
             for (grid, count) in grids.iter_mut().zip(GRIDS) {
                 let uniform = uniform(&answer.next_poses, count);
                 let gridded = diagnosed(&measured_more(&rig, &uniform, &mut random), &[]);

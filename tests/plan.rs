@@ -266,14 +266,13 @@ fn a_first_measurement_varies_everything_a_technician_can_vary() {
     for target in ["T1", "T2"] {
         assert!(count(&|p| p.target.as_deref() == Some(target)) >= 20);
     }
-    let mut speeds: Vec<i64> = plan
-        .poses
-        .iter()
-        .map(|p| (p.speed.as_ref().expect("speeds")[0].to_degrees().abs() * 10.0).round() as i64)
-        .collect();
-    speeds.sort_unstable();
-    speeds.dedup();
-    assert_eq!(speeds, [0, 100, 200]);
+    let at_speed = |deg_s: f64| {
+        count(&|p| {
+            let speed = p.speed.as_ref().expect("speeds")[0].to_degrees().abs();
+            (speed - deg_s).abs() < 1e-6
+        })
+    };
+    assert!(at_speed(0.0) >= 20 && at_speed(10.0) >= 5 && at_speed(20.0) >= 5);
     assert!(count(&|p| p.why.contains("return to pose")) >= 8);
     let q: Vec<f64> = plan.poses.iter().map(|p| p.q[0].to_degrees()).collect();
     let low = q.iter().copied().fold(f64::INFINITY, f64::min);
