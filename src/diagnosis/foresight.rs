@@ -15,7 +15,6 @@ use crate::kinematics::Robot;
 use crate::model::Model;
 use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
 
-use super::answer::not_testable;
 use super::arena::{Arena, Fit};
 use super::candidates::NotTestable;
 use super::evidence::Noise;
@@ -25,6 +24,7 @@ use super::linear::Basis;
 use super::next_poses::{LATER_S, NextPose};
 use super::offer::Choice;
 use super::prepare::Prepared;
+use super::testable::not_testable;
 use super::{DiagnoseError, Options};
 
 /// Two effects that are more alike than this are worth a word.

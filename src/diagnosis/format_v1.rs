@@ -11,6 +11,9 @@ use super::anonymous::Where;
 use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
 use super::next_poses::NextPose;
 
+mod correction;
+mod start;
+
 /// The document.
 #[derive(Debug, Serialize)]
 pub struct Document {
@@ -31,6 +34,8 @@ pub struct Document {
     outliers: Vec<Outlier>,
     next_poses: Vec<Pose>,
     noise: Noise,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start: Option<start::Start>,
 }
 
 #[derive(Debug, Serialize)]
@@ -126,6 +131,12 @@ struct Unexplained {
     place: Option<Place>,
     resembles: Vec<&'static str>,
     says: String,
+    /// Only where it was asked for; null where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    correction: Option<correction::Answer>,
+    /// Why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_correction_because: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -231,6 +242,11 @@ impl Document {
                 place: d.unexplained.place.clone().map(place),
                 resembles: d.unexplained.resembles.clone(),
                 says: d.unexplained.says.clone(),
+                correction: correction::Answer::of(&d.unexplained, session),
+                no_correction_because: match &d.unexplained.correction {
+                    Some(Err(because)) => Some(because.clone()),
+                    _ => None,
+                },
             },
             not_testable: d
                 .not_testable
@@ -268,6 +284,7 @@ impl Document {
                 axes_differ: d.noise.unequal,
                 correlation_in_time: d.noise.rho,
             },
+            start: None,
         }
     }
 }

@@ -11,6 +11,9 @@
 //! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can;
 //!    [`unlock`]: poses that show what could not be seen; [`plan`]: both, and first measurements.
 //! 7. [`limits`]: what would have been seen, had it been there.
+//! 8. [`smooth`]: what no name explains, as a correction without a name.
+//!
+//! [`regional_start`](mod@regional_start) holds the paper's regional model against the answer.
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
@@ -36,24 +39,38 @@ pub mod measuring_list;
 pub mod next_poses;
 pub mod plan;
 pub mod plan_v1;
+pub mod regional_start;
+pub mod smooth;
 pub mod unlock;
 
 mod arena;
 mod classes;
+mod conclude;
 mod contest;
 mod first_measurement;
+mod floor;
+mod ground;
 mod held_out;
+mod incomplete;
+mod leftover;
 mod linear;
 mod offer;
 mod prepare;
 mod search;
+mod shapes;
 mod significance;
+mod steps;
+mod testable;
+mod unseen;
+mod values;
 
 pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
 pub use candidates::Allowed;
 pub use measuring_list::measuring_list;
+pub use regional_start::{RegionalStart, regional_start};
+pub use smooth::Correction;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;
@@ -73,6 +90,8 @@ pub struct Options {
     pub seed: u64,
     /// Joint values to start from.
     pub joint_values: JointValues,
+    /// Whether what no name explains is to be corrected by a smooth curve.
+    pub correct_unexplained: bool,
 }
 
 /// How far the diagnosis is.
@@ -137,7 +156,7 @@ pub fn diagnose(
     options.check()?;
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
-    answer::answer(&mended, &prepared, &found, watch)
+    conclude::answer(&mended, &prepared, &found, watch)
 }
 
 fn tell(watch: Watch, progress: Progress) -> Result<(), Cancelled> {

@@ -16,7 +16,6 @@ use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::{Session, Target};
 
-use super::answer::not_testable;
 use super::candidates::NotTestable;
 use super::contest::{Axes, prospects};
 use super::duel::{self, Named, Separation};
@@ -25,6 +24,7 @@ use super::foresight::{self, Foresight};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::mean_sigma_mm;
+use super::testable::not_testable;
 use super::unlock::{self, Locked, TEST_LOAD_KG};
 use super::{DiagnoseError, Options, Watch, checked, searched};
 
@@ -449,7 +449,7 @@ impl Plan {
             let size = |(name, size): &(&'static str, f64)| {
                 let quantity = match quantities {
                     Some(Form::Plain(all)) => all.iter().find(|q| q.name == *name).copied(),
-                    Some(Form::Harmonic(quantity)) => Some(quantity),
+                    Some(Form::Harmonic(quantity) | Form::Fading(quantity)) => Some(quantity),
                     None => None,
                 };
                 quantity.map_or((*name, *size), |quantity| {

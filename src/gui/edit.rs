@@ -161,7 +161,10 @@ impl Edit {
             }
             Self::Export(choice) => {
                 let joints = document.subject.session.robot.joints.len();
-                if !(choice.step.is_finite() && choice.step > 0.0) || choice.joint >= joints {
+                let usable = choice
+                    .step
+                    .is_none_or(|step| step.is_finite() && step > 0.0);
+                if !usable || choice.joint >= joints {
                     return Err("a table needs a joint of the robot and a step above 0".to_owned());
                 }
                 next.export = *choice;

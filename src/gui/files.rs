@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::atomic::{WriteError, write_atomically};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::export::{Document, Job, find};
+pub(crate) use crate::model::format_v1::is_model;
 use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
@@ -103,26 +104,6 @@ pub(crate) fn open(path: &Path) -> Report {
     }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
-}
-
-/// What every version of the model's format begins with.
-const MODEL: &str = "truepose-model/";
-
-/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
-/// which says why.
-pub(crate) fn is_model(path: &Path) -> bool {
-    #[derive(serde::Deserialize)]
-    struct Tag {
-        format: String,
-    }
-    let Ok(bytes) = sessions::files::read_document(path) else {
-        return false;
-    };
-    match serde_json::from_slice::<Tag>(&bytes) {
-        Ok(tag) => tag.format.starts_with(MODEL),
-        // Broken, but it may still say what it was meant to be.
-        Err(_) => memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some(),
-    }
 }
 
 /// Findings as lines, no more than can be read.

@@ -10,8 +10,8 @@
 //! inner units) → `validation` (what spans fields). The types that the program thinks in are in
 //! `domain`; they know nothing of files.
 
-mod assemble;
-mod columns;
+pub(crate) mod assemble;
+pub(crate) mod columns;
 mod csv;
 mod domain;
 pub(crate) mod files;
@@ -23,10 +23,11 @@ mod load;
 pub(crate) mod number;
 mod save;
 mod saved_columns;
-mod table;
+pub(crate) mod table;
 pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
+pub use files::read_document as read_whole;
 pub use hash::hash_of_samples;
 pub use lines::Lines;
 pub use load::{Loaded, LoadedRobot, load, load_robot, parse, parse_robot, parse_with_csv};

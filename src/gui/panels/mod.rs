@@ -17,3 +17,4 @@ mod simulation;
 pub(super) mod stage;
 pub(super) mod status;
 pub(super) mod steps;
+mod unexplained;
