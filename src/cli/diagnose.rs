@@ -215,8 +215,13 @@ fn in_words(d: &Diagnosis) -> String {
     if !d.next_poses.is_empty() {
         let _ = writeln!(
             text,
-            "{} poses would decide; --json lists them",
-            d.next_poses.len()
+            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
+            d.next_poses.len(),
+            if d.equivalent.is_empty() {
+                "make more testable"
+            } else {
+                "decide"
+            }
         );
     }
     text
@@ -250,7 +255,7 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
 }
 
 /// A size with three significant digits.
-fn three_digits(size: f64) -> String {
+pub(super) fn three_digits(size: f64) -> String {
     let magnitude = if size == 0.0 {
         0.0
     } else {
