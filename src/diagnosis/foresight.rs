@@ -112,8 +112,7 @@ pub(super) fn imagined(
     session
 }
 
-/// A session with these poses measured too, exactly as a model predicts them. Conditions that
-/// neither the session nor a pose knows stay unknown.
+/// A session with these poses measured too, exactly as a model predicts them.
 pub(super) fn extended(
     session: &Session,
     model: &Model,
@@ -125,10 +124,13 @@ pub(super) fn extended(
     let n = session.samples.len();
     let more = poses.len();
     let samples = &mut all.samples;
+    // What a pose leaves open is written down as it is then: as it was last.
     let optional = |column: &mut Option<Vec<f64>>, value: &dyn Fn(&NextPose) -> Option<f64>| {
         if column.is_some() || poses.iter().any(|p| value(p).is_some()) {
             let column = column.get_or_insert_with(|| vec![f64::NAN; n]);
-            column.extend(poses.iter().map(|p| value(p).unwrap_or(f64::NAN)));
+            let known = column.iter().rev().copied().find(|v| v.is_finite());
+            let last = known.unwrap_or(f64::NAN);
+            column.extend(poses.iter().map(|p| value(p).unwrap_or(last)));
         }
     };
     for j in 0..samples.q.len() {

@@ -6,6 +6,7 @@
 
 use nalgebra::DVector;
 
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Effect, Setting, Survey, Term, find};
 use crate::kinematics::JointKind;
 use crate::model::Model;
@@ -400,7 +401,7 @@ pub(super) fn unlock(
             .collect();
         words(&shown, &offer.choices[k])
     };
-    order
+    let mut all: Vec<NextPose> = order
         .into_iter()
         .flat_map(|k| {
             let why = why(k);
@@ -411,7 +412,14 @@ pub(super) fn unlock(
             poses
         })
         .take(most)
-        .collect()
+        .collect();
+    // Beside warm poses cold ones are asked for as such.
+    if all.iter().any(|p| p.temperature_c.is_some()) {
+        for pose in &mut all {
+            pose.temperature_c = pose.temperature_c.or(Some(REFERENCE_TEMPERATURE_C));
+        }
+    }
+    all
 }
 
 /// What the samples so far show of a model where another is fitted: columnsᵀ · difference and
