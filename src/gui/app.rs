@@ -10,6 +10,7 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 use super::commands::{Command, Workbench};
 use super::keeping::watcher;
 use super::preferences::Preferences;
+use super::reporting::About;
 use super::tasks::{Runner, Tasks, What};
 use super::tokens::{self, Palette, space};
 use super::units::write_numbers;
@@ -85,6 +86,16 @@ impl App {
     /// The same for the list of poses to measure next.
     pub fn type_list_path(&mut self, path: &Path) {
         self.type_path(What::Poses, path);
+    }
+
+    /// The same for the report of the session.
+    pub fn type_report_path(&mut self, path: &Path) {
+        self.type_path(What::Report(About::Session), path);
+    }
+
+    /// The same for the report of the model.
+    pub fn type_model_report_path(&mut self, path: &Path) {
+        self.type_path(What::Report(About::Model), path);
     }
 
     fn type_path(&mut self, what: What, path: &Path) {

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::atomic::{WriteError, write_atomically};
+use crate::atomic::{WriteError, refuse_to_replace_inputs, write_atomically};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::export::{Document, Job, find};
 pub(crate) use crate::model::format_v1::is_model;
@@ -279,8 +279,17 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
         What::Table => "Save table",
         What::Model => "Save model",
         What::Poses => "Save measuring list",
+        What::Report(_) => "Save report",
+        What::Picture(_) => "Save picture",
     };
     let dialog = rfd::FileDialog::new().set_title(title).set_file_name(name);
+    let dialog = match what {
+        What::Report(_) => dialog
+            .add_filter("HTML or PDF", &["html", "pdf"])
+            .add_filter("PDF", &["pdf"]),
+        What::Picture(_) => dialog.add_filter("SVG", &["svg"]),
+        _ => dialog,
+    };
     Report::ChosenToExport(what, dialog.save_file())
 }
 
@@ -290,11 +299,7 @@ pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> 
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
     Report::Exported(match written {
         Ok(()) => Ok(path.to_path_buf()),
-        Err(problem) => Err(Message {
-            wrong: true,
-            title: format!("{} was not written", path.display()),
-            details: vec![problem, "What was there before is there still".to_owned()],
-        }),
+        Err(problem) => Err(not_written(path, problem)),
     })
 }
 
@@ -306,12 +311,57 @@ pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Report {
     };
     Report::Listed(match write_all(&[document], path, replace) {
         Ok(()) => Ok(path.to_path_buf()),
-        Err(problem) => Err(Message {
-            wrong: true,
-            title: format!("{} was not written", path.display()),
-            details: vec![problem, "What was there before is there still".to_owned()],
-        }),
+        Err(problem) => Err(not_written(path, problem)),
     })
+}
+
+/// Says that a file was not written.
+pub(crate) fn not_written(path: &Path, problem: String) -> Message {
+    Message {
+        wrong: true,
+        title: format!("{} was not written", path.display()),
+        details: vec![problem, "What was there before is there still".to_owned()],
+    }
+}
+
+/// How a file's name ends, in small letters.
+pub(crate) fn ending(path: &Path) -> Option<String> {
+    let ending = path.extension()?.to_str()?;
+    Some(ending.to_ascii_lowercase())
+}
+
+/// Whether a file may stand there: told before the work that it takes is begun.
+pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
+    let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
+    refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
+    if path.exists() && !replace {
+        return Err(advice(&WriteError::Exists(path.to_path_buf())));
+    }
+    let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
+    match folder {
+        Some(folder) if !folder.is_dir() => {
+            Err("the folder is not there: choose another, or make it first".to_owned())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes one file, unless it was cancelled meanwhile.
+pub(crate) fn write_one(
+    path: &Path,
+    replace: bool,
+    bytes: &[u8],
+    watch: &Watch,
+) -> Result<(), String> {
+    let written = write_atomically(path, replace, |file| {
+        file.write_all(bytes)?;
+        // Until here nothing stands under its name; what was written goes away again.
+        if watch.stopped() {
+            return Err(ErrorKind::Interrupted.into());
+        }
+        Ok(())
+    });
+    written.map_err(|error| advice(&error))
 }
 
 fn documents(wanted: Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {

@@ -12,7 +12,8 @@
 //! - `setup`: robot and instrument as they are filled in.
 //! - `preferences`: units, digits, colours; `help`: what the words mean.
 //! - `keeping`: what outlives the window (recent files, what is not saved), and what changes under it.
-//! - `preview`: an export as it would be written.
+//! - `preview`: an export as it would be written; `reporting`, `pictures`: a report, a plot as a file;
+//!   `figures`: the standards' figures.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
@@ -22,15 +23,18 @@ mod boundaries;
 mod commands;
 mod document;
 mod edit;
+mod figures;
 mod files;
 mod given;
 mod help;
 mod keeping;
 mod outcome;
 mod panels;
+mod pictures;
 mod plots;
 mod preferences;
 mod preview;
+mod reporting;
 mod search;
 mod setup;
 mod simulate;

@@ -12,12 +12,15 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::document::Question;
+use super::figures::Figures;
 use super::files::Saved;
 use super::given::Given;
 use super::keeping::recovery::LeftBehind;
 use super::keeping::watcher::{Order, Seen, Watched};
 use super::outcome::Outcome;
+use super::pictures::Plot;
 use super::preview::{Preview, Wanted};
+use super::reporting::About;
 use super::search::Search;
 use super::subject::Subject;
 use super::view::Message;
@@ -53,6 +56,10 @@ pub(crate) enum Report {
     Exported(Result<PathBuf, Message>),
     /// A measuring list was written.
     Listed(Result<PathBuf, Message>),
+    /// A report or a picture was written, or not.
+    Written(Message),
+    /// The standards' figures were worked out.
+    Figured(Box<Figures>),
     /// A path was chosen to export to.
     ChosenToExport(What, Option<PathBuf>),
     /// The task itself failed: a bug.
@@ -79,6 +86,10 @@ pub(crate) enum What {
     Model,
     /// Poses to measure next.
     Poses,
+    /// The calibration report.
+    Report(About),
+    /// A plot.
+    Picture(Plot),
 }
 
 /// Between a task and the window: how far it is, and whether anybody still wants it.

@@ -178,6 +178,33 @@ fn raised(exponent: &str) -> String {
     exponent.chars().map(raise).collect()
 }
 
+/// A number for a spreadsheet: every digit, an ASCII minus sign, the decimal sign that the user
+/// chose; nothing where it is not finite.
+pub(crate) fn plain_number(value: f64) -> String {
+    if !value.is_finite() {
+        return String::new();
+    }
+    let text = format!("{value}");
+    if NOTATION.get().comma {
+        text.replace('.', ",")
+    } else {
+        text
+    }
+}
+
+/// A user's text as one cell of a table with tabs; a spreadsheet must not take it for a formula.
+pub(crate) fn cell(text: &str) -> String {
+    let text: String = text
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    if text.starts_with(['=', '+', '-', '@']) {
+        format!("'{text}")
+    } else {
+        text
+    }
+}
+
 fn with_minus(text: &str) -> String {
     let text = text.replace('-', "−");
     if NOTATION.get().comma {

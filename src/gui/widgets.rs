@@ -330,6 +330,33 @@ pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str
     response.on_hover_text(says)
 }
 
+/// An arrow into a tray: saves what stands beside it.
+pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+    let painter = ui.painter();
+    let lit = response.hovered() || response.has_focus();
+    if lit {
+        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
+    }
+    let color = if lit { palette.text } else { palette.muted };
+    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
+    let line = |points: Vec<egui::Pos2>| {
+        painter.line(points, Stroke::new(1.5, color));
+    };
+    line(vec![at(0.0, -6.5), at(0.0, 2.0)]);
+    line(vec![at(-3.5, -1.5), at(0.0, 2.0), at(3.5, -1.5)]);
+    line(vec![
+        at(-6.5, 2.5),
+        at(-6.5, 6.0),
+        at(6.5, 6.0),
+        at(6.5, 2.5),
+    ]);
+    response.on_hover_text(name)
+}
+
 /// Part of a whole as a bar: before above, after below.
 pub(crate) fn share_bar(ui: &mut Ui, part: f32, color: Color32) {
     let palette = Palette::of(ui);

@@ -25,7 +25,7 @@ mod findings;
 mod numbers;
 mod parts;
 mod session;
-mod stages;
+pub mod stages;
 
 pub use document::Report;
 pub use exported::{ExportedTable, TableFileError};

@@ -25,14 +25,9 @@ pub fn stages(
     verification: &Verification,
     floor_mm: Option<f64>,
 ) -> Result<Stages, ReportError> {
-    let problem = Problem::new(session, JointValues::Commanded);
-    let nominal = Model::nominal(calibration.model.robot.clone());
-    let before = deviations(&problem, &nominal);
-    let mut stages = vec![Stage {
-        name: "As measured".to_owned(),
-        colour: BEFORE,
-        deviations: before.clone(),
-    }];
+    let mut all = as_measured(session, floor_mm);
+    let before = &all.stages[0].deviations;
+    let mut more = Vec::new();
     if let Some(moved) = moved_by_correction(calibration, session)? {
         let mut corrected = Deviations::default();
         for i in 0..before.length_mm.len() {
@@ -47,17 +42,25 @@ pub fn stages(
                 column.push(e);
             }
         }
-        stages.push(Stage {
+        more.push(Stage {
             name: "With corrected commands".to_owned(),
             colour: CORRECTED,
             deviations: corrected,
         });
     }
-    stages.push(Stage {
+    more.push(Stage {
         name: "Against the model".to_owned(),
         colour: AFTER,
         deviations: verification.after.clone(),
     });
+    all.stages.extend(more);
+    Ok(all)
+}
+
+/// A session's samples as measured, held against the nominal robot.
+pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
+    let problem = Problem::new(session, JointValues::Commanded);
+    let nominal = Model::nominal(session.robot.clone());
     // Deviations are shown over the joint that moved farthest, in its own unit.
     let joints = &session.robot.joints;
     let travel = |k: usize| {
@@ -73,7 +76,7 @@ pub fn stages(
     let k = farthest.unwrap_or(0);
     let dir = session.samples.dir.get(k).and_then(Option::as_ref);
     let n = session.samples.len();
-    Ok(Stages {
+    Stages {
         nominal: nominal.predict(&problem.inputs),
         over: format!(
             "joint {} ({}), {}",
@@ -88,10 +91,14 @@ pub fn stages(
         side: (0..n)
             .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
             .collect(),
-        stages,
+        stages: vec![Stage {
+            name: "As measured".to_owned(),
+            colour: BEFORE,
+            deviations: deviations(&problem, &nominal),
+        }],
         floor_mm,
         tolerance_mm: session.tolerance_mm,
-    })
+    }
 }
 
 /// The plots.

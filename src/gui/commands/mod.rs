@@ -6,6 +6,7 @@
 mod command;
 mod desk;
 mod follow;
+mod papers;
 mod reports;
 #[cfg(test)]
 mod tests;
@@ -20,11 +21,13 @@ use desk::Desk;
 use crate::diagnosis::{Diagnosis, measuring_list};
 use crate::gui::document::{Document, Method, Question};
 use crate::gui::edit::Edit;
+use crate::gui::figures::Figures;
 use crate::gui::files::{self, Replace};
 use crate::gui::given::Given;
 use crate::gui::keeping::settings::Recent;
 use crate::gui::outcome::{Answer, Outcome};
 use crate::gui::preview::{Made, Preview, Wanted};
+use crate::gui::reporting::About;
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
 use crate::gui::tasks::{Tasks, What};
@@ -49,7 +52,9 @@ pub(crate) struct Workbench {
     outcome: Option<Arc<Outcome>>,
     searched: Option<Arc<Search>>,
     preview: Option<Preview>,
-    exported: Option<PathBuf>,
+    /// Files that were exported from this session, the newest last.
+    exported: Vec<PathBuf>,
+    figures: Option<Figures>,
     tasks: Tasks,
 }
 
@@ -69,7 +74,8 @@ impl Workbench {
             outcome: None,
             searched: None,
             preview: None,
-            exported: None,
+            exported: Vec::new(),
+            figures: None,
             tasks,
         };
         workbench.remember_on_file(Arc::clone(workbench.history.present()));
@@ -156,7 +162,7 @@ impl Workbench {
 
     /// The file that was exported last, of this session.
     pub(crate) fn exported(&self) -> Option<&PathBuf> {
-        self.exported.as_ref()
+        self.exported.last()
     }
 
     /// Whether the identification was cancelled: nobody asks again by himself.
@@ -338,7 +344,7 @@ impl Workbench {
             self.after_travel(before.lineage);
         }
         if before.lineage != self.subject().lineage {
-            self.exported = None;
+            self.exported.clear();
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fitted += 1;
@@ -390,6 +396,13 @@ impl Workbench {
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", crate::gui::document::plain(session)),
             What::Poses => format!("{}-next-poses.csv", crate::gui::document::plain(session)),
+            What::Report(About::Session) => {
+                format!("{}-report.html", crate::gui::document::plain(session))
+            }
+            What::Report(About::Model) => {
+                format!("{}-model-report.html", crate::gui::document::plain(session))
+            }
+            What::Picture(plot) => plot.file_name(session),
         }
     }
 
@@ -422,6 +435,11 @@ impl Workbench {
     }
 
     fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        match what {
+            What::Report(about) => return self.write_report(about, path, replace),
+            What::Picture(plot) => return self.write_picture(plot, path, replace),
+            What::Table | What::Model | What::Poses => {}
+        }
         if what == What::Poses {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
@@ -452,6 +470,7 @@ impl Workbench {
 
     /// Asks for the preview that the export step shows.
     fn keep_preparing(&mut self) {
+        self.keep_figuring();
         // A model by itself has nothing to show but its table.
         let shown = self.view.step == Step::Export || self.subject().is_empty();
         if !shown || self.answer().is_none() {

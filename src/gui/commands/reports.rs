@@ -89,6 +89,12 @@ impl Workbench {
                     replace: false,
                 });
             }
+            Report::Written(message) => self.view.message = Some(message),
+            Report::Figured(figures) => {
+                self.figures = Some(*figures);
+                // What is shown may be another answer by now.
+                self.keep_figuring();
+            }
             Report::Listed(Ok(path)) => {
                 self.view.message = Some(Message {
                     wrong: false,
@@ -103,16 +109,20 @@ impl Workbench {
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
-                self.exported = Some(path);
+                self.exported.retain(|other| *other != path);
+                self.exported.push(path);
                 self.go_on();
             }
-            Report::Broken => self.complain(
-                "Something went wrong inside the program",
-                vec![
-                    "Nothing was changed; save your work, and please report what you did last"
-                        .to_owned(),
-                ],
-            ),
+            Report::Broken => {
+                self.stop_figuring();
+                self.complain(
+                    "Something went wrong inside the program",
+                    vec![
+                        "Nothing was changed; save your work, and please report what you did last"
+                            .to_owned(),
+                    ],
+                );
+            }
         }
     }
 }

@@ -7,6 +7,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::ExportChoice;
 use crate::gui::edit::Edit;
 use crate::gui::preview::Made;
+use crate::gui::reporting::About;
 use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::Step;
@@ -23,8 +24,45 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ui,
             "There is nothing to export yet: the table comes from the identified robot",
         );
+    } else {
+        export(ui, workbench, commands);
+    }
+    reports(ui, workbench, commands);
+}
+
+/// The report: of the session, and of the model that is exported.
+fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let measured = !workbench.subject().is_empty();
+    let identified = workbench.answer().is_some();
+    if !measured && !identified {
         return;
     }
+    widgets::section(ui, "Report");
+    let mut offer = |ui: &mut Ui, text: &str, about: About| {
+        if widgets::secondary(ui, text).clicked() {
+            commands.push(Command::ChooseWhereToExport(What::Report(about)));
+        }
+    };
+    if measured {
+        offer(ui, "Report…", About::Session);
+        let says = if workbench.diagnosis().is_some() {
+            "HTML or PDF: what was measured, what the search found, what stays open"
+        } else {
+            "HTML or PDF: the session is searched for it first, which takes a while"
+        };
+        widgets::hint(ui, says);
+    }
+    if identified {
+        let text = if measured {
+            "Report of the model…"
+        } else {
+            "Report…"
+        };
+        offer(ui, text, About::Model);
+    }
+}
+
+fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let choice = workbench.document().export;
     widgets::section(ui, "Format");
     for format in EXPORTERS {
@@ -137,6 +175,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         }
         None => widgets::hint(ui, "The table is being prepared"),
     }
+    super::standards::show(ui, workbench);
 }
 
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {

@@ -1,5 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
+mod copies;
 mod disk;
 pub(super) mod dropped;
 mod export;
@@ -19,6 +20,7 @@ pub(super) mod sheets;
 pub(super) mod shortcuts;
 mod simulation;
 pub(super) mod stage;
+mod standards;
 pub(super) mod status;
 pub(super) mod steps;
 mod unexplained;

@@ -13,7 +13,7 @@ use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};
 use crate::units::deg_from_rad;
 
-use super::{model, samples};
+use super::{copies, model, samples};
 
 /// Shows the right-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -227,6 +227,7 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
         });
     }
     widgets::hint(ui, "± half the 95 % interval");
+    copies::button(ui, "parameters", || copies::parameters(estimates));
 }
 
 /// A parameter's name and its unit, as people write them.
@@ -316,6 +317,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
             "What to add, ± half the 95 % interval"
         },
     );
+    copies::button(ui, "regions", || copies::regions(results));
 }
 
 fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

@@ -125,6 +125,11 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
             "Save measuring list",
             "A CSV table with the session's column names, to be measured next",
         ),
+        What::Report(_) => (
+            "Save report",
+            "A name that ends in .html or .pdf; a session that was not searched yet is searched first",
+        ),
+        What::Picture(_) => ("Save picture", "A name that ends in .svg"),
     };
     match path_form(ui, title, says, path, replace, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {

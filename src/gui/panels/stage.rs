@@ -3,8 +3,10 @@
 use egui::{Align, ComboBox, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::pictures::Plot;
 use crate::gui::plots::{correction, deviation, waterfall, workspace};
 use crate::gui::subject::Component;
+use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::significant;
 use crate::gui::view::{Lower, Plane, Step};
@@ -41,6 +43,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.horizontal(|ui| {
                     lower(ui, workbench, commands);
                     caption(ui, "root mean square over the samples that were fitted");
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                        picture(ui, Plot::Waterfall, commands);
+                    });
                 });
                 waterfall::show(ui, workbench);
             } else {
@@ -112,6 +117,14 @@ fn title(ui: &mut Ui, text: &str) {
     ui.add_space(space::ROW);
 }
 
+/// Saves a plot as a file.
+fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
+    let says = format!("Save picture of the {}…", plot.name());
+    if widgets::save_button(ui, &says).clicked() {
+        commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
+    }
+}
+
 fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let measured = !workbench.subject().is_empty();
@@ -122,6 +135,9 @@ fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
             commands.push(Command::Look(plane));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if measured {
+                picture(ui, Plot::Workspace, commands);
+            }
             if workbench.answer().is_some() && measured {
                 blend(ui, workbench, commands);
             }
@@ -191,7 +207,7 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
 }
 
 /// From this width on the components stand side by side, points.
-const WIDE: f32 = 480.0;
+const WIDE: f32 = 512.0;
 
 /// The components as a list, where there is no room for them side by side.
 fn component_list(
@@ -235,6 +251,9 @@ fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Component(component));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if !workbench.subject().is_empty() {
+                picture(ui, Plot::Deviation, commands);
+            }
             if workbench.answer().is_some() {
                 let shown = [(false, "both"), (true, "only after")];
                 if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
