@@ -358,3 +358,20 @@ fn a_model_goes_to_standard_output_alone() {
     let output = truepose(&["identify", &bundled("paper-30.json"), "--out", "-"]);
     assert_eq!(json(&output)["format"], "truepose-model/1");
 }
+
+#[test]
+fn effects_that_nothing_can_show_leave_nothing_to_fit_and_say_so() {
+    let session = bundled("paper-30.json");
+    // No side of approach in it, and what is unexplained is no effect to ask for.
+    for (id, because) in [
+        ("backlash", "not_identifiable"),
+        ("unexplained", "--correct-unexplained"),
+    ] {
+        let output = truepose(&["identify", &session, "--effects", id, "--json"]);
+        let answer = json(&output);
+        let combinations = answer["not_identifiable"].as_array().unwrap();
+        assert_eq!(combinations.len(), 1, "{id}");
+        assert!(answer.to_string().contains(because), "{answer}");
+        assert_eq!(answer["parameters"].as_array().unwrap().len(), 0);
+    }
+}

@@ -36,6 +36,9 @@ pub(crate) struct Diagnose {
     /// Joint values to start from
     #[arg(long, value_enum, default_value = "commanded")]
     joint_values: Values,
+    /// Correct what no name explains by a smooth curve over the joint, if that helps on unseen samples
+    #[arg(long)]
+    correct_unexplained: bool,
     /// Write the model with what was found to this file; - is standard output
     #[arg(long, value_name = "MODEL")]
     out: Option<PathBuf>,
@@ -79,6 +82,7 @@ impl Diagnose {
                 Values::Commanded => JointValues::Commanded,
                 Values::Read => JointValues::Read,
             },
+            correct_unexplained: self.correct_unexplained,
         };
         let session = &loaded.session;
         let answer = diagnose(session, &options, &|_| true)?;
@@ -153,6 +157,19 @@ fn in_words(d: &Diagnosis) -> String {
         );
         if !d.unexplained.resembles.is_empty() {
             let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
+        }
+    }
+    match &d.unexplained.correction {
+        None => {}
+        Some(Ok(correction)) => {
+            let _ = writeln!(
+                text,
+                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
+                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
+            );
+        }
+        Some(Err(because)) => {
+            let _ = writeln!(text, "no smooth correction was added: {because}");
         }
     }
     for pose in &d.not_testable {

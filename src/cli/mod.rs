@@ -10,7 +10,9 @@ mod export;
 mod failure;
 mod identify;
 mod output;
+mod report;
 mod simulate;
+mod standards;
 mod verify;
 mod window;
 
@@ -40,8 +42,12 @@ enum Command {
     Diagnose(diagnose::Diagnose),
     /// Check a model on another session
     Verify(verify::Verify),
+    /// State accuracy and repeatability after ISO 230-2 and ISO 9283
+    Standards(standards::Standards),
     /// Write the table that a controller reads
     Export(export::Export),
+    /// Write the calibration report as HTML or PDF
+    Report(report::Report),
     /// List the effects that the program knows
     Effects(effects::Effects),
 }
@@ -57,7 +63,9 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Simulate(command)) => command.run(),
         Some(Command::Diagnose(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
+        Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
+        Some(Command::Report(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
     };

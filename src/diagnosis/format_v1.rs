@@ -126,6 +126,30 @@ struct Unexplained {
     place: Option<Place>,
     resembles: Vec<&'static str>,
     says: String,
+    /// Only where it was asked for; null where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    correction: Option<Option<Correction>>,
+    /// Why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_correction_because: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct Correction {
+    joint: usize,
+    gap_before_mm: f64,
+    gap_after_mm: f64,
+    held_out_before_mm: f64,
+    held_out_after_mm: f64,
+    held_out: String,
+    knots: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range_deg: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range_mm: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    period_deg: Option<f64>,
+    says: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -231,6 +255,14 @@ impl Document {
                 place: d.unexplained.place.clone().map(place),
                 resembles: d.unexplained.resembles.clone(),
                 says: d.unexplained.says.clone(),
+                correction: d.unexplained.correction.as_ref().map(|c| {
+                    let corrected = c.as_ref().ok();
+                    corrected.and_then(|c| correction(c, session))
+                }),
+                no_correction_because: match &d.unexplained.correction {
+                    Some(Err(because)) => Some(because.clone()),
+                    _ => None,
+                },
             },
             not_testable: d
                 .not_testable
@@ -345,6 +377,26 @@ fn found(f: &super::Found) -> Found {
         says: f.says.clone(),
         check: f.check,
     }
+}
+
+fn correction(c: &super::Correction, session: &Session) -> Option<Correction> {
+    let knots = c.curve()?.knots();
+    let joint = c.term.joint;
+    let turns = session.robot.joints[joint].kind == JointKind::Revolute;
+    let range = [knots.from, knots.to];
+    Some(Correction {
+        joint: joint + 1,
+        gap_before_mm: c.gap_mm[0],
+        gap_after_mm: c.gap_mm[1],
+        held_out_before_mm: c.held_out_mm[0],
+        held_out_after_mm: c.held_out_mm[1],
+        held_out: c.how.clone(),
+        knots: knots.count,
+        range_deg: turns.then(|| range.map(deg_from_rad)),
+        range_mm: (!turns).then_some(range),
+        period_deg: knots.period.filter(|_| turns).map(deg_from_rad),
+        says: c.says.clone(),
+    })
 }
 
 fn place(place: Where) -> Place {

@@ -10,6 +10,7 @@
 //! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
 //! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can.
 //! 7. [`limits`]: what would have been seen, had it been there.
+//! 8. [`smooth`]: what no name explains, as a correction without a name.
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
@@ -31,14 +32,25 @@ pub mod format_v1;
 pub mod limits;
 pub mod measuring_list;
 pub mod next_poses;
+pub mod smooth;
 
 mod arena;
+mod conclude;
+mod floor;
+mod ground;
 mod held_out;
+mod incomplete;
+mod leftover;
 mod linear;
 mod mending;
 mod prepare;
 mod search;
+mod shapes;
 mod significance;
+mod steps;
+mod testable;
+mod unseen;
+mod values;
 
 pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
@@ -46,6 +58,7 @@ pub use answer::{
 pub use candidates::Allowed;
 pub use measuring_list::measuring_list;
 pub use mending::Mend;
+pub use smooth::Correction;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;
@@ -63,6 +76,8 @@ pub struct Options {
     pub seed: u64,
     /// Joint values to start from.
     pub joint_values: JointValues,
+    /// Whether what no name explains is to be corrected by a smooth curve.
+    pub correct_unexplained: bool,
 }
 
 /// How far the diagnosis is.
@@ -141,7 +156,7 @@ pub fn diagnose(
     if prepared.reconsider(&found) {
         found = prepared.search(options, watch)?;
     }
-    answer::answer(&mended, &prepared, &found, watch)
+    conclude::answer(&mended, &prepared, &found, watch)
 }
 
 impl Options {

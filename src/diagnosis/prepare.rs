@@ -13,9 +13,11 @@ use crate::model::Model;
 use crate::sessions::Session;
 
 use super::arena::{Arena, Fit};
+use super::blunders::DataProblem;
 use super::candidates::Table;
 use super::evidence::{Noise, Rows};
 use super::held_out::Folds;
+use super::incomplete;
 use super::search::{Found, Search};
 use super::{DiagnoseError, Options, Watch};
 
@@ -33,6 +35,8 @@ pub(super) struct Prepared<'a> {
     pub(super) folds: Folds,
     /// Samples that `--held-out` locks away.
     pub(super) locked: Vec<bool>,
+    /// What was said of samples that lack a condition.
+    pub(super) incomplete: Option<DataProblem>,
     options: Options,
 }
 
@@ -42,6 +46,7 @@ impl<'a> Prepared<'a> {
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
         }
+        let incomplete = incomplete::leave_out(&mut problem);
         let locked = locked(&problem, options.held_out);
         for (fit, locked) in problem.fit.iter_mut().zip(&locked) {
             *fit &= !locked;
@@ -62,6 +67,7 @@ impl<'a> Prepared<'a> {
             arena,
             folds,
             locked,
+            incomplete,
             options: options.clone(),
         })
     }

@@ -8,10 +8,12 @@ use std::sync::Arc;
 use crate::atomic::{WriteError, write_atomically};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::export::{Document, Job, find};
+pub(crate) use crate::model::format_v1::is_model;
 use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
+use super::foreign::{self, Foreign};
 use super::given::Given;
 use super::keeping::disk::{Fate, Print};
 use super::preview::{Preview, Wanted};
@@ -28,6 +30,13 @@ pub(crate) struct Example {
     pub(crate) what: &'static str,
     document: &'static [u8],
     samples: &'static [u8],
+}
+
+impl Example {
+    /// Document and samples.
+    pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
+        (self.document, self.samples)
+    }
 }
 
 /// Every session that comes with the program; the window opens on the first.
@@ -106,28 +115,18 @@ pub(crate) fn open(path: &Path) -> Report {
             }),
         });
     }
+    if foreign::is_foreign(path) {
+        return match Foreign::read(path) {
+            Ok(foreign) => Report::Foreign(Box::new(foreign)),
+            Err(rejected) => Report::Opened(Err(Message {
+                wrong: true,
+                title: format!("{} could not be read", path.display()),
+                details: listed(&rejected.diagnostics),
+            })),
+        };
+    }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
-}
-
-/// What every version of the model's format begins with.
-const MODEL: &str = "truepose-model/";
-
-/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
-/// which says why.
-pub(crate) fn is_model(path: &Path) -> bool {
-    #[derive(serde::Deserialize)]
-    struct Tag {
-        format: String,
-    }
-    let Ok(bytes) = sessions::files::read_document(path) else {
-        return false;
-    };
-    match serde_json::from_slice::<Tag>(&bytes) {
-        Ok(tag) => tag.format.starts_with(MODEL),
-        // Broken, but it may still say what it was meant to be.
-        Err(_) => memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some(),
-    }
 }
 
 /// Findings as lines, no more than can be read.
@@ -278,8 +277,10 @@ fn advice(error: &WriteError) -> String {
 /// Asks the user for a session file.
 pub(crate) fn choose_to_open() -> Report {
     let dialog = rfd::FileDialog::new()
-        .set_title("Open session or model")
-        .add_filter("Sessions and models", &["json"]);
+        .set_title("Open session, model or measurements")
+        .add_filter("Sessions and models", &["json"])
+        .add_filter("Measurements", &["csv", "txt", "tsv", "dat", "asc"])
+        .add_filter("All files", &["*"]);
     Report::ChosenToOpen(dialog.pick_file())
 }
 

@@ -12,6 +12,7 @@
 //! - `setup`: robot and instrument as they are filled in.
 //! - `preferences`: units, digits, colours; `help`: what the words mean.
 //! - `keeping`: what outlives the window (recent files, what is not saved), and what changes under it.
+//! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `preview`: an export as it would be written.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
@@ -23,6 +24,7 @@ mod commands;
 mod document;
 mod edit;
 mod files;
+mod foreign;
 mod given;
 mod help;
 mod keeping;

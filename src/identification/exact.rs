@@ -235,6 +235,7 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
         }
         solution = solve(problem, &solution.model);
     }
+    solution.model = solution.model.settled();
     solution
 }
 

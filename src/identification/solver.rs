@@ -78,6 +78,14 @@ impl Spectrum {
         let scaled = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| {
             gram[(i, j)] * inverse[i] * inverse[j]
         });
+        if gram.is_empty() {
+            // Nothing to take apart; the decomposition takes no empty matrix.
+            return Self {
+                scale,
+                values: DVector::zeros(0),
+                vectors: DMatrix::zeros(0, 0),
+            };
+        }
         let eigen = SymmetricEigen::new(scaled);
         Self {
             scale,
@@ -293,13 +301,7 @@ fn sum(problem: &Problem, model: &Model, blocks: &[usize], sums: Sums) -> Normal
 }
 
 fn moved(model: &Model, step: &DVector<f64>) -> Model {
-    let coefficients = model.coefficients();
-    let moved: Vec<f64> = coefficients
-        .iter()
-        .zip(step.iter())
-        .map(|(c, s)| c + s)
-        .collect();
-    model.with_coefficients(&moved)
+    model.stepped(step.as_slice())
 }
 
 /// How far a step moves the samples, root mean square, in the units of the weighted residual.

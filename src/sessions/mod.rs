@@ -10,8 +10,8 @@
 //! inner units) → `validation` (what spans fields). The types that the program thinks in are in
 //! `domain`; they know nothing of files.
 
-mod assemble;
-mod columns;
+pub(crate) mod assemble;
+pub(crate) mod columns;
 mod csv;
 mod domain;
 pub(crate) mod files;
@@ -25,7 +25,7 @@ pub(crate) mod number;
 mod rows;
 mod save;
 mod saved_columns;
-mod table;
+pub(crate) mod table;
 pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};

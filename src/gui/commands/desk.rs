@@ -303,7 +303,7 @@ impl Workbench {
             Origin::Bundled | Origin::Model(_) => {
                 self.remember_on_file(Arc::clone(self.history.present()));
             }
-            Origin::Simulated | Origin::Recovered(_) => {}
+            Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
     }

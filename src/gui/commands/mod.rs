@@ -27,7 +27,7 @@ use crate::gui::outcome::{Answer, Outcome};
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
-use crate::gui::tasks::{Tasks, What};
+use crate::gui::tasks::{Report, Tasks, What};
 use crate::gui::undo::History;
 use crate::gui::units::Units;
 use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
@@ -213,6 +213,20 @@ impl Workbench {
                 self.tasks.start("waiting for a file name", move |_| {
                     files::choose_to_save(&name)
                 });
+            }
+            Command::Inspect(foreign) => {
+                // What was typed meanwhile is not lost while it is looked at.
+                self.view.sheet = Some(Sheet::Import(foreign.clone()));
+                self.tasks.start("looking at the file", move |_| {
+                    Report::Foreign(Box::new(foreign.looked_at()))
+                });
+            }
+            Command::Import(foreign) => {
+                self.tasks
+                    .start("importing", move |_| match foreign.import() {
+                        Ok(subject) => Report::Opened(Ok(Arc::new(subject))),
+                        Err(refused) => Report::Foreign(refused),
+                    });
             }
             Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {

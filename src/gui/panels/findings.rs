@@ -3,7 +3,6 @@
 
 use egui::{CollapsingHeader, Grid, RichText, ScrollArea, Ui};
 
-use crate::diagnosis::anonymous::Where;
 use crate::diagnosis::next_poses::NextPose;
 use crate::diagnosis::{Diagnosis, FloorFrom, Found, Mend, Verdict};
 use crate::effects::find;
@@ -20,6 +19,7 @@ use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
 use super::results::named;
+use super::unexplained;
 
 /// Shows the right-hand side of the step.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -49,7 +49,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         widgets::card(ui, |ui| card(ui, workbench, d, found, commands));
     }
     equivalent(ui, d);
-    unexplained(ui, workbench, d);
+    unexplained::card(ui, workbench, d, commands);
     if !d.next_poses.is_empty() {
         widgets::card(ui, |ui| next_poses(ui, workbench, &d.next_poses, commands));
     }
@@ -72,7 +72,7 @@ fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) -> String {
     }
 }
 
-fn titles(ids: &[&str]) -> String {
+pub(super) fn titles(ids: &[&str]) -> String {
     let title = |id: &&str| find(id).map_or(*id, |e| e.about().title).to_lowercase();
     ids.iter().map(title).collect::<Vec<_>>().join(" and ")
 }
@@ -269,42 +269,6 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
             ));
             let odds = significant(one.odds, 2);
             widgets::hint(ui, format!("{odds} : 1 against it. {}", one.separate_by));
-        }
-    });
-}
-
-fn unexplained(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    let left = &d.unexplained;
-    if !left.present {
-        return;
-    }
-    let warning = Palette::of(ui).warning;
-    widgets::card(ui, |ui| {
-        let text = RichText::new("Unexplained").font(strong(size::HEADING));
-        ui.label(text.color(warning));
-        widgets::fact(ui, "what is left", workbench.units().length(left.rms_mm));
-        let place = match &left.place {
-            None => None,
-            Some(Where::Range { variable, from, to }) => Some(format!(
-                "{variable} {} … {}",
-                trimmed(*from, 2),
-                trimmed(*to, 2)
-            )),
-            Some(Where::Cycles {
-                variable,
-                cycles_per_turn,
-            }) => Some(format!(
-                "{} per turn of {variable}",
-                trimmed(*cycles_per_turn, 2)
-            )),
-        };
-        if let Some(place) = place {
-            widgets::fact(ui, "where", place);
-        }
-        widgets::hint(ui, &left.says);
-        if !left.resembles.is_empty() {
-            let resembles = titles(&left.resembles);
-            widgets::hint(ui, format!("A part of it looks like {resembles}"));
         }
     });
 }

@@ -106,6 +106,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         let joints = workbench.subject().session.robot.joints.len();
         widgets::card(ui, |ui| parameters(ui, &found.parameters, joints));
     }
+    super::unexplained::in_the_model(ui, &answer.calibration.model);
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
     }

@@ -10,7 +10,7 @@ use crate::gui::tokens::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 
-use super::{preferences, recovery, shortcuts, simulation, unsaved, words};
+use super::{import, preferences, recovery, shortcuts, simulation, unsaved, words};
 
 /// Room around what a sheet says, points: half as much again as in a panel, which has the
 /// window's edge beside it.
@@ -47,6 +47,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
             Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
             Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
             Sheet::Recover => recovery::show(ui, workbench, commands),
+            Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
             Sheet::Preferences => preferences::show(ui, workbench, commands),
             Sheet::Words => words::show(ui),
             Sheet::Shortcuts => keys(ui),

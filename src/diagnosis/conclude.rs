@@ -1,0 +1,195 @@
+//! From where the search ended to the answer: refits on all samples, and the evidence of every
+//! step put together.
+
+use crate::effects::Term;
+use crate::identification::Outlier;
+use crate::identification::gap::{Deviations, Spread, deviations};
+use crate::identification::problem::Problem;
+use crate::identification::robust::suspects;
+use crate::kinematics::Range;
+use crate::model::{GapStep, Model};
+
+use super::aliases::{self, UNDECIDED};
+use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
+use super::arena::Fit;
+use super::blunders::Mended;
+use super::floor::floor;
+use super::leftover::unexplained;
+use super::limits;
+use super::next_poses::{self, NextPose};
+use super::prepare::Prepared;
+use super::search::Found as SearchEnd;
+use super::smooth;
+use super::steps::{found, steps};
+use super::testable::not_testable;
+use super::unseen::held_out;
+use super::values::{covariance, covariance_of_model, identified_parameters};
+use super::{DiagnoseError, Progress, Watch};
+
+/// At most so many rivals are listed.
+const MOST_EQUIVALENT: usize = 6;
+
+pub(super) fn answer(
+    mended: &Mended,
+    prepared: &Prepared,
+    end: &SearchEnd,
+    watch: Watch,
+) -> Result<Diagnosis, DiagnoseError> {
+    let arena = &prepared.arena;
+    let fit = &end.fit;
+    let go_on = |progress: Progress| {
+        if watch(&progress) {
+            Ok(())
+        } else {
+            Err(DiagnoseError::Cancelled)
+        }
+    };
+    go_on(Progress::Comparing)?;
+    let session = &mended.session;
+    let problem = &prepared.problem;
+    let base = arena.fit(&arena.base, Vec::new());
+    // The model carries names only, as near to the samples as names can come; what no name
+    // explains is told apart.
+    let with_shapes = fit;
+    let names = arena.fit(&fit.model, Vec::new());
+    let fit = if with_shapes.shapes.is_empty() {
+        with_shapes
+    } else {
+        &names
+    };
+    let final_model = on_all_samples(prepared, fit).settled();
+    let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
+    let identified = deviations(problem, &on_all_samples(prepared, &base));
+    let after = deviations(problem, &final_model);
+    let suspected: Vec<bool> = suspects(problem, &after)
+        .into_iter()
+        .zip(&problem.used)
+        .map(|(s, used)| s || !used)
+        .collect();
+    let counts = |i: usize| problem.fit[i];
+    let rms = |d: &Deviations| {
+        let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
+        spread.map_or(0.0, |s| s.rms_mm)
+    };
+    let gap = Gaps {
+        start_mm: rms(&nominal),
+        identified_mm: rms(&identified),
+        end_mm: rms(&after),
+    };
+    let floor = floor(prepared, fit);
+    let steps = steps(prepared, &base, fit);
+    let rivals = aliases::rivals(arena, with_shapes);
+    let equivalent: Vec<_> = rivals
+        .iter()
+        .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
+        .collect();
+    let equivalent = aliases::without_idle_names(&equivalent);
+    go_on(Progress::Planning)?;
+    let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
+    let covariance = covariance(arena, fit);
+    let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
+    let mut unexplained = unexplained(prepared, end, session);
+    if prepared.options().correct_unexplained {
+        let shapes: Vec<_> = unexplained.shapes.iter().map(|s| s.0).collect();
+        unexplained.correction = Some(smooth::correct(prepared, &shapes, &final_model));
+    }
+    let verdict = match (found.is_empty(), unexplained.present) {
+        (true, false) => Verdict::Noise,
+        (false, false) => Verdict::Explained,
+        (false, true) => Verdict::PartlyExplained,
+        (true, true) => Verdict::Unexplained,
+    };
+    let held_out = held_out(prepared, &base, fit, &steps, &nominal);
+    let mut history = vec![GapStep {
+        what: "nominal robot".to_owned(),
+        gap_mm: gap.start_mm,
+        held_out_mm: held_out.gaps.map(|g| g.start_mm),
+    }];
+    history.push(GapStep {
+        what: "zero offset and link length".to_owned(),
+        gap_mm: gap.identified_mm,
+        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
+    });
+    history.extend(steps.iter().map(|step| GapStep {
+        what: format!("with {}", step.term.effect.about().id),
+        gap_mm: step.gap_mm[1],
+        held_out_mm: step.held_out_mm.map(|h| h[1]),
+    }));
+    let outliers = outliers(problem, &after, &suspected);
+    Ok(Diagnosis {
+        session: session.name.clone(),
+        samples: session.samples.len(),
+        verdict,
+        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
+        floor,
+        gap,
+        held_out,
+        identified: identified_parameters(arena, fit, &covariance),
+        found,
+        equivalent: equivalents(&equivalent, with_shapes, &next_poses),
+        unexplained,
+        not_testable: not_testable(prepared, &base),
+        not_found: limits::limits(arena, with_shapes),
+        outliers,
+        next_poses,
+        noise: arena.noise.clone(),
+        covariance: covariance_of_model(&covariance, &final_model),
+        model: final_model,
+        history,
+        measured: measured(problem.inputs.q.iter().map(|q| &**q)),
+    })
+}
+
+/// The model's values from all samples that count; a short session's fit already has them.
+fn on_all_samples(prepared: &Prepared, fit: &Fit) -> Model {
+    let used = prepared.problem.used.iter().filter(|u| **u).count();
+    if used == prepared.arena.rows.samples.len() || !fit.shapes.is_empty() {
+        return fit.model.clone();
+    }
+    crate::identification::solver::solve(&prepared.problem, &fit.model).model
+}
+
+fn measured<'q>(columns: impl Iterator<Item = &'q [f64]>) -> Vec<Range> {
+    let range = |q: &[f64]| {
+        let start = (f64::INFINITY, f64::NEG_INFINITY);
+        let (from, to) = q.iter().fold(start, |(a, b), v| (a.min(*v), b.max(*v)));
+        Range { from, to }
+    };
+    columns.map(range).collect()
+}
+
+fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, poses: &[NextPose]) -> Vec<Equivalent> {
+    let ids = |terms: &[Term]| -> Vec<&'static str> {
+        terms.iter().map(|t| t.effect.about().id).collect()
+    };
+    let mut all: Vec<Equivalent> = Vec::new();
+    for rival in rivals {
+        let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
+        let known = all
+            .iter()
+            .any(|e| e.explanation == explanation && e.instead == instead);
+        if known || all.len() == MOST_EQUIVALENT {
+            continue;
+        }
+        all.push(Equivalent {
+            explanation,
+            instead,
+            odds: (fit.ln_evidence - rival.fit.ln_evidence).exp(),
+            separate_by: next_poses::separate_by(rival, poses),
+            model: rival.fit.model.clone(),
+        });
+    }
+    all
+}
+
+fn outliers(problem: &Problem, after: &Deviations, suspected: &[bool]) -> Vec<Outlier> {
+    let mut outliers: Vec<Outlier> = (0..suspected.len())
+        .filter(|i| problem.fit[*i] && suspected[*i])
+        .map(|sample| Outlier {
+            sample,
+            deviation_mm: after.length_mm[sample],
+        })
+        .collect();
+    outliers.sort_by(|a, b| b.deviation_mm.total_cmp(&a.deviation_mm));
+    outliers
+}
