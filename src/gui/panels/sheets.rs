@@ -169,7 +169,7 @@ fn keys(ui: &mut Ui) {
 
 fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
     let muted = Palette::of(ui).muted;
-    Grid::new("shortcuts")
+    Grid::new(("shortcuts", rows.len(), rows.first().map(|(keys, _)| keys)))
         .num_columns(2)
         .spacing([16.0, 6.0])
         .show(ui, |ui| {
