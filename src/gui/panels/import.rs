@@ -23,6 +23,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     widgets::hint(ui, found_out(now));
     let mut next = now.clone();
     ScrollArea::vertical().max_height(470.0).show(ui, |ui| {
+        // Beside what scrolls, not over it.
+        ui.set_width(ui.available_width() - f32::from(space::PANEL));
         dialect(ui, &mut next);
         columns(ui, &mut next);
         for question in &now.inspection.questions {
@@ -59,15 +61,6 @@ fn found_out(now: &Foreign) -> String {
     parts.join(" · ")
 }
 
-fn row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
-    let muted = Palette::of(ui).muted;
-    ui.horizontal(|ui| {
-        let name = egui::Label::new(RichText::new(name).color(muted)).halign(egui::Align::Min);
-        ui.add_sized([110.0, 26.0], name);
-        control(ui);
-    });
-}
-
 fn dialect(ui: &mut Ui, next: &mut Foreign) {
     let found = &next.inspection;
     let separators = [
@@ -77,14 +70,14 @@ fn dialect(ui: &mut Ui, next: &mut Foreign) {
         (Some(Separator::Spaces), "spaces"),
     ];
     let separator = next.reading.separator.or(found.separator);
-    row(ui, "Separated by", |ui| {
+    widgets::form_row(ui, "Separated by", |ui| {
         if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
             next.reading.separator = chosen;
         }
     });
     let decimal = next.reading.decimal.or(next.inspection.decimal);
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
-    row(ui, "Decimal sign", |ui| {
+    widgets::form_row(ui, "Decimal sign", |ui| {
         if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
             next.reading.decimal = chosen;
         }
@@ -95,7 +88,7 @@ fn dialect(ui: &mut Ui, next: &mut Foreign) {
         (Some(LengthUnit::Metres), "m"),
         (Some(LengthUnit::Inches), "inches"),
     ];
-    row(ui, "Lengths in", |ui| {
+    widgets::form_row(ui, "Lengths in", |ui| {
         if let Some(chosen) = widgets::segmented(ui, &units, next.reading.unit) {
             next.reading.unit = chosen;
         }
@@ -303,7 +296,7 @@ fn commanded(ui: &mut Ui, next: &mut Foreign) {
         (Matching::Name, "by name"),
         (Matching::Time, "by time"),
     ];
-    row(ui, "Matched", |ui| {
+    widgets::form_row(ui, "Matched", |ui| {
         if let Some(matching) = widgets::segmented(ui, &ways, next.matching) {
             next.matching = matching;
         }

@@ -145,7 +145,7 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
 }
 
 fn keys(ui: &mut Ui) {
-    ui.set_width(560.0);
+    ui.set_width(600.0);
     widgets::heading(ui, "Keyboard shortcuts");
     let others: [(&str, &str); 6] = [
         ("← →", "move the boundary that has the focus"),
@@ -156,7 +156,7 @@ fn keys(ui: &mut Ui) {
         ("Esc", "close a sheet"),
     ];
     let all = shortcuts::ALL.iter();
-    let all = all.map(|(_, keys, what)| (ui.ctx().format_shortcut(keys), *what));
+    let all = all.map(|(_, keys, what)| (shortcuts::in_words(ui.ctx(), keys), *what));
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
     let all: Vec<_> = all.chain(others).collect();
     let rows = all.len().div_ceil(2);
@@ -169,6 +169,7 @@ fn keys(ui: &mut Ui) {
 
 fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
     let muted = Palette::of(ui).muted;
+    widgets::dense(ui);
     Grid::new(("shortcuts", rows.len(), rows.first().map(|(keys, _)| keys)))
         .num_columns(2)
         .spacing([16.0, 6.0])
