@@ -181,7 +181,13 @@ fn the_main_job_runs_from_a_scenario_to_a_table_in_a_folder_with_an_awkward_name
         "a saved model predicts the same: {after} {verified}"
     );
 
-    for (format, file) in [("csv", "table.csv"), ("c-header", "table.h")] {
+    for (format, file) in [
+        ("csv", "table.csv"),
+        ("c-header", "table.h"),
+        ("linuxcnc", "table.comp"),
+        ("twincat-cnc", "achskw1.lis"),
+        ("urdf", "robot.urdf"),
+    ] {
         let done = truepose(&["export", &at("m.json"), "--to", format, "--out", &at(file)]);
         assert_eq!(
             done.status.code(),

@@ -9,7 +9,9 @@ mod effects;
 mod export;
 mod failure;
 mod identify;
+mod import;
 mod output;
+mod plan;
 mod report;
 mod simulate;
 mod standards;
@@ -36,10 +38,14 @@ struct Arguments {
 enum Command {
     /// Make a session by simulation from a scenario
     Simulate(simulate::Simulate),
+    /// Make a session of a file that an instrument wrote
+    Import(Box<import::Import>),
     /// Identify a session's robot: the exact fit, or the paper's method by regions
     Identify(identify::Identify),
     /// Find what is missing, name it, and prove it on unseen samples
     Diagnose(diagnose::Diagnose),
+    /// Say what to measure next, or first
+    Plan(plan::Plan),
     /// Check a model on another session
     Verify(verify::Verify),
     /// State accuracy and repeatability after ISO 230-2 and ISO 9283
@@ -61,7 +67,9 @@ pub(crate) fn run() -> ExitCode {
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
+        Some(Command::Import(command)) => command.run(),
         Some(Command::Diagnose(command)) => command.run(),
+        Some(Command::Plan(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),

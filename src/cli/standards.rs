@@ -84,7 +84,7 @@ fn series_in_words(axis: &AxisTest, series: &Series, text: &mut String) {
     let [up, down] = series.before.fewest_runs();
     let _ = writeln!(
         text,
-        "  {}: {} positions, {up} approaches from below and {down} from above",
+        "  {}: {} positions, each approached {up} times or more from below and {down} from above",
         series.fixed.in_words(axis),
         series.before.positions.len()
     );
@@ -120,6 +120,9 @@ fn figure(value: Option<f64>, axis: &AxisTest) -> String {
     value.map_or_else(|| "–".to_owned(), |v| format!("{v:.digits$}"))
 }
 
+/// A figure of the largest ones.
+type Pick = fn(&Largest) -> Option<f64>;
+
 fn poses_in_words(test: &PoseTest, compensated: bool, text: &mut String) {
     let _ = writeln!(
         text,
@@ -135,7 +138,7 @@ fn poses_in_words(test: &PoseTest, compensated: bool, text: &mut String) {
             "largest over the poses", "measured"
         );
         let (before, after) = (test.largest(false), test.largest(true));
-        let rows: [(&str, fn(&Largest) -> Option<f64>); 3] = [
+        let rows: [(&str, Pick); 3] = [
             ("AP  pose accuracy", |l| l.accuracy),
             ("RP  pose repeatability", |l| l.repeatability),
             ("vAP variation between directions", |l| l.variation),

@@ -212,6 +212,33 @@ pub fn gap_with_table(
     Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
 }
 
+/// The gap to another description of the robot, the instrument's own effects being left to it.
+pub fn gap_to_robot(
+    calibration: &Calibration,
+    session: &Session,
+    robot: &crate::kinematics::Robot,
+) -> Option<Spread> {
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    // What the instrument adds to the model it adds to any robot in the same place.
+    let (full, own) = (full.predict(inputs), compensation.robot.predict(inputs));
+    let mut inputs_there = inputs.clone();
+    let nominal = &calibration.model.robot.base_from_tool;
+    for home in &mut inputs_there.reflectors_at_home {
+        let in_tool = nominal.inverse_transform_point(&(*home).into());
+        *home = (robot.base_from_tool * in_tool).coords.into();
+    }
+    let there = Model::nominal(robot.clone()).predict(&inputs_there);
+    let expected = |i: usize| add_scaled(there.get(i), minus(full.get(i), own.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    let after = measured_minus(session, &problem, &compensation, |i| full.get(i));
+    let outlier = suspects(&problem, &after);
+    Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
+}
+
 fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
         let kinds = robot.joints.iter().map(|j| match j.kind {

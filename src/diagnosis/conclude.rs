@@ -9,7 +9,7 @@ use crate::identification::robust::suspects;
 use crate::kinematics::Range;
 use crate::model::{GapStep, Model};
 
-use super::aliases::{self, UNDECIDED};
+use super::aliases;
 use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
 use super::arena::Fit;
 use super::blunders::Mended;
@@ -24,7 +24,7 @@ use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::{covariance, covariance_of_model, identified_parameters};
-use super::{DiagnoseError, Progress, Watch};
+use super::{DiagnoseError, Progress, Watch, unlock};
 
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
@@ -78,21 +78,19 @@ pub(super) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::rivals(arena, with_shapes);
-    let equivalent: Vec<_> = rivals
-        .iter()
-        .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
-        .collect();
-    let equivalent = aliases::without_idle_names(&equivalent);
+    let rivals = next_poses::open_rivals(arena, with_shapes);
+    let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
-    let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
+    let not_testable = not_testable(arena, &base);
+    let next_poses = if equivalent.is_empty() {
+        unlock::worth_unlocking(prepared, with_shapes, &not_testable)
+    } else {
+        next_poses::separate(prepared, with_shapes, &equivalent, next_poses::MOST)
+    };
     let covariance = covariance(arena, fit);
     let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
     let mut unexplained = unexplained(prepared, end, session);
-    if prepared.options().correct_unexplained {
-        let shapes: Vec<_> = unexplained.shapes.iter().map(|s| s.0).collect();
-        unexplained.correction = Some(smooth::correct(prepared, &shapes, &final_model));
-    }
+    unexplained.correction = smooth::asked(prepared, &unexplained, &final_model);
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
@@ -128,7 +126,7 @@ pub(super) fn answer(
         found,
         equivalent: equivalents(&equivalent, with_shapes, &next_poses),
         unexplained,
-        not_testable: not_testable(prepared, &base),
+        not_testable,
         not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses,

@@ -3,13 +3,16 @@
 use serde::Serialize;
 
 use crate::identification::Estimate;
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
 use super::anonymous::Where;
 use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
 use super::next_poses::NextPose;
+
+mod correction;
+mod start;
 
 /// The document.
 #[derive(Debug, Serialize)]
@@ -31,6 +34,8 @@ pub struct Document {
     outliers: Vec<Outlier>,
     next_poses: Vec<Pose>,
     noise: Noise,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start: Option<start::Start>,
 }
 
 #[derive(Debug, Serialize)]
@@ -128,28 +133,10 @@ struct Unexplained {
     says: String,
     /// Only where it was asked for; null where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    correction: Option<Option<Correction>>,
+    correction: Option<correction::Answer>,
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_correction_because: Option<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct Correction {
-    joint: usize,
-    gap_before_mm: f64,
-    gap_after_mm: f64,
-    held_out_before_mm: f64,
-    held_out_after_mm: f64,
-    held_out: String,
-    knots: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    range_deg: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    range_mm: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    period_deg: Option<f64>,
-    says: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -255,10 +242,7 @@ impl Document {
                 place: d.unexplained.place.clone().map(place),
                 resembles: d.unexplained.resembles.clone(),
                 says: d.unexplained.says.clone(),
-                correction: d.unexplained.correction.as_ref().map(|c| {
-                    let corrected = c.as_ref().ok();
-                    corrected.and_then(|c| correction(c, session))
-                }),
+                correction: correction::Answer::of(&d.unexplained, session),
                 no_correction_because: match &d.unexplained.correction {
                     Some(Err(because)) => Some(because.clone()),
                     _ => None,
@@ -294,19 +278,20 @@ impl Document {
                     deviation_mm: o.deviation_mm,
                 })
                 .collect(),
-            next_poses: poses(&d.next_poses, session),
+            next_poses: poses(&d.next_poses, &session.robot),
             noise: Noise {
                 sigma_mm: d.noise.sigma_mm,
                 axes_differ: d.noise.unequal,
                 correlation_in_time: d.noise.rho,
             },
+            start: None,
         }
     }
 }
 
 /// Poses in the units of the file.
-pub fn poses(poses: &[NextPose], session: &Session) -> Vec<Pose> {
-    let unit = |(joint, v): (usize, &f64)| match session.robot.joints[joint].kind {
+pub fn poses(poses: &[NextPose], robot: &Robot) -> Vec<Pose> {
+    let unit = |(joint, v): (usize, &f64)| match robot.joints[joint].kind {
         JointKind::Revolute => deg_from_rad(*v),
         JointKind::Prismatic => *v,
     };
@@ -377,26 +362,6 @@ fn found(f: &super::Found) -> Found {
         says: f.says.clone(),
         check: f.check,
     }
-}
-
-fn correction(c: &super::Correction, session: &Session) -> Option<Correction> {
-    let knots = c.curve()?.knots();
-    let joint = c.term.joint;
-    let turns = session.robot.joints[joint].kind == JointKind::Revolute;
-    let range = [knots.from, knots.to];
-    Some(Correction {
-        joint: joint + 1,
-        gap_before_mm: c.gap_mm[0],
-        gap_after_mm: c.gap_mm[1],
-        held_out_before_mm: c.held_out_mm[0],
-        held_out_after_mm: c.held_out_mm[1],
-        held_out: c.how.clone(),
-        knots: knots.count,
-        range_deg: turns.then(|| range.map(deg_from_rad)),
-        range_mm: (!turns).then_some(range),
-        period_deg: knots.period.filter(|_| turns).map(deg_from_rad),
-        says: c.says.clone(),
-    })
 }
 
 fn place(place: Where) -> Place {

@@ -55,9 +55,8 @@ pub(super) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
             shown.join(", ")
         ),
         proposal: "they were left out of the diagnosis; fill in the cells to use them".to_owned(),
-        // The other samples' values would be guesses, and the fit can use these as they are.
-        mend: None,
         samples: lacking,
+        mend: None,
     })
 }
 

@@ -83,13 +83,7 @@ impl Knots {
     pub fn weights(&self, q: f64) -> [(usize, f64); 4] {
         let q = q.max(self.from).min(self.to);
         let n = self.count;
-        let (first, t) = match self.period {
-            Some(period) => split(((q - self.from) / period).rem_euclid(1.0) * n as f64, n - 1),
-            None => split(
-                (q - self.from) / (self.to - self.from) * (n - 1) as f64,
-                n - 2,
-            ),
-        };
+        let (first, t) = self.split(q);
         let (t2, t3) = (t * t, t * t * t);
         let mut w = [
             0.5 * (2.0 * t2 - t - t3),
@@ -114,6 +108,15 @@ impl Knots {
         }
         let at = |k: usize| (first + k).saturating_sub(1).min(n - 1);
         std::array::from_fn(|k| (at(k), w[k]))
+    }
+
+    /// The knot at or below a value in the range, and the share of the way to the next one.
+    fn split(&self, q: f64) -> (usize, f64) {
+        let (n, above) = (self.count, q - self.from);
+        if let Some(period) = self.period {
+            return split((above / period).rem_euclid(1.0) * n as f64, n - 1);
+        }
+        split(above / (self.to - self.from) * (n - 1) as f64, n - 2)
     }
 
     /// Whether something was measured there.
@@ -225,16 +228,7 @@ impl Curve {
         }
         // Between the knots: straight, from one to the next.
         let n = self.knots.count;
-        let (first, t) = match self.knots.period {
-            Some(period) => {
-                let turns = ((q - self.knots.from) / period).rem_euclid(1.0);
-                split(turns * n as f64, n - 1)
-            }
-            None => {
-                let share = (q - self.knots.from) / (self.knots.to - self.knots.from);
-                split(share * (n - 1) as f64, n - 2)
-            }
-        };
+        let (first, t) = self.knots.split(q);
         let next = (first + 1) % n;
         Some(std::array::from_fn(|d| {
             let sigma = &self.sigma[d];

@@ -253,6 +253,7 @@ impl std::fmt::Debug for Term {
             .field("joint", &(self.joint + 1))
             .field("setting", &self.setting)
             .field("coefficients", &self.coefficients)
+            .field("curve", &self.curve)
             .finish()
     }
 }

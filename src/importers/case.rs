@@ -7,6 +7,7 @@ use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, session_heading};
 use crate::importers::settings::{About, ColumnGuess, Inspection, Question, Reading};
+use crate::importers::units::AngleUnit;
 use crate::importers::{clock_text, units};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
@@ -70,7 +71,7 @@ impl<'a> Case<'a> {
                 Some(grid)
             }
             Err(error) => {
-                self.found.findings.push(error);
+                self.found.findings.push(*error);
                 None
             }
         }
@@ -231,14 +232,11 @@ impl<'a> Case<'a> {
         {
             if unit != heading {
                 let found = format!("the headings name another unit than {symbol}");
-                self.warn(
-                    found,
-                    "the headings are believed; rename them if they are wrong",
-                );
+                self.warn(found, "the same unit as the headings, which are believed");
             }
-            self.found.unit = "from the headings".to_owned();
+            "from the headings".clone_into(&mut self.found.unit);
         } else if says_length.is_some() {
-            self.found.unit = "from the headings".to_owned();
+            "from the headings".clone_into(&mut self.found.unit);
         }
         if lacks_length {
             match length {
@@ -256,7 +254,7 @@ impl<'a> Case<'a> {
                 }
             }
         }
-        let angle = self.reading.angle_unit.map(|unit| unit.unit());
+        let angle = self.reading.angle_unit.map(AngleUnit::unit);
         if lacks_angle && angle.is_none() {
             let says = "the unit of the joint values is not said";
             self.ask(About::AngleUnit, says, &["deg", "rad"]);

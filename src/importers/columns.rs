@@ -77,6 +77,15 @@ impl Columns {
         }
     }
 
+    /// The name of one measured point.
+    pub(crate) fn point(&self, row: usize) -> Option<&str> {
+        let column = self.list.iter().find(|column| column.role == Role::Point)?;
+        match &column.cells {
+            Cells::Text(cells) => cells.get(row).map(String::as_str),
+            _ => None,
+        }
+    }
+
     /// The names of the measured points.
     pub(crate) fn points(&self) -> Option<Vec<&str>> {
         self.texts(Role::Point)

@@ -132,9 +132,8 @@ pub(crate) fn value(cell: &str, decimal: Decimal) -> Result<f64, NotANumber> {
         return any_decimal(cell);
     }
     let fits = match shape(cell) {
-        Some(Shape::Whole) => true,
         // With the sign known, `1,234` is either a fraction or thousands.
-        Some(Shape::Either(_)) => true,
+        Some(Shape::Whole | Shape::Either(_)) => true,
         Some(Shape::Fraction(of) | Shape::Grouped(of)) => of == decimal,
         None => false,
     };

@@ -47,7 +47,7 @@ impl<'a> Grid<'a> {
         text: &'a str,
         separator: Option<Separator>,
         file: &Place,
-    ) -> Result<Self, Diagnostic> {
+    ) -> Result<Self, Box<Diagnostic>> {
         let candidates = match separator {
             Some(separator) => vec![separator],
             None => Separator::ALL.to_vec(),
@@ -63,20 +63,26 @@ impl<'a> Grid<'a> {
                 best = Some((quality, separator, width, numbers));
             }
         }
+        // A single column has no separator; a tabulator cuts nothing that may be in it.
+        let single = || Head::read(text, Separator::Tab).is_single();
+        if best.is_none() && separator.is_none() && quote.is_none() && single() {
+            best = Some((0.0, Separator::Tab, 1, 1));
+        }
         let Some((_, separator, width, numbers)) = best else {
             if let Some(quote) = quote {
-                return Err(open_quote(file, quote));
+                return Err(Box::new(open_quote(file, quote)));
             }
-            let found = "no table: no line with two cells of which one is a number";
+            let found = "no table: no line of cells of which one is a number";
             let expected = "rows of cells between tabs, semicolons, commas or spaces";
-            return Err(Diagnostic::error(file.clone(), found, expected));
+            return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         };
         if width > MOST_COLUMNS {
             let found = format!("{width} columns");
             let expected = format!("a table of at most {MOST_COLUMNS} columns");
-            return Err(Diagnostic::error(file.clone(), found, expected));
+            return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }
-        Self::with(text, separator, width, numbers).map_err(|quote| open_quote(file, quote))
+        Self::with(text, separator, width, numbers)
+            .map_err(|quote| Box::new(open_quote(file, quote)))
     }
 
     /// Finds the start of a table with so many cells in a row and so many numbers among them.
@@ -98,7 +104,7 @@ impl<'a> Grid<'a> {
             if row.cells.len() == width && numbers_in(&row) >= enough {
                 break start;
             }
-            let cells = row.cells.iter().map(|cell| cell.to_string()).collect();
+            let cells = row.cells.iter().map(ToString::to_string).collect();
             before.push((row.line, cells));
             // Only the last lines can be a header.
             if before.len() > LOOKED_AT {
@@ -162,7 +168,7 @@ impl<'a> Grid<'a> {
         let mut row = Row::default();
         let mut first = Vec::new();
         while first.len() < count && rows.next(&mut row) == Ok(true) {
-            first.push(row.cells.iter().map(|cell| cell.to_string()).collect());
+            first.push(row.cells.iter().map(ToString::to_string).collect());
         }
         first
     }
@@ -299,6 +305,12 @@ impl Head {
         head
     }
 
+    /// Whether this is a column of numbers below a heading.
+    fn is_single(&self) -> bool {
+        let numbers = self.lines.iter().filter(|line| **line == (1, 1)).count();
+        numbers > 0 && numbers + 1 >= self.lines.len()
+    }
+
     /// How much of a table this is, with its number of columns and of number columns: over the
     /// lines of the best width, the sum of numbers² / cells, which favours many numbers and few
     /// other cells.
@@ -334,7 +346,7 @@ fn take_header(before: &mut Vec<(u64, Vec<String>)>, width: usize) -> Option<(u6
             .map_or(0, |at| at + 1);
         let numbers = cells.iter().filter(|cell| is_number(cell)).count();
         // A line of one or two words is a remark, unless the table is as narrow.
-        cells.len() >= width.saturating_sub(1)
+        cells.len() >= width.saturating_sub(1).max(1)
             && (filled > 2 || filled + 1 >= width)
             && 2 * numbers < filled.max(1)
     };
@@ -371,7 +383,7 @@ fn header_in_comment(comment: &str, separator: Separator, width: usize) -> Optio
     }
     let known = |cell: &&std::borrow::Cow<'_, str>| !matches!(understand(cell), Role::Kept);
     let enough = row.cells.iter().filter(known).count() >= 2;
-    enough.then(|| row.cells.iter().map(|cell| cell.to_string()).collect())
+    enough.then(|| row.cells.iter().map(ToString::to_string).collect())
 }
 
 #[cfg(test)]
@@ -423,18 +435,18 @@ mod tests {
 
     #[test]
     fn a_text_without_a_table_is_no_table() {
-        for text in ["hello\nworld\n", "1\n2\n3\n", "a,b\nc,d\n", "1,\"2\n"] {
+        for text in ["hello\nworld\n", "1\nx\ny\n", "a,b\nc,d\n", "1,\"2\n"] {
             assert!(Grid::find(text, None, &Place::default()).is_err(), "{text}");
         }
     }
 
     #[test]
     fn rows_of_another_width_are_named() {
-        let grid = find("x,y\n1,2\n3,4,,\n5\n6,7,8\n");
+        let grid = find("x,y\n1,2\n3,4,,\n5\n6,7,8\n9,1\n");
         let mut complaints = Complaints::default();
         let mut rows = 0;
         grid.each_row(&Place::default(), &mut complaints, |_, _| rows += 1);
-        assert_eq!(rows, 2);
+        assert_eq!(rows, 3);
         let lines: Vec<_> = complaints.findings.iter().map(|d| d.place.line).collect();
         assert_eq!(lines, [Some(4), Some(5)]);
     }

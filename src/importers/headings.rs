@@ -162,8 +162,10 @@ pub(crate) fn understand(heading: &str) -> Role {
             _ => Role::Kept,
         },
         (Role::Time(_), Some(Word::Time(seconds))) => Role::Time(seconds),
-        (Role::Time(_), Some(_)) => Role::Kept,
-        (Role::Known(Quantity::Load | Quantity::Temperature, _), Some(Word::Time(_))) => Role::Kept,
+        (Role::Time(_), Some(_))
+        | (Role::Known(Quantity::Load | Quantity::Temperature, _), Some(Word::Time(_))) => {
+            Role::Kept
+        }
         (role, _) => role,
     }
 }
@@ -190,7 +192,7 @@ pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
         // `speed deg/s` is no `speed deg` in seconds.
         if !matches!(found, Word::Time(_)) {
             unit = Some(found);
-            name = before.to_owned();
+            before.clone_into(&mut name);
         }
     }
     let separates = |c: char| !(c.is_alphanumeric() || matches!(c, '°' | 'µ' | '"' | '/'));

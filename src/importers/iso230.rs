@@ -15,7 +15,7 @@ use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, words_and_unit};
 use crate::importers::settings::{About, ColumnGuess};
-use crate::importers::units::{self, Word};
+use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::number::quoted;
@@ -100,7 +100,7 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     }
     let is_wide = parts.iter().any(|part| matches!(part, Part::Of { .. }));
     let is_deviation = deviations(case, &parts, &list, units)?;
-    Some(columns(case, in_order(list, is_wide), is_deviation, units))
+    Some(columns(case, &in_order(list, is_wide), is_deviation, units))
 }
 
 /// The headings; a second line of headings above is joined in: runs above directions.
@@ -122,7 +122,7 @@ fn headings(grid: &Grid<'_>) -> Vec<String> {
             if !above.is_empty() {
                 last = above;
             }
-            *name = format!("{last} {name}").trim().to_owned();
+            format!("{last} {name}").trim().clone_into(name);
         }
     }
     names
@@ -295,9 +295,9 @@ fn units_of(
         })
     });
     let given = if case.reading.slides {
-        case.reading.unit.map(|unit| unit.unit())
+        case.reading.unit.map(LengthUnit::unit)
     } else {
-        case.reading.angle_unit.map(|unit| unit.unit())
+        case.reading.angle_unit.map(AngleUnit::unit)
     };
     // What holds for the targets holds for the positions, but for deviations nothing follows.
     let default = given.or(in_preamble.filter(suits));
@@ -305,30 +305,22 @@ fn units_of(
     let is_deviation = parts.contains(&Part::Deviation);
     let inherited = if is_deviation { None } else { target };
     let measured_unit = measured.or(default).or(inherited);
-    match (target_unit, measured_unit) {
-        (Some(target), Some(measured)) => {
-            case.found.unit = if default.is_some() {
-                "as was said"
-            } else {
-                "from the headings"
-            }
-            .to_owned();
-            Some(Units { target, measured })
-        }
-        _ => {
-            let (about, answers): (_, &[&str]) = if case.reading.slides {
-                (About::Unit, &["mm", "m", "in"])
-            } else {
-                (About::AngleUnit, &["deg", "rad"])
-            };
-            case.ask(
-                about,
-                "the unit of the targets or of the positions is not said",
-                answers,
-            );
-            None
-        }
-    }
+    let (Some(target), Some(measured)) = (target_unit, measured_unit) else {
+        let (about, answers): (_, &[&str]) = if case.reading.slides {
+            (About::Unit, &["mm", "m", "in"])
+        } else {
+            (About::AngleUnit, &["deg", "rad"])
+        };
+        let says = "the unit of the targets or of the positions is not said";
+        case.ask(about, says, answers);
+        return None;
+    };
+    let from = match default {
+        Some(_) => "as was said",
+        None => "from the headings",
+    };
+    from.clone_into(&mut case.found.unit);
+    Some(Units { target, measured })
 }
 
 /// Reads every measured cell.
@@ -461,7 +453,7 @@ fn in_order(mut list: Vec<Measurement>, is_wide: bool) -> Vec<Measurement> {
     list
 }
 
-fn columns(case: &Case<'_>, list: Vec<Measurement>, is_deviation: bool, units: Units) -> Columns {
+fn columns(case: &Case<'_>, list: &[Measurement], is_deviation: bool, units: Units) -> Columns {
     let joint = case.reading.joint;
     let of = |get: fn(&Measurement) -> f64| list.iter().map(get).collect::<Vec<f64>>();
     let position = |m: &Measurement| {
@@ -474,7 +466,7 @@ fn columns(case: &Case<'_>, list: Vec<Measurement>, is_deviation: bool, units: U
         target + measured
     };
     let mut lines = Lines::default();
-    for measurement in &list {
+    for measurement in list {
         lines.add(measurement.line, 1);
     }
     let commanded = Quantity::Commanded(joint);

@@ -9,10 +9,11 @@
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::importers::averages::{Group, Means, without_strays};
 use crate::importers::clock::{self, ClockOffset, Timed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
-use crate::importers::matching::{Pairs, join, listed, row_in_words};
+use crate::importers::matching::{Pairs, join, listed_rows};
 use crate::importers::path::{Path, Stop};
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::columns::{Quantity, Unit};
@@ -62,8 +63,6 @@ const MOSTLY: f64 = 0.4;
 /// Parts of a stop that are not used, at its start and at its end.
 const SETTLING: f64 = 1.0 / 3.0;
 const LEAVING: f64 = 0.1;
-/// A point in a stop that is this many median deviations from the median strays.
-const STRAY: f64 = 6.0;
 
 /// Matches by time.
 pub(crate) fn by_time(
@@ -73,57 +72,29 @@ pub(crate) fn by_time(
     targets: (&[Point3<f64>], &[usize]),
     timing: Timing,
     places: (&Place, &Place),
-) -> Result<Timely, Diagnostic> {
+) -> Result<Timely, Box<Diagnostic>> {
     let (measured_place, commands_place) = places;
     let refused = |place: &Place, found: String, expected: &str| {
-        Err(Diagnostic::error(place.clone(), found, expected))
+        Err(Box::new(Diagnostic::error(place.clone(), found, expected)))
     };
     let Some(time_s) = measured.numbers(Quantity::Time) else {
         let found = "no column of times".to_owned();
         return refused(measured_place, found, "time_s, or --match order or name");
     };
-    let path = match Path::new(&commands, robot) {
-        Ok(path) => path,
-        Err(None) => {
-            let found = "no column of times, or not all joints".to_owned();
-            return refused(
-                commands_place,
-                found,
-                "time_s and the commanded value of every joint",
-            );
-        }
-        Err(Some(row)) => {
-            let line = commands.lines.get(row).unwrap_or(row as u64 + 1);
-            let place = commands_place.clone().at_line(line);
-            return refused(
-                &place,
-                "a time that is not later than the one before".to_owned(),
-                "rows in the order of time",
-            );
-        }
-    };
+    let path = path_of(&commands, robot, commands_place)?;
     let points = timed(&measured, &time_s, targets.1);
     let clock = match timing.offset_s {
         Some(offset_s) => clock::given(&path, robot, targets.0, &points, offset_s),
         None => match clock::find(&path, robot, targets.0, &points) {
             Ok(clock) => clock,
             Err(why) => {
-                return refused(
-                    measured_place,
-                    why.in_words(),
-                    "--clock-offset with the seconds to add to a measured time",
-                );
+                let expected = "--clock-offset with the seconds to add to a measured time";
+                return refused(measured_place, why.in_words(), expected);
             }
         },
     };
     let at: Vec<f64> = time_s.iter().map(|time| time + clock.offset_s).collect();
-    let usable: Vec<bool> = {
-        let mut usable = vec![false; at.len()];
-        for (row, usable) in usable.iter_mut().enumerate() {
-            *usable = path.entry(at[row]).is_some();
-        }
-        usable
-    };
+    let usable: Vec<bool> = at.iter().map(|time| path.entry(*time).is_some()).collect();
     let stops = path.stops();
     let in_stop: Vec<Option<usize>> = at
         .iter()
@@ -146,24 +117,7 @@ pub(crate) fn by_time(
         Motion::Auto => standing as f64 >= MOSTLY * inside as f64,
     };
     let mut findings = Vec::new();
-    let outside: Vec<usize> = (0..at.len()).filter(|&row| !usable[row]).collect();
-    if !outside.is_empty() {
-        let rows: Vec<String> = outside
-            .iter()
-            .map(|&row| row_in_words(&measured, row))
-            .collect();
-        let found = format!(
-            "{} of {} measurements were taken before the first or after the last command: {}",
-            outside.len(),
-            at.len(),
-            listed(&rows)
-        );
-        findings.push(Diagnostic::warning(
-            measured_place.clone(),
-            found,
-            "they are left out",
-        ));
-    }
+    findings.extend(left_outside(&measured, &usable, measured_place));
     let robot_kinds: Vec<JointKind> = robot.joints.iter().map(|joint| joint.kind).collect();
     let job = Job {
         path: &path,
@@ -201,6 +155,42 @@ pub(crate) fn by_time(
     })
 }
 
+/// The path of the commands, or what is wrong with them.
+fn path_of(commands: &Columns, robot: &Robot, place: &Place) -> Result<Path, Box<Diagnostic>> {
+    Path::new(commands, robot).map_err(|wrong| {
+        let (place, found, expected) = match wrong {
+            None => (
+                place.clone(),
+                "no column of times, or not all joints",
+                "time_s and the commanded value of every joint",
+            ),
+            Some(row) => (
+                place
+                    .clone()
+                    .at_line(commands.lines.get(row).unwrap_or(row as u64 + 1)),
+                "a time that is not later than the one before",
+                "rows in the order of time",
+            ),
+        };
+        Box::new(Diagnostic::error(place, found, expected))
+    })
+}
+
+/// Measurements outside the time of the commands.
+fn left_outside(measured: &Columns, usable: &[bool], place: &Place) -> Option<Diagnostic> {
+    let outside: Vec<usize> = (0..usable.len()).filter(|&row| !usable[row]).collect();
+    if outside.is_empty() {
+        return None;
+    }
+    let found = format!(
+        "left out {} of {} measurements, taken before the first or after the last command: {}",
+        outside.len(),
+        usable.len(),
+        listed_rows(measured, &outside)
+    );
+    Some(Diagnostic::warning(place.clone(), found, ""))
+}
+
 fn timed(measured: &Columns, time_s: &[f64], targets: &[usize]) -> Vec<Timed> {
     let of = |quantity| measured.numbers(quantity);
     let (Some(x), Some(y)) = (of(Quantity::X), of(Quantity::Y)) else {
@@ -211,7 +201,7 @@ fn timed(measured: &Columns, time_s: &[f64], targets: &[usize]) -> Vec<Timed> {
         .filter(|&row| {
             [x[row], y[row], z[row], time_s[row]]
                 .iter()
-                .all(|v| v.is_finite())
+                .all(|v| v.abs() < clock::FARTHEST_MM)
         })
         .map(|row| Timed {
             time_s: time_s[row],
@@ -284,19 +274,16 @@ impl Job<'_> {
                 .map(|&entry| self.path.speed(joint, entry))
                 .collect();
             if with_dir[joint] {
-                let dir = entries.iter().zip(&speeds);
-                let dir = dir.map(|(&entry, speed)| {
+                let sides = self.path.came_from(joint);
+                let dir = entries.iter().zip(&speeds).map(|(&entry, speed)| {
                     if *speed == 0.0 {
-                        self.path.came_from(joint, entry)
+                        sides[entry]
                     } else {
                         speed.signum()
                     }
                 });
-                joined.put(Column::made(
-                    Quantity::Direction(joint),
-                    Unit::Fixed,
-                    dir.collect(),
-                ));
+                let dir = dir.collect();
+                joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
             }
             if with_speed[joint] {
                 joined.put(Column::made(Quantity::Speed(joint), unit, speeds));
@@ -340,8 +327,9 @@ impl Job<'_> {
         let (mut joined, left) = join(measured, commands, &pairs);
         means.put_into(&mut joined);
         for joint in (0..self.kinds.len()).filter(|&joint| with_dir[joint]) {
-            let dir = |group: &Group| self.path.came_from(joint, stops[group.stop].first);
-            let dir = groups.iter().map(dir).collect();
+            let sides = self.path.came_from(joint);
+            let dir = groups.iter().map(|group| sides[stops[group.stop].first]);
+            let dir = dir.collect();
             joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
         }
         let counts = groups
@@ -392,110 +380,5 @@ impl Job<'_> {
             });
         }
         groups
-    }
-}
-
-struct Group {
-    stop: usize,
-    /// Rows of the measurements; never empty.
-    rows: Vec<usize>,
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
-}
-
-fn without_strays(rows: Vec<usize>, coordinates: &[&Vec<f64>]) -> Vec<usize> {
-    if rows.len() < 4 {
-        return rows;
-    }
-    let of = |values: &Vec<f64>| rows.iter().map(|&row| values[row]).collect::<Vec<f64>>();
-    let middle: Vec<f64> = coordinates
-        .iter()
-        .map(|values| median(of(values)))
-        .collect();
-    let distance = |row: usize| {
-        let parts = coordinates.iter().zip(&middle);
-        parts
-            .map(|(values, middle)| (values[row] - middle).powi(2))
-            .sum::<f64>()
-            .sqrt()
-    };
-    let usual = median(rows.iter().map(|&row| distance(row)).collect());
-    let kept: Vec<usize> = rows
-        .iter()
-        .copied()
-        .filter(|&row| distance(row) <= STRAY * usual)
-        .collect();
-    if kept.is_empty() { rows } else { kept }
-}
-
-/// Means of what was measured, one for each group.
-struct Means(Vec<Column>);
-
-impl Means {
-    fn of(measured: &Columns, groups: &[Group]) -> Self {
-        let mut columns = Vec::new();
-        let mean = |values: &[f64], group: &Group| {
-            let sum: f64 = group.rows.iter().map(|&row| values[row]).sum();
-            sum / group.rows.len() as f64
-        };
-        for quantity in [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Time] {
-            if let Some(values) = measured.numbers(quantity) {
-                let means = groups.iter().map(|group| mean(&values, group)).collect();
-                let unit = if quantity == Quantity::Time {
-                    Unit::Fixed
-                } else {
-                    Unit::Length(1.0)
-                };
-                columns.push(Column::made(quantity, unit, means));
-            }
-        }
-        let parts: Vec<Vec<f64>> = (0..4)
-            .filter_map(|part| measured.numbers(Quantity::Orientation(part)))
-            .collect();
-        if parts.len() == 4 {
-            let means: Vec<[f64; 4]> = groups
-                .iter()
-                .map(|group| mean_orientation(&parts, group))
-                .collect();
-            for part in 0..4 {
-                let values = means.iter().map(|mean| mean[part]).collect();
-                columns.push(Column::made(
-                    Quantity::Orientation(part),
-                    Unit::Fixed,
-                    values,
-                ));
-            }
-        }
-        Self(columns)
-    }
-
-    fn put_into(self, columns: &mut Columns) {
-        for column in self.0 {
-            columns.put(column);
-        }
-    }
-}
-
-/// The normalised mean of quaternions, which may have either sign.
-fn mean_orientation(parts: &[Vec<f64>], group: &Group) -> [f64; 4] {
-    let of = |row: usize| [0, 1, 2, 3].map(|part| parts[part][row]);
-    let first = of(group.rows[0]);
-    let mut sum = [0.0; 4];
-    for &row in &group.rows {
-        let q = of(row);
-        let dot: f64 = q.iter().zip(&first).map(|(a, b)| a * b).sum();
-        let sign = if dot < 0.0 { -1.0 } else { 1.0 };
-        for (sum, part) in sum.iter_mut().zip(q) {
-            *sum += sign * part;
-        }
-    }
-    let norm = sum.iter().map(|part| part * part).sum::<f64>().sqrt();
-    if norm > 0.0 {
-        sum.map(|part| part / norm)
-    } else {
-        first
     }
 }

@@ -16,7 +16,7 @@ pub enum Matching {
     /// The first belongs to the first, and so on.
     #[default]
     Order,
-    /// By clock: [`super::clock`].
+    /// By clock.
     Time,
     /// By the points' names.
     Name,
@@ -64,10 +64,10 @@ pub(crate) fn by_order(
         ("commands", commands)
     };
     let mut found = format!("{m} measurements and {c} commands");
-    let rest: Vec<String> = (fewer..more).map(|row| row_in_words(longer, row)).collect();
+    let rest: Vec<usize> = (fewer..more).collect();
     found += &format!(
         "; {which} beyond the {fewer} of the other side: {}",
-        listed(&rest)
+        listed_rows(longer, &rest)
     );
     // Names on both sides show where the first gap is.
     if let (Some(a), Some(b)) = (measured.points(), commands.points())
@@ -148,7 +148,7 @@ pub(crate) fn by_name(
 
 /// A row by its name and line.
 pub(crate) fn row_in_words(columns: &Columns, row: usize) -> String {
-    let name = columns.points().and_then(|names| names.get(row).copied());
+    let name = columns.point(row);
     let line = columns.lines.get(row);
     match (name.filter(|name| !name.is_empty()), line) {
         (Some(name), Some(line)) => format!("{} (line {line})", quoted(name)),
@@ -158,12 +158,27 @@ pub(crate) fn row_in_words(columns: &Columns, row: usize) -> String {
     }
 }
 
+/// Rows by their names and lines, the first ones.
+pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> String {
+    const SHOWN: usize = 8;
+    let named = rows.iter().take(SHOWN);
+    let named: Vec<String> = named.map(|&row| row_in_words(columns, row)).collect();
+    match rows.len().saturating_sub(SHOWN) {
+        0 => named.join(", "),
+        more => format!("{} and {more} more", named.join(", ")),
+    }
+}
+
 /// A list that a line can bear.
 pub(crate) fn listed(words: &[String]) -> String {
-    const SHOWN: usize = 8;
-    match words.len().saturating_sub(SHOWN) {
+    listed_up_to(words, 8)
+}
+
+/// A list of at most so many words, and how many more there are.
+pub(crate) fn listed_up_to(words: &[String], shown: usize) -> String {
+    match words.len().saturating_sub(shown) {
         0 => words.join(", "),
-        more => format!("{} and {more} more", words[..SHOWN].join(", ")),
+        more => format!("{} and {more} more", words[..shown].join(", ")),
     }
 }
 

@@ -49,7 +49,7 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let (tracked, frame_line) = header(case, &mut rows)?;
     case.found.header_line = Some(frame_line);
     let unit = unit(case, &keys);
-    let chosen = choose(case, tracked);
+    let chosen = choose(case, &tracked);
     case.found.first_rows = first_rows(&rows);
     let with_orientation = rotation_is_quaternion(case, &keys);
     if value_of(&keys, "coordinate space")
@@ -128,7 +128,7 @@ fn unit(case: &mut Case<'_>, keys: &[(String, String)]) -> Option<Unit> {
             case.found.unit = format!("{}, from the first line", named.unwrap_or_default());
             if given.is_some_and(|given| given.unit() != unit) {
                 let found = format!("the first line names another unit: {}", case.found.unit);
-                case.warn(found, "the file is believed");
+                case.warn(found, "the same unit as the file, which is believed");
             }
             Some(unit)
         }
@@ -168,7 +168,7 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
         match rows.next(&mut row) {
             Ok(true) if row.cells[0].eq_ignore_ascii_case("frame") => break row.line,
             Ok(true) if lines.len() < MOST_HEADER_LINES => {
-                lines.push(row.cells.iter().map(|cell| cell.to_string()).collect());
+                lines.push(row.cells.iter().map(ToString::to_string).collect());
             }
             Err(quote) => {
                 case.found.findings.push(open_quote(&case.place, quote));
@@ -240,7 +240,7 @@ fn header(case: &mut Case<'_>, rows: &mut Rows<'_>) -> Option<(Vec<Tracked>, u64
 }
 
 /// Takes what the person named, or the only rigid body, or the only marker.
-fn choose(case: &mut Case<'_>, tracked: Vec<Tracked>) -> Option<Vec<Tracked>> {
+fn choose(case: &mut Case<'_>, tracked: &[Tracked]) -> Option<Vec<Tracked>> {
     const SHOWN: usize = 100;
     let is_body = |thing: &&Tracked| thing.kind.eq_ignore_ascii_case("rigid body");
     let names: Vec<&str> = tracked.iter().map(|thing| thing.name.as_str()).collect();
@@ -258,19 +258,18 @@ fn choose(case: &mut Case<'_>, tracked: Vec<Tracked>) -> Option<Vec<Tracked>> {
                 .iter()
                 .filter(is_body)
                 .find(|thing| thing.name == *name);
-            match body.or_else(|| called.next()) {
-                Some(thing) => chosen.push(thing.clone()),
-                None => {
-                    let found = format!("nothing called {}", quoted(name));
-                    let expected = format!("one of {}", listed(&names));
-                    case.refuse(found, expected);
-                }
+            if let Some(thing) = body.or_else(|| called.next()) {
+                chosen.push(thing.clone());
+            } else {
+                let found = format!("nothing called {}", quoted(name));
+                let expected = format!("one of {}", listed(&names));
+                case.refuse(found, expected);
             }
         }
         return (chosen.len() == case.reading.names.len()).then_some(chosen);
     }
     let bodies: Vec<&Tracked> = tracked.iter().filter(is_body).collect();
-    match (&bodies[..], &tracked[..]) {
+    match (&bodies[..], tracked) {
         ([body], _) => Some(vec![(*body).clone()]),
         ([], [only]) => Some(vec![only.clone()]),
         (_, []) => {
@@ -303,7 +302,7 @@ fn first_rows(rows: &Rows<'_>) -> Vec<Vec<String>> {
     let mut row = Row::default();
     let mut first = Vec::new();
     while first.len() < ROWS && rows.next(&mut row) == Ok(true) {
-        let cells = row.cells.iter().take(CELLS).map(|cell| cell.to_string());
+        let cells = row.cells.iter().take(CELLS).map(ToString::to_string);
         first.push(cells.collect());
     }
     first
@@ -386,12 +385,12 @@ fn frames(
     complaints.into(&case.place.clone(), &mut case.found.findings);
     for (thing, count) in chosen.iter().zip(occluded).filter(|(_, count)| *count > 0) {
         let found = format!(
-            "{} was occluded in {count} of {} frames, first in line {}",
+            "{} was occluded in {count} of {} frames, first in line {}: these have no position",
             quoted(&thing.name),
             frames.frame.len() / chosen.len(),
             first_occluded.unwrap_or(0)
         );
-        case.warn(found, "these frames have no position and cannot be used");
+        case.warn(found, "");
     }
     frames
 }

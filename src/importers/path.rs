@@ -149,15 +149,21 @@ impl Path {
         stops
     }
 
-    /// The side from which a joint came to an entry: the sign of its last motion before.
-    pub(crate) fn came_from(&self, joint: usize, entry: usize) -> f64 {
+    /// The side from which a joint came to each entry: the sign of its last motion before, 0 where
+    /// it has not moved yet.
+    pub(crate) fn came_from(&self, joint: usize) -> Vec<f64> {
         let q = &self.q[joint];
         let smallest = 1e-7 * crate::importers::case::extent(q);
-        let here = q[entry];
-        let before = q[..entry].iter().rev();
-        match before.map(|q| here - q).find(|step| step.abs() > smallest) {
-            Some(step) => step.signum(),
-            None => 0.0,
-        }
+        let mut side = 0.0;
+        // Slow motion adds up until it is one.
+        let mut from = q.first().copied().unwrap_or(0.0);
+        let each = q.iter().map(|&here| {
+            if (here - from).abs() > smallest {
+                side = (here - from).signum();
+                from = here;
+            }
+            side
+        });
+        each.collect()
     }
 }

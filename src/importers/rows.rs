@@ -174,9 +174,9 @@ impl<'a> Rows<'a> {
             let start = rest.len() - rest.trim_start_matches(indented).len();
             let cell = if rest[start..].starts_with('"') {
                 self.at += start + 1;
-                self.to_closing_quote()?
+                self.within_quotes()?
             } else {
-                let end = self.to_separator();
+                let end = self.before_separator();
                 Cow::Borrowed(end.trim())
             };
             let rest = &self.text[self.at..];
@@ -195,7 +195,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Goes to the next separator or line end and gives what stands before it.
-    fn to_separator(&mut self) -> &'a str {
+    fn before_separator(&mut self) -> &'a str {
         let rest = &self.text[self.at..];
         let rest = match self.separator {
             Separator::Spaces => {
@@ -212,7 +212,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Goes behind the closing quote and to the next separator.
-    fn to_closing_quote(&mut self) -> Result<Cow<'a, str>, OpenQuote> {
+    fn within_quotes(&mut self) -> Result<Cow<'a, str>, OpenQuote> {
         let start = self.at;
         let line = self.line;
         let mut text = Cow::Borrowed("");
@@ -232,8 +232,11 @@ impl<'a> Rows<'a> {
                 break;
             }
         }
-        let behind = self.to_separator().trim();
-        add(&mut text, behind);
+        let rest = &self.text[self.at..];
+        let stop = |c: char| c == '\n' || c == '\r' || self.separator.is(c);
+        let end = rest.find(stop).unwrap_or(rest.len());
+        self.at += end;
+        add(&mut text, rest[..end].trim());
         Ok(text)
     }
 }
@@ -269,7 +272,7 @@ mod tests {
         let mut row = Row::default();
         let mut all = Vec::new();
         while rows.next(&mut row).expect("quotes are closed") {
-            let cells = row.cells.iter().map(|cell| cell.to_string()).collect();
+            let cells = row.cells.iter().map(ToString::to_string).collect();
             all.push((row.line, cells));
         }
         all

@@ -44,8 +44,8 @@ pub(crate) fn decode<'a>(
     bytes: &'a [u8],
     file: &Place,
     findings: &mut Vec<Diagnostic>,
-) -> Result<(Cow<'a, str>, Encoding), Diagnostic> {
-    let refused = |found: &str| Diagnostic::error(file.clone(), found, EXPECTED);
+) -> Result<(Cow<'a, str>, Encoding), Box<Diagnostic>> {
+    let refused = |found: &str| Box::new(Diagnostic::error(file.clone(), found, EXPECTED));
     if bytes.trim_ascii().is_empty() {
         return Err(refused("an empty file"));
     }
@@ -73,15 +73,33 @@ pub(crate) fn decode<'a>(
             }
         },
     };
+    if let Some(line) = too_long(&text) {
+        let place = file.clone().at_line(line);
+        let found = format!("a line of more than {LONGEST_LINE} bytes");
+        return Err(Box::new(Diagnostic::error(place, found, EXPECTED)));
+    }
     match memchr::memchr(0, text.as_bytes()) {
         None if text.trim().is_empty() => Err(refused("an empty file")),
         None => Ok((text, encoding)),
-        Some(at) => Err(Diagnostic::error(
-            file.clone().at_line(line_of(&text, at)),
-            "a zero byte",
-            EXPECTED,
-        )),
+        Some(at) => {
+            let place = file.clone().at_line(line_of(&text, at));
+            Err(Box::new(Diagnostic::error(place, "a zero byte", EXPECTED)))
+        }
     }
+}
+
+/// A line of a table is shorter than this; what is longer is something else, and would take many
+/// times its size as cells.
+const LONGEST_LINE: usize = 1 << 22;
+
+/// The first line that is too long.
+fn too_long(text: &str) -> Option<u64> {
+    if text.len() <= LONGEST_LINE {
+        return None;
+    }
+    let lines = text.split(['\n', '\r']).zip(1..);
+    let mut long = lines.filter(|(line, _)| line.len() > LONGEST_LINE);
+    long.next().map(|(_, number)| number)
 }
 
 const EXPECTED: &str = "a table as text, in UTF-8, UTF-16 or Windows-1252";
@@ -99,17 +117,17 @@ fn utf_16<'a>(
     bytes: &'a [u8],
     decoder: &'static Decoder,
     file: &Place,
-) -> Result<Cow<'a, str>, Diagnostic> {
+) -> Result<Cow<'a, str>, Box<Diagnostic>> {
     if let Some(text) = decoder.decode_without_bom_handling_and_without_replacement(bytes) {
         return Ok(text);
     }
     let (text, _) = decoder.decode_without_bom_handling(bytes);
     let at = text.find('\u{fffd}').unwrap_or(text.len());
-    Err(Diagnostic::error(
+    Err(Box::new(Diagnostic::error(
         file.clone().at_line(line_of(&text, at)),
         "bytes that are not UTF-16, although the file starts like it",
         EXPECTED,
-    ))
+    )))
 }
 
 fn utf_8_or_windows<'a>(

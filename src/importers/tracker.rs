@@ -31,16 +31,15 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
         None if let Some(roles) = roles_by_header(&grid) => roles,
         None => {
             let kinds = kinds(&grid, case);
-            match names_before(&kinds) {
-                Some(names) => roles(names, grid.width),
-                None => {
-                    let says = format!(
-                        "{} columns, of which it is not certain where x, y and z begin",
-                        grid.width
-                    );
-                    case.ask(About::Columns, says, &[]);
-                    vec![Role::Left; grid.width]
-                }
+            if let Some(names) = names_before(&kinds) {
+                roles(names, grid.width)
+            } else {
+                let says = format!(
+                    "{} columns, of which it is not certain where x, y and z begin",
+                    grid.width
+                );
+                case.ask(About::Columns, says, &[]);
+                vec![Role::Left; grid.width]
             }
         }
     };

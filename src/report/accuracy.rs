@@ -10,6 +10,9 @@ use super::numbers::{plain, short};
 /// Poses that the table shows, those of the largest error first.
 const POSES: usize = 8;
 
+/// A figure of the largest ones.
+type Pick = fn(&Largest) -> Option<f64>;
+
 pub(super) fn section(standards: &Standards) -> Section {
     let mut blocks = vec![Block::Text(
         "As measured, and as the same approaches would have come out with corrected commands; the \
@@ -48,7 +51,7 @@ fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
     };
     let [up, down] = series.before.fewest_runs();
     blocks.push(Block::Text(format!(
-        "{}; {} positions, {up} approaches from below and {down} from above; figures in {unit}",
+        "{}; {} positions, each approached {up} times or more from below and {down} from above; figures in {unit}",
         clean(&series.fixed.in_words(axis)),
         series.before.positions.len()
     )));
@@ -62,6 +65,9 @@ fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
     };
     let after = series.after.as_ref().map(Positioning::rows);
     for (k, (symbol, name, before)) in series.before.rows().into_iter().enumerate() {
+        if before.is_none() {
+            continue;
+        }
         let corrected = after
             .as_ref()
             .map_or_else(|| "–".to_owned(), |rows| show(rows[k].2));
@@ -97,7 +103,7 @@ fn pose_blocks(test: &PoseTest, compensated: bool, blocks: &mut Vec<Block>) {
         ">As measured",
         ">Corrected commands",
     ]);
-    let rows: [(&str, &str, fn(&Largest) -> Option<f64>); 3] = [
+    let rows: [(&str, &str, Pick); 3] = [
         ("AP", "pose accuracy", |l| l.accuracy),
         ("RP", "pose repeatability", |l| l.repeatability),
         (

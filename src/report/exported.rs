@@ -1,6 +1,7 @@
 //! Tables that were written for a controller, as a report names them: the file with its hash, and
 //! what `FILE.meta.json` beside it says it came from.
 
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
@@ -103,6 +104,9 @@ pub fn sidecar_of(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-pub(super) fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|b| format!("{b:02x}")).collect()
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
 }

@@ -2,10 +2,11 @@
 //! that is, what it brings, what stays open.
 //!
 //! A [`Report`] is built once, from a session ([`Report::of_session`], which runs the diagnosis) or
-//! from a model file ([`Report::of_model`]), and rendered by [`html`] or [`pdf`]: both say the same.
-//! The same input gives the same bytes; there is no clock, the date is a line to fill in.
+//! from a model file ([`Report::of_model`]), and rendered by [`html`](fn@html) or [`pdf`](fn@pdf):
+//! both say the same. The same input gives the same bytes; there is no clock, the date is a line to fill in.
 //!
-//! - [`document`]: sections and blocks. `session`, `calibration`, `accuracy`, `parts`: what goes in.
+//! - [`document`]: sections and blocks. `session`, `findings`, `stages`,
+//!   `calibration`, `accuracy`, `parts`: what goes in.
 //! - [`drawing`]: lines and text on a sheet; [`plots`] make drawings, [`svg`](mod@svg) writes them.
 //! - [`html`](mod@html), [`pdf`](mod@pdf): the formats.
 //! - [`exported`]: tables that were written for a controller, by their hashes.
@@ -20,15 +21,17 @@ pub mod svg;
 
 mod accuracy;
 mod calibration;
+mod findings;
 mod numbers;
 mod parts;
 mod session;
+mod stages;
 
 pub use document::Report;
 pub use exported::{ExportedTable, TableFileError};
 pub use html::html;
 pub use pdf::{PdfError, pdf};
-pub use session::stages;
+pub use stages::stages;
 
 use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;

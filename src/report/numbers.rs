@@ -1,13 +1,14 @@
 //! Numbers as a reader wants them: as many digits as the interval supports, a real minus sign.
 
-/// A length in mm with four decimals, or scientific where that shows nothing.
+/// A length in mm, as [`plain`].
 pub(super) fn mm(value: f64) -> String {
     format!("{} mm", plain(value))
 }
 
-/// A value without a unit, four decimals.
+/// A value without a unit, four decimals; scientific where those would show nothing. What is left
+/// of rounding is 0.
 pub(super) fn plain(value: f64) -> String {
-    if value != 0.0 && value.abs() < 5e-5 {
+    if value.abs() > 1e-9 && value.abs() < 5e-5 {
         return minus(&format!("{value:.1e}"));
     }
     if value.abs() >= 1e7 {
@@ -32,6 +33,9 @@ pub(super) fn short(value: f64) -> String {
 
 /// A size with three significant digits.
 pub(super) fn three_digits(size: f64) -> String {
+    if size.abs() < 1e-9 {
+        return "0".to_owned();
+    }
     minus(&format!("{size:.*}", decimals_for(size, 3)))
 }
 
@@ -41,7 +45,11 @@ pub(super) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, 
         return (plain(value), "not determined".to_owned());
     };
     let half = (high - low) / 2.0;
-    let decimals = if half > 0.0 { decimals_for(half, 2) } else { 6 };
+    let decimals = if half > 0.0 {
+        decimals_for(half, 2).min(6)
+    } else {
+        6
+    };
     let show = |v: f64| minus(&format!("{v:.decimals$}"));
     (show(value), format!("{} … {}", show(low), show(high)))
 }

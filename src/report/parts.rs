@@ -8,7 +8,7 @@ use crate::units::deg_from_rad;
 
 use super::Extras;
 use super::document::{Block, Section, Table, clean};
-use super::numbers::{in_words, mm, plain, short, with_interval};
+use super::numbers::{in_words, plain, short, with_interval};
 
 /// The name of an effect in words, with its joint where there are several.
 pub(super) fn title(effect: &str, joint: Option<usize>, robot: &Robot) -> String {
@@ -178,6 +178,6 @@ pub(super) fn fact(name: &str, value: impl Into<String>) -> (String, String) {
 pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {
     fact(
         "Tolerance",
-        tolerance_mm.map_or_else(|| "not stated".to_owned(), mm),
+        tolerance_mm.map_or_else(|| "not stated".to_owned(), |mm| format!("{} mm", short(mm))),
     )
 }

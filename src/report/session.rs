@@ -1,34 +1,28 @@
 //! The report of a session: runs the diagnosis and says everything that came out.
 
-use crate::compensation::verification::moved_by_correction;
 use crate::compensation::{Remainder, Verification, verify};
-use crate::diagnosis::anonymous::Where;
 use crate::diagnosis::blunders::mend;
-use crate::diagnosis::{Diagnosis, FloorFrom, Found, Options, Verdict, Watch, diagnose};
-use crate::effects::{self, JointValues};
+use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch, diagnose};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
-use crate::identification::gap::{Deviations, deviations};
-use crate::identification::problem::Problem;
 use crate::kinematics::Robot;
+use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
-use crate::model::{Calibration, Model};
 use crate::sessions::{Session, hash_of_samples};
 use crate::standards::standards;
 
-use super::accuracy::{self, sides};
+use super::accuracy;
 use super::document::{Block, Figure, Report, Section, Table, clean};
-use super::drawing::{AFTER, BEFORE, CORRECTED};
-use super::numbers::{mm, plain, short, three_digits};
+use super::numbers::{mm, plain, short};
 use super::parts::{
-    fact, foot, gap, instrument, of_joint, or_unnamed, parameters, robot_facts, signatures, tables,
-    title, tolerance, unit_of_joint,
+    fact, foot, gap, instrument, or_unnamed, parameters, robot_facts, signatures, tables, tolerance,
 };
-use super::plots::{Stage, Stages, deviation, waterfall, workspace};
+use super::plots::waterfall;
+use super::stages::{section as deviations_of, stages};
 use super::{Extras, ReportError};
 
 /// Rows of lists that have no end of their own.
-const MOST_ROWS: usize = 20;
+pub(super) const MOST_ROWS: usize = 20;
 
 impl Report {
     /// The report of a session. `watch` is told of progress and may stop it.
@@ -77,7 +71,7 @@ impl Report {
             &verification,
             Some(found.floor.mm),
         )?;
-        sections.push(told.workspace(&stages));
+        sections.push(deviations_of(&stages));
         let figures = standards(&mended.session, Some(&calibration))?;
         sections.push(accuracy::section(&figures));
         sections.push(told.limits());
@@ -95,97 +89,18 @@ impl Report {
     }
 }
 
-/// A session's samples as measured, with corrected commands, and against the model.
-///
-/// # Errors
-/// If the calibration is another robot's.
-pub fn stages(
-    session: &Session,
-    calibration: &Calibration,
-    verification: &Verification,
-    floor_mm: Option<f64>,
-) -> Result<Stages, ReportError> {
-    let problem = Problem::new(session, JointValues::Commanded);
-    let nominal = Model::nominal(calibration.model.robot.clone());
-    let before = deviations(&problem, &nominal);
-    let mut stages = vec![Stage {
-        name: "As measured".to_owned(),
-        colour: BEFORE,
-        deviations: before.clone(),
-    }];
-    if let Some(moved) = moved_by_correction(calibration, session)? {
-        let mut corrected = Deviations::default();
-        for i in 0..before.length_mm.len() {
-            let planar = session.samples.z_mm.is_none();
-            let by = moved.get(i);
-            let e: [f64; 3] = std::array::from_fn(|k| {
-                let by = if planar && k == 2 { 0.0 } else { by[k] };
-                before.axes_mm[k][i] + by
-            });
-            corrected.length_mm.push(crate::lanes::dot(e, e).sqrt());
-            for (column, e) in corrected.axes_mm.iter_mut().zip(e) {
-                column.push(e);
-            }
-        }
-        stages.push(Stage {
-            name: "With corrected commands".to_owned(),
-            colour: CORRECTED,
-            deviations: corrected,
-        });
-    }
-    stages.push(Stage {
-        name: "Against the model".to_owned(),
-        colour: AFTER,
-        deviations: verification.after.clone(),
-    });
-    // Deviations are shown over the joint that moved farthest, in its own unit.
-    let joints = &session.robot.joints;
-    let travel = |k: usize| {
-        let finite = session.samples.q[k].iter().filter(|v| v.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(*v), b.max(*v))
-        });
-        (high - low).max(0.0)
-    };
-    let farthest = (0..joints.len())
-        .rev()
-        .max_by(|a, b| travel(*a).total_cmp(&travel(*b)));
-    let k = farthest.unwrap_or(0);
-    let dir = session.samples.dir.get(k).and_then(Option::as_ref);
-    let n = session.samples.len();
-    Ok(Stages {
-        nominal: nominal.predict(&problem.inputs),
-        over: format!(
-            "joint {} ({}), {}",
-            k + 1,
-            or_unnamed(&joints[k].name),
-            unit_of_joint(&joints[k]).trim()
-        ),
-        values: problem.inputs.q[k]
-            .iter()
-            .map(|q| of_joint(*q, &joints[k]))
-            .collect(),
-        side: (0..n)
-            .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
-            .collect(),
-        stages,
-        floor_mm,
-        tolerance_mm: session.tolerance_mm,
-    })
-}
-
 /// Everything that is there to be told.
-struct Told<'a> {
-    session: &'a Session,
+pub(super) struct Told<'a> {
+    pub(super) session: &'a Session,
     given: &'a Session,
-    found: &'a Diagnosis,
+    pub(super) found: &'a Diagnosis,
     calibration: &'a Calibration,
     verification: &'a Verification,
     model_hash: String,
 }
 
 impl Told<'_> {
-    fn robot(&self) -> &Robot {
+    pub(super) fn robot(&self) -> &Robot {
         &self.session.robot
     }
 
@@ -350,7 +265,7 @@ impl Told<'_> {
         let (d, v) = (self.found, self.verification);
         let mut table = Table::new(&["Gap, mm", ">Fit", ">Unseen", ">Largest", ">Over the floor"]);
         let times = |mm: f64| {
-            if d.floor.mm > 0.0 {
+            if d.floor.mm > 1e-9 {
                 format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
             } else {
                 "–".to_owned()
@@ -447,257 +362,5 @@ impl Told<'_> {
                 parameters(d.identified.iter().chain(found), self.robot()),
             ],
         }
-    }
-
-    fn effects(&self) -> Option<Section> {
-        let found = &self.found.found;
-        if found.is_empty() {
-            return None;
-        }
-        Some(Section {
-            title: "What was missing, by name".to_owned(),
-            blocks: found.iter().flat_map(|f| self.effect(f)).collect(),
-        })
-    }
-
-    fn effect(&self, f: &Found) -> [Block; 2] {
-        let about = effects::find(f.effect).map(effects::Effect::about);
-        let percent = format!("{:.1} %", f.share * 100.0);
-        let unseen = f.held_out_mm.map_or_else(
-            || "too few samples".to_owned(),
-            |[before, after]| format!("{} → {} mm", plain(before), plain(after)),
-        );
-        let mut facts = vec![
-            fact("Evidence", sentence(&f.says)),
-            fact(
-                "Gap on the fit",
-                format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1])),
-            ),
-            fact("Gap on unseen samples", unseen),
-            fact("Share of what was explained", percent),
-        ];
-        if let Some(about) = about {
-            facts.push(fact("Usual cause", about.cause));
-        }
-        facts.push(fact("Check on the machine", f.check));
-        [
-            Block::Heading(title(f.effect, f.joint, self.robot())),
-            Block::Facts(facts),
-        ]
-    }
-
-    fn open(&self) -> Section {
-        let d = self.found;
-        let mut blocks = Vec::new();
-        for problem in &d.data_problems {
-            blocks.push(Block::Heading(format!("Data: {}", clean(&problem.what))));
-            blocks.push(Block::Facts(vec![
-                fact("Evidence", clean(&problem.evidence)),
-                fact("Proposal", clean(&problem.proposal)),
-            ]));
-        }
-        if d.unexplained.present {
-            blocks.push(Block::Heading("Left without a name".to_owned()));
-            let mut facts = vec![
-                fact(
-                    "Size",
-                    format!("{} root mean square", mm(d.unexplained.rms_mm)),
-                ),
-                fact("Evidence", clean(&d.unexplained.says)),
-            ];
-            if let Some(place) = &d.unexplained.place {
-                facts.push(fact("Where", clean(&place_in_words(place))));
-            }
-            if !d.unexplained.resembles.is_empty() {
-                let names = d
-                    .unexplained
-                    .resembles
-                    .iter()
-                    .map(|n| title(n, None, self.robot()));
-                facts.push(fact(
-                    "Resembles in part",
-                    names.collect::<Vec<_>>().join(", "),
-                ));
-            }
-            blocks.push(Block::Facts(facts));
-        }
-        if !d.equivalent.is_empty() {
-            blocks.push(Block::Heading(
-                "Names that the samples cannot tell apart".to_owned(),
-            ));
-            let mut table = Table::new(&[
-                "In the model",
-                "Could be instead",
-                ">Odds against",
-                "What would tell",
-            ]);
-            for rival in &d.equivalent {
-                table.row([
-                    rival.explanation.join(" + "),
-                    rival.instead.join(" + "),
-                    format!("{:.1} : 1", rival.odds),
-                    clean(&rival.separate_by),
-                ]);
-            }
-            blocks.push(Block::Table(table));
-        }
-        blocks.extend(self.next_poses());
-        blocks.extend(self.outliers());
-        if blocks.is_empty() {
-            blocks.push(Block::Text(
-                "Nothing: no data problem, no rival explanation, nothing left without a name, no \
-                 suspected sample"
-                    .to_owned(),
-            ));
-        }
-        Section {
-            title: "What stays open".to_owned(),
-            blocks,
-        }
-    }
-
-    fn next_poses(&self) -> Vec<Block> {
-        let poses = &self.found.next_poses;
-        if poses.is_empty() {
-            return Vec::new();
-        }
-        let mut table = Table::new(&["Joints", "Side", "Reflector", "Speed", ">Load", "Why"]);
-        let joints = &self.robot().joints;
-        let values = |q: &[f64]| {
-            let each = joints.iter().zip(q).map(|(joint, q)| {
-                format!("{}{}", short(of_joint(*q, joint)), unit_of_joint(joint))
-            });
-            each.collect::<Vec<_>>().join(", ")
-        };
-        for pose in poses.iter().take(MOST_ROWS) {
-            let place = pose
-                .target_mm
-                .map(|[x, y, z]| format!(" at ({}, {}, {}) mm", short(x), short(y), short(z)));
-            let target = pose.target.as_deref().map_or_else(|| "–".to_owned(), clean);
-            table.row([
-                values(&pose.q),
-                sides(&pose.dir),
-                target + &place.unwrap_or_default(),
-                pose.speed
-                    .as_ref()
-                    .map_or_else(|| "–".to_owned(), |s| values(s) + "/s"),
-                pose.load_kg
-                    .map_or_else(|| "–".to_owned(), |kg| format!("{} kg", short(kg))),
-                clean(&pose.why),
-            ]);
-        }
-        let mut blocks = vec![
-            Block::Heading("Poses that would decide".to_owned()),
-            Block::Table(table),
-        ];
-        if poses.len() > MOST_ROWS {
-            blocks.push(Block::Text(format!("and {} more", poses.len() - MOST_ROWS)));
-        }
-        blocks
-    }
-
-    fn outliers(&self) -> Vec<Block> {
-        let outliers = &self.found.outliers;
-        if outliers.is_empty() {
-            return Vec::new();
-        }
-        let mut table = Table::new(&["Sample", ">Off by, mm"]);
-        for outlier in outliers.iter().take(MOST_ROWS) {
-            table.row([
-                (outlier.sample + 1).to_string(),
-                plain(outlier.deviation_mm),
-            ]);
-        }
-        let mut text = "They count in the largest deviation and in no root mean square".to_owned();
-        if outliers.len() > MOST_ROWS {
-            text += &format!("; {} of {} are listed", MOST_ROWS, outliers.len());
-        }
-        vec![
-            Block::Heading(format!("Suspected samples: {}", outliers.len())),
-            Block::Text(text),
-            Block::Table(table),
-        ]
-    }
-
-    fn workspace(&self, stages: &Stages) -> Section {
-        let (places, magnification) = workspace(stages);
-        let corrected = stages.stages.len() > 2;
-        let caption = format!(
-            "Measured points with their deviations, magnified {} times{}",
-            short(magnification),
-            if corrected {
-                "; corrected commands act through the joints alone, the model holds what a \
-                 controller can be told besides"
-            } else {
-                ""
-            }
-        );
-        Section {
-            title: "Deviations".to_owned(),
-            blocks: vec![
-                Block::Plot(places, caption),
-                Block::Plot(
-                    deviation(stages),
-                    "Length of the deviation; the scales differ from panel to panel".to_owned(),
-                ),
-            ],
-        }
-    }
-
-    fn limits(&self) -> Section {
-        let d = self.found;
-        let mut blocks = Vec::new();
-        if !d.not_testable.is_empty() {
-            blocks.push(Block::Heading("Not testable with this session".to_owned()));
-            let mut table = Table::new(&["Effect", "Why"]);
-            for n in d.not_testable.iter().take(4 * MOST_ROWS) {
-                let name = title(n.effect, n.joint.map(|j| j + 1), self.robot());
-                table.row([name, clean(&n.because)]);
-            }
-            blocks.push(Block::Table(table));
-        }
-        if !d.not_found.is_empty() {
-            blocks.push(Block::Heading(
-                "Not found, and how large it could be unseen".to_owned(),
-            ));
-            let mut table = Table::new(&["Effect", "Would have been seen above (95 %)"]);
-            for limit in d.not_found.iter().take(4 * MOST_ROWS) {
-                let sizes = limit.sizes.iter().map(|(name, size)| {
-                    let (stem, unit) = super::numbers::in_words(name);
-                    format!("{stem} {} {unit}", three_digits(*size))
-                });
-                let name = title(limit.effect, limit.joint.map(|j| j + 1), self.robot());
-                table.row([name, sizes.collect::<Vec<_>>().join(", ")]);
-            }
-            blocks.push(Block::Table(table));
-        }
-        if blocks.is_empty() {
-            blocks.push(Block::Text(
-                "Every effect of the catalogue is in the model".to_owned(),
-            ));
-        }
-        Section {
-            title: "What the session could not show".to_owned(),
-            blocks,
-        }
-    }
-}
-
-fn sentence(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| {
-        first.to_uppercase().collect::<String>() + chars.as_str()
-    })
-}
-
-fn place_in_words(place: &Where) -> String {
-    match place {
-        Where::Range { variable, from, to } => {
-            format!("{variable} from {} to {}", short(*from), short(*to))
-        }
-        Where::Cycles {
-            variable,
-            cycles_per_turn,
-        } => format!("{} cycles per turn of {variable}", short(*cycles_per_turn)),
     }
 }

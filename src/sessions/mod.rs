@@ -29,6 +29,7 @@ pub(crate) mod table;
 pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
+pub use files::read_document as read_whole;
 pub use growing::{Growing, Growth};
 pub use hash::hash_of_samples;
 pub use lines::Lines;

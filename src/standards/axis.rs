@@ -135,7 +135,7 @@ impl AxisTest {
         let mut series: Vec<Series> = groups
             .iter()
             .filter_map(|group| Sweep::new(points, joint, &once_per_stay(group, &stays)))
-            .filter_map(|sweep| sweep.series())
+            .filter_map(Sweep::series)
             .collect();
         let size = |s: &Series| {
             let [up, down] = s.before.fewest_runs();

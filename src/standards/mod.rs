@@ -3,7 +3,7 @@
 //! - [`positioning`]: one axis after ISO 230-2, from approaches of the same positions from both
 //!   sides; `axis` finds them in a session and takes the axis' deviation from the measured points.
 //! - [`pose`]: pose accuracy and repeatability after ISO 9283.
-//! - [`format_v1`]: `truepose-standards/1`.
+//! - [`format_v1`] is `truepose-standards/1`.
 //!
 //! Every usable sample counts, suspected outliers too: the standards leave nothing out. Readings
 //! without another pose between them are one approach; the first counts. What the session cannot

@@ -27,24 +27,24 @@ pub const STANDARD_CYCLES: usize = 30;
 /// What the attained positions of one pose from one direction give, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attained {
-    /// AP_x, AP_y, AP_z; z is 0 in a planar session.
+    /// `AP_x`, `AP_y`, `AP_z`; z is 0 in a planar session.
     pub accuracy_axes: [f64; 3],
-    /// AP_p.
+    /// `AP_p`.
     pub accuracy: f64,
     /// l̄.
     pub mean_distance: f64,
-    /// S_l.
+    /// `S_l`.
     pub deviation: f64,
-    /// RP_l.
+    /// `RP_l`.
     pub repeatability: f64,
 }
 
 /// What the attained orientations give, degrees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turned {
-    /// AP_a, AP_b, AP_c.
+    /// `AP_a`, `AP_b`, `AP_c`.
     pub accuracy: [f64; 3],
-    /// RP_a, RP_b, RP_c, as the number after ±.
+    /// `RP_a`, `RP_b`, `RP_c`, as the number after ±.
     pub repeatability: [f64; 3],
 }
 
@@ -78,7 +78,7 @@ pub struct Variation {
     pub target: Option<String>,
     /// Number of directions.
     pub directions: usize,
-    /// vAP_p as measured, mm.
+    /// `vAP_p` as measured, mm.
     pub before: f64,
     /// As it would be with corrected commands.
     pub after: Option<f64>,
@@ -98,11 +98,11 @@ pub struct PoseTest {
 /// The largest figures over all poses, mm; `None` where there is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Largest {
-    /// AP_p.
+    /// `AP_p`.
     pub accuracy: Option<f64>,
-    /// RP_l.
+    /// `RP_l`.
     pub repeatability: Option<f64>,
-    /// vAP_p.
+    /// `vAP_p`.
     pub variation: Option<f64>,
 }
 

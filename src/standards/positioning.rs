@@ -1,4 +1,4 @@
-//! Positioning of one axis after ISO 230-2:2014, from deviations x_ij = measured − commanded at
+//! Positioning of one axis after ISO 230-2:2014, from deviations `x_ij` = measured − commanded at
 //! positions i = 1…m, approached j = 1…n times from below (↑) and from above (↓).
 //!
 //! ```text
@@ -33,17 +33,17 @@ pub struct AtPosition {
     pub commanded: f64,
     /// Numbers of approaches from below and from above.
     pub runs: [usize; 2],
-    /// x̄_i↑ and x̄_i↓.
+    /// `x̄_i↑` and `x̄_i↓`.
     pub mean: [Option<f64>; 2],
-    /// s_i↑ and s_i↓.
+    /// `s_i↑` and `s_i↓`.
     pub deviation: [Option<f64>; 2],
-    /// R_i↑ and R_i↓.
+    /// `R_i↑` and `R_i↓`.
     pub repeatability: [Option<f64>; 2],
-    /// x̄_i.
+    /// `x̄_i`.
     pub mean_of_both: Option<f64>,
-    /// B_i.
+    /// `B_i`.
     pub reversal: Option<f64>,
-    /// R_i.
+    /// `R_i`.
     pub repeatability_of_both: Option<f64>,
 }
 

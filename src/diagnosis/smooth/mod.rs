@@ -24,6 +24,7 @@ use crate::model::Model;
 use crate::units::deg_from_rad;
 
 use super::anonymous::{Profile, Shape, Variable};
+use super::answer::Unexplained;
 use super::prepare::Prepared;
 use columns::{Columns, Folds};
 use likelihood::{Kernel, NamesAlone, Sizes, Sums};
@@ -61,13 +62,20 @@ const MOST_ROUNDS: usize = 3;
 /// Lengths of the prior that are tried, in shares of the range.
 const LENGTHS: [f64; 3] = [1.0, 0.25, 0.0625];
 
-/// What is left of a model as a smooth correction, or why there is none. `shapes` are those of the
-/// search, largest first.
-pub(super) fn correct(
+/// What is left of a model as a smooth correction, or why there is none, if the options ask for
+/// one.
+pub(super) fn asked(
     prepared: &Prepared,
-    shapes: &[Shape],
+    left: &Unexplained,
     model: &Model,
-) -> Result<Correction, String> {
+) -> Option<Result<Correction, String>> {
+    let shapes: Vec<Shape> = left.shapes.iter().map(|s| s.0).collect();
+    let wanted = prepared.options().correct_unexplained;
+    wanted.then(|| correct(prepared, &shapes, model))
+}
+
+/// `shapes` are those of the search, largest first.
+fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Correction, String> {
     let Some(main) = shapes.first() else {
         return Err("nothing unexplained is left".to_owned());
     };

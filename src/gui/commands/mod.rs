@@ -180,16 +180,8 @@ impl Workbench {
             Command::Edit(edit) => self.edit(&edit, false),
             Command::Drag(edit) => self.edit(&edit, true),
             Command::EndDrag => self.history.finish_gesture(),
-            Command::Undo => {
-                let before = self.subject().lineage;
-                self.history.undo();
-                self.after_travel(before);
-            }
-            Command::Redo => {
-                let before = self.subject().lineage;
-                self.history.redo();
-                self.after_travel(before);
-            }
+            Command::Undo => self.travel(History::undo),
+            Command::Redo => self.travel(History::redo),
             Command::ChooseFile => {
                 self.tasks.start("waiting for a file to be chosen", |_| {
                     files::choose_to_open()
@@ -359,6 +351,13 @@ impl Workbench {
             self.view.message = None;
             self.opened();
         }
+    }
+
+    /// Back or forth in the history.
+    fn travel(&mut self, way: fn(&mut History<Document>) -> bool) {
+        let before = self.subject().lineage;
+        way(&mut self.history);
+        self.after_travel(before);
     }
 
     /// After a change that may have brought another session.

@@ -156,7 +156,7 @@ fn keys(ui: &mut Ui) {
         ("Esc", "close a sheet"),
     ];
     let all = shortcuts::ALL.iter();
-    let all = all.map(|(_, keys, what)| (shortcuts::in_words(ui.ctx(), keys), *what));
+    let all = all.map(|(_, keys, what)| (shortcuts::in_words(ui.ctx(), *keys), *what));
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
     let all: Vec<_> = all.chain(others).collect();
     let rows = all.len().div_ceil(2);

@@ -186,12 +186,12 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 35] = [
 /// How a menu shows the keys of an action.
 pub(crate) fn keys(ctx: &Context, action: Action) -> String {
     let found = ALL.iter().find(|(other, _, _)| *other == action);
-    found.map_or_else(String::new, |(_, keys, _)| in_words(ctx, keys))
+    found.map_or_else(String::new, |(_, keys, _)| in_words(ctx, *keys))
 }
 
 /// Keys as they stand on the keyboard.
-pub(crate) fn in_words(ctx: &Context, keys: &KeyboardShortcut) -> String {
-    let text = ctx.format_shortcut(keys);
+pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
+    let text = ctx.format_shortcut(&keys);
     text.replace("Comma", ",").replace("Period", ".")
 }
 

@@ -56,7 +56,7 @@ impl Fonts {
         self.faces.len()
     }
 
-    pub(super) fn name(&self, face: usize) -> &'static str {
+    pub(super) fn name(face: usize) -> &'static str {
         FILES[face].0
     }
 

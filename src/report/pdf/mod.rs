@@ -143,7 +143,7 @@ impl Writer {
         let name = format!(
             "TPAAA{}+{}",
             ["A", "B", "C", "D"][number % 4],
-            fonts.name(number)
+            Fonts::name(number)
         );
         let base = Name(name.as_bytes());
         let system = SystemInfo {
@@ -333,7 +333,7 @@ fn parts(Colour(r, g, b): Colour) -> [f32; 3] {
 #[allow(clippy::cast_possible_truncation, reason = "places on a page")]
 fn f32_of(value: f64) -> f32 {
     if value.is_finite() {
-        ((value * 100.0).round() / 100.0) as f32
+        ((value.clamp(-1e5, 1e5) * 100.0).round() / 100.0) as f32
     } else {
         0.0
     }

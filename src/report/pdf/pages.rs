@@ -41,7 +41,9 @@ pub(super) fn pages(report: &Report, fonts: &Fonts) -> (Vec<Drawing>, Vec<Mark>)
         // A heading does not stand alone at the foot of a page.
         let first = section.blocks.first().map_or(0.0, |b| flow.least_height(b));
         flow.room_for(38.0 + first);
-        flow.y += 16.0;
+        if flow.y > TOP {
+            flow.y += 16.0;
+        }
         marks.push(Mark {
             title: section.title.clone(),
             page: flow.pages.len() - 1,
@@ -180,7 +182,7 @@ impl Flow<'_> {
         match block {
             Block::Heading(_) => 48.0,
             Block::Text(_) | Block::List(_) => 2.0 * LINE,
-            Block::Facts(_) => 2.0 * (LINE + 3.0),
+            Block::Facts(facts) => self.facts_height(facts).min(150.0),
             Block::Table(table) => 22.0 + 2.0 * (LINE + 4.0) * table.rows.len().min(1) as f64,
             Block::Plot(drawing, _) => drawing.height + 24.0,
             Block::Sign(lines) => 46.0 * lines.len().div_ceil(2) as f64 + 16.0,
@@ -233,6 +235,15 @@ impl Flow<'_> {
             }
             Block::Sign(lines) => self.sign(lines),
         }
+    }
+
+    fn facts_height(&self, facts: &[(String, String)]) -> f64 {
+        let lines = |text: &str, width: f64| self.fonts.wrapped(text, TEXT, false, width).len();
+        let height = |(name, value): &(String, String)| {
+            let most = lines(value, FULL_WIDTH - NAMES).max(lines(name, NAMES - 8.0));
+            LINE * most as f64 + 3.0
+        };
+        facts.iter().map(height).sum()
     }
 
     fn facts(&mut self, facts: &[(String, String)]) {

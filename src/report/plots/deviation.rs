@@ -4,11 +4,11 @@
 use super::panel::{Panel, room};
 use super::{FULL_WIDTH, Stage, Stages, thinned};
 use crate::report::drawing::{Drawing, INK, Item, Label, MUTED, Shape, Stroke};
-use crate::report::numbers::plain;
+use crate::report::numbers::short;
 
 const PANEL: f64 = 92.0;
 const TOP: f64 = 18.0;
-const BETWEEN: f64 = 36.0;
+const BETWEEN: f64 = 34.0;
 const LEFT: f64 = 46.0;
 /// Marks in a panel.
 const MOST: usize = 1200;
@@ -36,6 +36,9 @@ pub fn deviation(stages: &Stages) -> Drawing {
             y: [0.0, highest(stages, stage) * 1.06],
         };
         draw(stages, stage, &panel, &mut drawing);
+        if k + 1 == stages.stages.len() {
+            panel.x_label(&stages.over, &mut drawing);
+        }
     }
     legend(stages, &mut drawing);
     drawing
@@ -51,16 +54,16 @@ fn highest(stages: &Stages, stage: &Stage) -> f64 {
     let top = lines
         .filter(|mm| *mm <= 4.0 * largest)
         .fold(largest, f64::max);
-    if top > 0.0 { top } else { 1.0 }
+    // Below that there is only rounding to see.
+    top.max(1e-6)
 }
 
 fn draw(stages: &Stages, stage: &Stage, panel: &Panel, drawing: &mut Drawing) {
     panel.frame([8, 4], drawing);
     panel.title(&stage.name, drawing);
     panel.y_label("deviation, mm", 8.0, drawing);
-    panel.x_label(&stages.over, drawing);
     let lengths = &stage.deviations.length_mm;
-    let kept = thinned(&stages.usable(stage), MOST, |i| lengths[i]);
+    let kept = thinned(&stage.usable(), MOST, |i| lengths[i]);
     for (shape, side) in [(Shape::Square, 0.0), (Shape::Up, 1.0), (Shape::Down, -1.0)] {
         let of_side = kept.iter().filter(|i| stages.side[**i] == side);
         let at: Vec<[f64; 2]> = of_side
@@ -117,7 +120,7 @@ fn legend(stages: &Stages, drawing: &mut Drawing) {
         let Some(mm) = mm else { continue };
         let stroke = Stroke::new(0.9, INK).dashed(dash[0], dash[1]);
         drawing.line([x, y - 2.4], [x + 18.0, y - 2.4], stroke);
-        let text = format!("{name} {} mm", plain(mm));
+        let text = format!("{name} {} mm", short(mm));
         drawing.text(Label::new([x + 22.0, y], text, 7.0, MUTED));
         x += 120.0;
     }

@@ -1,8 +1,8 @@
 //! The report's plots as drawings; the window saves the same ones as SVG.
 //!
-//! - [`workspace`]: where the points are and, magnified, how far off.
-//! - [`deviation`]: the length of the deviation over a joint's value.
-//! - [`waterfall`]: the gap step by step.
+//! - [`workspace`](fn@workspace): where the points are and, magnified, how far off.
+//! - [`deviation`](fn@deviation): the length of the deviation over a joint's value.
+//! - [`waterfall`](fn@waterfall): the gap step by step.
 //!
 //! At most some thousand marks are drawn, whatever the number of samples; the largest deviation is
 //! always among them.
@@ -54,10 +54,10 @@ pub struct Stages {
     pub tolerance_mm: Option<f64>,
 }
 
-impl Stages {
-    /// Samples that a stage can show.
-    fn usable(&self, stage: &Stage) -> Vec<usize> {
-        let lengths = &stage.deviations.length_mm;
+impl Stage {
+    /// Samples that the stage can show.
+    fn usable(&self) -> Vec<usize> {
+        let lengths = &self.deviations.length_mm;
         (0..lengths.len())
             .filter(|i| lengths[*i].is_finite())
             .collect()
@@ -80,19 +80,26 @@ fn thinned(samples: &[usize], most: usize, value: impl Fn(usize) -> f64) -> Vec<
     kept
 }
 
+/// A name that leaves room for the rest of a label.
+pub(super) fn shortened(name: &str, most: usize) -> String {
+    if name.chars().count() <= most {
+        return name.to_owned();
+    }
+    name.chars().take(most - 1).chain(['…']).collect()
+}
+
 /// The largest of 1, 2, 5 × 10ⁿ that is not above `value`; 1 where that makes no sense.
 fn round_below(value: f64) -> f64 {
+    among(value, &[5.0, 2.0])
+}
+
+/// The largest of these leading digits, or 1, × 10ⁿ that is not above `value`.
+fn among(value: f64, digits: &[f64]) -> f64 {
     if !(value.is_finite() && value > 0.0) {
         return 1.0;
     }
     let ten = 10f64.powf(value.log10().floor());
     let lead = value / ten;
-    let digit = if lead >= 5.0 {
-        5.0
-    } else if lead >= 2.0 {
-        2.0
-    } else {
-        1.0
-    };
+    let digit = digits.iter().copied().find(|d| lead >= *d).unwrap_or(1.0);
     digit * ten
 }

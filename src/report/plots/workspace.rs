@@ -3,9 +3,8 @@
 //! along the axes of the measuring frame the one with the largest area is drawn.
 
 use super::panel::{Panel, SMALL, room};
-use super::{FULL_WIDTH, Stage, Stages, round_below, thinned};
+use super::{FULL_WIDTH, Stage, Stages, among, thinned};
 use crate::report::drawing::{Drawing, Item, Label, MUTED, Shape, Stroke};
-use crate::report::numbers::short;
 
 const LEFT: f64 = 30.0;
 const TOP: f64 = 18.0;
@@ -13,7 +12,7 @@ const GAP: f64 = 36.0;
 /// Lines in a panel.
 const MOST: usize = 500;
 /// A large deviation is drawn as long as this share of the view.
-const LONG: f64 = 0.14;
+const LONG: f64 = 0.16;
 
 /// The panels side by side. Also says by how much the deviations are magnified.
 pub fn workspace(stages: &Stages) -> (Drawing, f64) {
@@ -27,7 +26,7 @@ pub fn workspace(stages: &Stages) -> (Drawing, f64) {
     };
     let (x, y) = (room(extent(axes[0])), room(extent(axes[1])));
     let size = (x[1] - x[0]).max(y[1] - y[0]);
-    let magnification = round_below(LONG * size / large(stages));
+    let magnification = among(LONG * size / large(stages), &[8.0, 6.0, 5.0, 4.0, 3.0, 2.0]);
     let reach = size * (LONG + 0.06);
     let (x, y) = ([x[0] - reach, x[1] + reach], [y[0] - reach, y[1] + reach]);
     let count = stages.stages.len().max(1) as f64;
@@ -132,7 +131,7 @@ fn lines(
     drawing: &mut Drawing,
 ) {
     let lengths = &stage.deviations.length_mm;
-    let kept = thinned(&stages.usable(stage), MOST, |i| lengths[i]);
+    let kept = thinned(&stage.usable(), MOST, |i| lengths[i]);
     let from = |i: usize| [column(stages, axes[0])[i], column(stages, axes[1])[i]];
     let mut ends = Vec::with_capacity(kept.len());
     let mut starts = Vec::with_capacity(kept.len());
@@ -155,7 +154,4 @@ fn lines(
         colour: MUTED,
         filled: true,
     });
-    let note = format!("deviations × {}", short(magnification));
-    let at = [panel.left + panel.width, panel.top - 6.0];
-    drawing.text(Label::new(at, note, SMALL, MUTED).anchored(crate::report::drawing::Anchor::End));
 }
