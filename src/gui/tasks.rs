@@ -14,6 +14,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use super::document::Question;
 use super::figures::Figures;
 use super::files::Saved;
+use super::foreign::Foreign;
 use super::given::Given;
 use super::keeping::recovery::LeftBehind;
 use super::keeping::watcher::{Order, Seen, Watched};
@@ -30,6 +31,8 @@ use super::view::Message;
 pub(crate) enum Report {
     /// A session was read or made.
     Opened(Result<Arc<Subject>, Message>),
+    /// A file that an instrument wrote was looked at.
+    Foreign(Box<Foreign>),
     /// A model was read.
     OpenedModel(Result<Arc<Given>, Message>),
     /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.
