@@ -9,6 +9,7 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use super::commands::{Command, Workbench};
 use super::keeping::watcher;
+use super::pictures::Plot;
 use super::preferences::Preferences;
 use super::reporting::About;
 use super::tasks::{Runner, Tasks, What};
@@ -96,6 +97,13 @@ impl App {
     /// The same for the report of the model.
     pub fn type_model_report_path(&mut self, path: &Path) {
         self.type_path(What::Report(About::Model), path);
+    }
+
+    /// The same for the picture of a plot: `workspace`, `deviation` or `gap by step`.
+    pub fn type_picture_path(&mut self, plot: &str, path: &Path) {
+        if let Some(plot) = Plot::ALL.into_iter().find(|p| p.name() == plot) {
+            self.type_path(What::Picture(plot), path);
+        }
     }
 
     fn type_path(&mut self, what: What, path: &Path) {

@@ -27,6 +27,9 @@ pub(crate) enum Plot {
 }
 
 impl Plot {
+    /// All of them.
+    pub(crate) const ALL: [Self; 3] = [Self::Workspace, Self::Deviation, Self::Waterfall];
+
     /// Its name, as it stands within a sentence.
     pub(crate) fn name(self) -> &'static str {
         match self {

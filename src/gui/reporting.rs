@@ -131,3 +131,64 @@ fn kind_of(path: &Path) -> Result<Kind, String> {
         _ => Err("expected a file name that ends in .html or .pdf".to_owned()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::files::first_example;
+
+    fn wanted() -> Wanted {
+        Wanted {
+            source: Source::Session(Arc::new(Document::new(first_example())), None),
+            tables: Vec::new(),
+            inputs: Vec::new(),
+        }
+    }
+
+    fn files_in(folder: &Path) -> usize {
+        std::fs::read_dir(folder).expect("it can be listed").count()
+    }
+
+    #[test]
+    fn a_cancelled_report_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let watch = Watch::default();
+        watch.stop();
+        write(&wanted(), &folder.path().join("report.pdf"), false, &watch);
+        assert_eq!(files_in(folder.path()), 0);
+    }
+
+    #[test]
+    fn a_file_that_is_cancelled_at_its_end_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("report.html");
+        let watch = Watch::default();
+        watch.stop();
+        assert!(files::write_one(&path, false, b"text", &watch).is_err());
+        assert_eq!(files_in(folder.path()), 0);
+        let watch = Watch::default();
+        assert_eq!(files::write_one(&path, false, b"text", &watch), Ok(()));
+        assert_eq!(files_in(folder.path()), 1);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_written_is_refused_before_the_search() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for (name, says) in [
+            ("report.txt", ".html or .pdf"),
+            ("report", ".html or .pdf"),
+            ("not there/report.pdf", "the folder is not there"),
+        ] {
+            let watch = Watch::default();
+            let report = write(&wanted(), &folder.path().join(name), false, &watch);
+            let Report::Written(message) = report else {
+                panic!("it says how it went");
+            };
+            assert!(
+                message.wrong && message.details[0].contains(says),
+                "{message:?}"
+            );
+            assert!(!watch.begun(), "the search was not begun");
+        }
+    }
+}

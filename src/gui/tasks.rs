@@ -122,6 +122,17 @@ impl Watch {
         self.found.fetch_max(found, Ordering::Relaxed);
     }
 
+    /// Whether something is done already.
+    #[cfg(test)]
+    pub(crate) fn begun(&self) -> bool {
+        self.permille.load(Ordering::Relaxed) > 0
+    }
+
+    /// Nobody wants the task any more.
+    pub(crate) fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
     /// Whether the task was cancelled.
     pub(crate) fn stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
@@ -419,7 +430,7 @@ impl Tasks {
         let named = self.running.iter().rposition(|r| r.kind != Kind::Quiet);
         let place = named?;
         let cancelled = self.running.remove(place);
-        cancelled.watch.stopped.store(true, Ordering::Relaxed);
+        cancelled.watch.stop();
         match cancelled.kind {
             Kind::Once | Kind::Searches | Kind::Quiet => {}
             Kind::Identifies => {
