@@ -14,6 +14,7 @@ use super::evidence::Noise;
 use super::familywise::FamilyP;
 use super::limits::Limit;
 use super::next_poses::NextPose;
+use super::smooth::Correction;
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -129,6 +130,15 @@ pub struct Unexplained {
     pub says: String,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
+    /// A smooth correction of it, or why there is none; `None` where nobody asked for one.
+    pub correction: Option<Result<Correction, String>>,
+}
+
+impl Unexplained {
+    /// The smooth correction, where there is one.
+    pub fn corrected(&self) -> Option<&Correction> {
+        self.correction.as_ref()?.as_ref().ok()
+    }
 }
 
 /// See the module.
@@ -177,18 +187,29 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// The calibration that goes with this answer, to be saved and exported.
+    /// The calibration that goes with this answer, to be saved and exported; with the smooth
+    /// correction of what is unexplained, where there is one.
     pub fn calibration(&self, session: &Session) -> Calibration {
+        let mut history = self.history.clone();
+        let mut model = self.model.clone();
+        if let Some(correction) = self.unexplained.corrected() {
+            model = model.with_term(correction.term.clone());
+            history.push(GapStep {
+                what: format!("with {}", correction.term.effect.about().id),
+                gap_mm: correction.gap_mm[1],
+                held_out_mm: Some(correction.held_out_mm[1]),
+            });
+        }
         Calibration {
             session: self.session.clone(),
-            model: self.model.clone(),
+            model,
             covariance: self.covariance.clone(),
             regions: Vec::new(),
             targets: session.targets.clone(),
             measured: self.measured.clone(),
             tolerance_mm: session.tolerance_mm,
             compensated_by: session.compensated_by.clone(),
-            history: self.history.clone(),
+            history,
             samples_hash: crate::sessions::hash_of_samples(session),
             program_version: env!("CARGO_PKG_VERSION").to_owned(),
         }

@@ -141,13 +141,7 @@ impl<'a> Arena<'a> {
             let step = basis.solve(&residual);
             let left = basis.reject(&residual);
             let moved = (&jacobian * step.rows(0, own)).norm_squared();
-            let coefficients = model.coefficients();
-            let stepped: Vec<f64> = coefficients
-                .iter()
-                .zip(step.iter())
-                .map(|(c, s)| c + s)
-                .collect();
-            model = model.with_coefficients(&stepped);
+            model = model.stepped(&step.as_slice()[..own]);
             let mut at = own;
             for shape in &mut shapes {
                 let size = shape.white.ncols();

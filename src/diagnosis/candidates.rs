@@ -162,7 +162,8 @@ impl Table {
         let mut tangential: Vec<DVector<f64>> = Vec::new();
         for (term, tag) in &tagged {
             let size = term.coefficients.len();
-            let own = columns.columns(first, size).into_owned();
+            let seen = term.effect.about().form.coefficients_at_zero();
+            let own = columns.columns(first, seen).into_owned();
             first += size;
             if let Some(i) = tag {
                 push(

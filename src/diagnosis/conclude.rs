@@ -11,7 +11,7 @@ use crate::identification::robust::suspects;
 use crate::kinematics::Range;
 use crate::model::{GapStep, Model};
 
-use super::aliases::{self, UNDECIDED};
+use super::aliases;
 use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
 use super::arena::Fit;
 use super::blunders::Mended;
@@ -21,11 +21,12 @@ use super::limits;
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::Found as SearchEnd;
+use super::smooth;
 use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::Values;
-use super::{DiagnoseError, Progress, Watch};
+use super::{DiagnoseError, Progress, Watch, unlock};
 
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
@@ -82,16 +83,18 @@ pub(super) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::rivals(arena, with_shapes);
-    let equivalent: Vec<_> = rivals
-        .iter()
-        .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
-        .collect();
-    let equivalent = aliases::without_idle_names(&equivalent);
+    let rivals = next_poses::open_rivals(arena, with_shapes);
+    let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
-    let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
+    let not_testable = not_testable(arena, &base);
+    let next_poses = if equivalent.is_empty() {
+        unlock::worth_unlocking(prepared, with_shapes, &not_testable)
+    } else {
+        next_poses::separate(prepared, with_shapes, &equivalent, next_poses::MOST)
+    };
     let found = found(prepared, with_shapes, &steps, &floor, &values);
-    let unexplained = unexplained(prepared, end, session);
+    let mut unexplained = unexplained(prepared, end, session);
+    unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
@@ -118,7 +121,7 @@ pub(super) fn answer(
         session: session.name.clone(),
         samples: session.samples.len(),
         verdict,
-        data_problems: mended.problems.clone(),
+        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
         floor,
         gap,
         held_out,
@@ -126,13 +129,13 @@ pub(super) fn answer(
         found,
         equivalent: equivalents(&equivalent, with_shapes, &next_poses),
         unexplained,
-        not_testable: not_testable(prepared, &base),
+        not_testable,
         not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses,
         noise: arena.noise.clone(),
         covariance: values.covariance(),
-        model: values.model,
+        model: values.model.settled(),
         history,
         measured: measured(problem.inputs.q.iter().map(|q| &**q)),
     })

@@ -8,7 +8,7 @@
 //! its tail falls like C·exp(−s), with C from the largest simulated ones.
 //!
 //! Of Gaussian residuals the tail itself is simulated (importance sampling of a union, Naiman &
-//! Priebe 2001): a candidate i is drawn with a chance ∝ p_i = exp(−s₀ − w_i), a residual is drawn
+//! Priebe 2001): a candidate i is drawn with a chance ∝ `p_i = exp(−s₀ − w_i)`, a residual is drawn
 //! of which it makes at least s₀, and the N candidates that reach s₀ are counted:
 //!
 //! ```text
@@ -324,7 +324,7 @@ impl Null {
             let which = random.random_range(0..group.rows.nrows() / group.rank);
             let own = group.rows.rows(which * group.rank, group.rank);
             // The direction inside the candidate's columns stays, its share is drawn.
-            let along = &own * &free;
+            let along = own * &free;
             free -= own.tr_mul(&along);
             let chance = 1.0 - random.random::<f64>();
             let share = group.test.share_for(from + group.weight - chance.ln());

@@ -22,6 +22,7 @@ pub(super) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
             resembles: Vec::new(),
             says: String::new(),
             shapes: Vec::new(),
+            correction: None,
         };
     }
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
@@ -71,5 +72,6 @@ pub(super) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
                 (placed.shape, placed.coefficients.iter().copied().collect())
             })
             .collect(),
+        correction: None,
     }
 }

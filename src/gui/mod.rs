@@ -9,6 +9,9 @@
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
 //! - `search`: what a diagnosis found, ready to be added.
+//! - `setup`: robot and instrument as they are filled in.
+//! - `preferences`: units, digits, colours; `help`: what the words mean.
+//! - `keeping`: what outlives the window (recent files, what is not saved), and what changes under it.
 //! - `preview`: an export as it would be written.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
@@ -21,11 +24,15 @@ mod document;
 mod edit;
 mod files;
 mod given;
+mod help;
+mod keeping;
 mod outcome;
 mod panels;
 mod plots;
+mod preferences;
 mod preview;
 mod search;
+mod setup;
 mod simulate;
 mod subject;
 mod tasks;
@@ -82,7 +89,11 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
     eframe::run_native(
         TITLE,
         options,
-        Box::new(move |cc| Ok(Box::new(App::new(&cc.egui_ctx, path, Runner::Threads)))),
+        Box::new(move |cc| {
+            Ok(Box::new(
+                App::new(&cc.egui_ctx, path, Runner::Threads).at_home(keeping::home()),
+            ))
+        }),
     )
     .map_err(|error| {
         let error = error.to_string();

@@ -45,7 +45,11 @@ impl Search {
             watch.reached(stage, found);
             !watch.stopped()
         };
-        let answer = diagnose(&subject.session, &Options::default(), &told);
+        let options = Options {
+            correct_unexplained: true,
+            ..Options::default()
+        };
+        let answer = diagnose(&subject.session, &options, &told);
         let answer = answer.map_err(|error| match error {
             DiagnoseError::Cancelled => "the search was cancelled".to_owned(),
             other => other.to_string(),

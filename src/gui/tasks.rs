@@ -12,7 +12,10 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::document::Question;
+use super::files::Saved;
 use super::given::Given;
+use super::keeping::recovery::LeftBehind;
+use super::keeping::watcher::{Order, Seen, Watched};
 use super::outcome::Outcome;
 use super::preview::{Preview, Wanted};
 use super::search::Search;
@@ -30,8 +33,16 @@ pub(crate) enum Report {
     ChosenToOpen(Option<PathBuf>),
     /// A path was chosen to save to.
     ChosenToSave(Option<PathBuf>),
-    /// A file was written.
-    Saved(Result<PathBuf, Message>),
+    /// A session was written, or not.
+    Saved(Box<Saved>),
+    /// Preferences, recent files or what is not saved were kept, or not.
+    Kept(Result<(), String>),
+    /// What windows that are gone have left behind.
+    LeftBehind(Vec<LeftBehind>),
+    /// Something was seen on the disk.
+    Seen(Seen),
+    /// A session has grown.
+    Extended(Box<Extended>),
     /// A question was answered.
     Answered(Box<Outcome>),
     /// A session was searched.
@@ -46,6 +57,17 @@ pub(crate) enum Report {
     ChosenToExport(What, Option<PathBuf>),
     /// The task itself failed: a bug.
     Broken,
+}
+
+/// A session that has grown, with the answer to what was asked of it.
+#[derive(Debug)]
+pub(crate) struct Extended {
+    /// Before.
+    pub(crate) from: Arc<Subject>,
+    /// After.
+    pub(crate) to: Arc<Subject>,
+    /// The answer, where something was asked.
+    pub(crate) outcome: Option<Outcome>,
 }
 
 /// What is exported.
@@ -132,6 +154,8 @@ enum Kind {
     Identifies,
     Prepares,
     Searches,
+    /// Nobody has to know.
+    Quiet,
 }
 
 /// One question at a time, and the latest one after it.
@@ -177,6 +201,25 @@ impl<Q: PartialEq + Clone> Latest<Q> {
     }
 }
 
+/// Begins to look at the disk.
+fn watch(runner: Runner, sender: &Sender<(u64, Report)>, wake: &Wake) -> Watching {
+    if runner == Runner::AtOnce {
+        return Watching::Here(Watched::default());
+    }
+    let (orders, taken) = channel();
+    let (sender, wake) = (sender.clone(), Arc::clone(wake));
+    let look = move || {
+        Watched::default().keep_looking(&taken, |seen| {
+            let _ = sender.send((WATCHER, Report::Seen(seen)));
+            wake();
+        });
+    };
+    let thread = std::thread::Builder::new().name("truepose watcher".to_owned());
+    // Without it the window goes on, and notices a change when it saves.
+    let _ = thread.spawn(look);
+    Watching::Thread(orders)
+}
+
 /// Wakes the window when something has arrived.
 pub(crate) type Wake = Arc<dyn Fn() + Send + Sync>;
 
@@ -190,12 +233,25 @@ pub(crate) struct Tasks {
     last_id: u64,
     questions: Latest<Question>,
     previews: Latest<Wanted>,
+    watching: Watching,
 }
+
+/// Who looks at the disk.
+enum Watching {
+    /// Whoever asks.
+    Here(Watched),
+    /// A thread of its own; it ends with this.
+    Thread(Sender<Order>),
+}
+
+/// What the watcher says has no task.
+const WATCHER: u64 = 0;
 
 impl Tasks {
     /// No task yet.
     pub(crate) fn new(runner: Runner, wake: Wake) -> Self {
         let (sender, receiver) = channel();
+        let watching = watch(runner, &sender, &wake);
         Self {
             runner,
             wake,
@@ -205,12 +261,45 @@ impl Tasks {
             last_id: 0,
             questions: Latest::default(),
             previews: Latest::default(),
+            watching,
         }
+    }
+
+    /// Looks at something else on the disk from now on.
+    pub(crate) fn order(&mut self, order: Order) {
+        match &mut self.watching {
+            Watching::Here(watched) => {
+                if let Some(seen) = watched.order(order) {
+                    let _ = self.sender.send((WATCHER, Report::Seen(seen)));
+                }
+            }
+            // A thread that could not be started looks at nothing.
+            Watching::Thread(orders) => drop(orders.send(order)),
+        }
+    }
+
+    /// Looks at the disk now, where no thread does.
+    pub(crate) fn look_at_disk(&mut self) {
+        if let Watching::Here(watched) = &mut self.watching {
+            for seen in watched.look() {
+                let _ = self.sender.send((WATCHER, Report::Seen(seen)));
+            }
+        }
+    }
+
+    /// Whether somebody has to call [`Tasks::look_at_disk`] from time to time.
+    pub(crate) fn wants_looking(&self) -> bool {
+        matches!(self.watching, Watching::Here(_))
+    }
+
+    /// Starts a task that nobody has to know of, and that nobody can cancel.
+    pub(crate) fn quietly(&mut self, work: impl FnOnce() -> Report + Send + 'static) {
+        self.spawn(String::new(), Kind::Quiet, move |_| work());
     }
 
     /// The task that the status bar names: the newest.
     pub(crate) fn newest(&self) -> Option<&Running> {
-        self.running.last()
+        self.running.iter().rfind(|r| r.kind != Kind::Quiet)
     }
 
     /// Starts a task.
@@ -236,8 +325,8 @@ impl Tasks {
 
     fn answer(&mut self, question: Question) {
         let what = format!("identifying, {} samples", question.subject.len());
-        self.spawn(what, Kind::Identifies, move |_| {
-            Report::Answered(Box::new(Outcome::of(question)))
+        self.spawn(what, Kind::Identifies, move |watch| {
+            Report::Answered(Box::new(Outcome::of(question, watch)))
         });
     }
 
@@ -310,29 +399,38 @@ impl Tasks {
         }
     }
 
-    /// Cancels the newest task: its report will not be taken.
-    pub(crate) fn cancel_newest(&mut self) {
-        let Some(cancelled) = self.running.pop() else {
-            return;
-        };
+    /// Cancels the newest task: its report will not be taken. The question that is not answered
+    /// then, if it was one.
+    pub(crate) fn cancel_newest(&mut self) -> Option<Question> {
+        let named = self.running.iter().rposition(|r| r.kind != Kind::Quiet);
+        let place = named?;
+        let cancelled = self.running.remove(place);
         cancelled.watch.stopped.store(true, Ordering::Relaxed);
         match cancelled.kind {
-            Kind::Once | Kind::Searches => {}
-            Kind::Identifies => self.questions = Latest::default(),
+            Kind::Once | Kind::Searches | Kind::Quiet => {}
+            Kind::Identifies => {
+                let Latest { asked, waiting } = std::mem::take(&mut self.questions);
+                return waiting.or(asked);
+            }
             Kind::Prepares => self.previews = Latest::default(),
         }
+        None
     }
 
     /// Everything that has arrived.
     pub(crate) fn reports(&mut self) -> Vec<Report> {
         let mut reports = Vec::new();
         while let Ok((id, report)) = self.receiver.try_recv() {
+            if id == WATCHER {
+                reports.push(report);
+                continue;
+            }
             let Some(place) = self.running.iter().position(|r| r.id == id) else {
                 continue;
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Searches => {}
+                Kind::Once | Kind::Searches | Kind::Quiet => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

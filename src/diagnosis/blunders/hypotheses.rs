@@ -2,20 +2,21 @@
 
 use nalgebra::Isometry3;
 
+use crate::diagnosis::Mend;
 use crate::effects::{JointValues, Term, find};
 use crate::identification::alignment::best_rigid_motion;
 use crate::identification::problem::Problem;
 use crate::identification::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
-use crate::sessions::{Samples, Session, Setups};
+use crate::sessions::Session;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A hypothesis: what is wrong, what to do, and how the data would read without it.
 pub(super) struct Hypothesis {
     pub(super) what: String,
     pub(super) proposal: String,
-    pub(super) change: Box<dyn Fn(&mut Session)>,
+    pub(super) mend: Mend,
 }
 
 #[allow(
@@ -24,11 +25,11 @@ pub(super) struct Hypothesis {
 )]
 pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
     let mut all = Vec::new();
-    let mut push = |what: String, proposal: String, change: Box<dyn Fn(&mut Session)>| {
+    let mut push = |what: String, proposal: String, mend: Mend| {
         all.push(Hypothesis {
             what,
             proposal,
-            change,
+            mend,
         });
     };
     for joint in 0..session.robot.joints.len() {
@@ -38,7 +39,10 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             format!(
                 "reverse the sign of joint {number} in the robot's description or in the samples"
             ),
-            Box::new(move |s| scale_joint(s, joint, -1.0)),
+            Mend::ScaleJoint {
+                joint,
+                factor: -1.0,
+            },
         );
         if session.robot.joints[joint].kind != JointKind::Revolute {
             continue;
@@ -50,18 +54,17 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             push(
                 format!("the values of joint {number} {what}"),
                 format!("correct the unit in the heading of q{number}"),
-                Box::new(move |s| scale_joint(s, joint, factor)),
+                Mend::ScaleJoint { joint, factor },
             );
         }
         for turn in [90.0, -90.0, 180.0] {
             push(
                 format!("the home position of joint {number} is off by {turn}°"),
                 format!("add {turn}° to joint {number} at home, or home the joint again"),
-                Box::new(move |s| {
-                    for q in &mut s.samples.q[joint] {
-                        *q += rad_from_deg(turn);
-                    }
-                }),
+                Mend::TurnHome {
+                    joint,
+                    by_rad: rad_from_deg(turn),
+                },
             );
         }
     }
@@ -75,19 +78,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
         push(
             format!("the measured coordinates are {what}"),
             "correct the unit in the headings of x, y and z".to_owned(),
-            Box::new(move |s| {
-                let samples = &mut s.samples;
-                let columns = [
-                    Some(&mut samples.x_mm),
-                    Some(&mut samples.y_mm),
-                    samples.z_mm.as_mut(),
-                ];
-                for column in columns.into_iter().flatten() {
-                    for value in column {
-                        *value *= factor;
-                    }
-                }
-            }),
+            Mend::ScaleLengths(factor),
         );
     }
     if session.samples.z_mm.is_some() {
@@ -101,14 +92,14 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
             push(
                 format!("the measured axes {what} are swapped"),
                 "exchange the headings of the measured columns".to_owned(),
-                Box::new(move |s| permute(&mut s.samples, order)),
+                Mend::Reorder(order),
             );
         }
     } else {
         push(
             "the measured axes x and y are swapped".to_owned(),
             "exchange the headings of the measured columns".to_owned(),
-            Box::new(|s| std::mem::swap(&mut s.samples.x_mm, &mut s.samples.y_mm)),
+            Mend::Reorder([1, 0, 2]),
         );
     }
     if let Some(frame) = misaligned_frame(session) {
@@ -120,13 +111,7 @@ pub(super) fn hypotheses(session: &Session) -> Vec<Hypothesis> {
                 "align the instrument (turned by {turn:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or give the samples a `setup` column so that the frame is fitted",
                 t.x, t.y, t.z
             ),
-            Box::new(|s| {
-                let n = s.samples.len();
-                s.samples.setups = Some(Setups {
-                    names: vec!["1".to_owned()],
-                    index: vec![0; n],
-                });
-            }),
+            Mend::FreeFrame,
         );
     }
     all
@@ -153,27 +138,3 @@ fn misaligned_frame(session: &Session) -> Option<Isometry3<f64>> {
 /// Ten times what is usual for a tilt or an offset of the base.
 const LEAST_TURN_DEG: f64 = 1.5;
 const LEAST_MOVE_MM: f64 = 60.0;
-
-fn scale_joint(session: &mut Session, joint: usize, factor: f64) {
-    let samples = &mut session.samples;
-    let scale = |column: &mut Vec<f64>| column.iter_mut().for_each(|v| *v *= factor);
-    scale(&mut samples.q[joint]);
-    samples.q_read[joint].iter_mut().for_each(scale);
-    samples.speed[joint].iter_mut().for_each(scale);
-    if factor < 0.0 {
-        samples.dir[joint].iter_mut().for_each(scale);
-    }
-}
-
-/// The column that now stands at place `order[k]` becomes the k-th.
-fn permute(samples: &mut Samples, order: [usize; 3]) {
-    let Some(z) = samples.z_mm.take() else { return };
-    let old = [
-        std::mem::take(&mut samples.x_mm),
-        std::mem::take(&mut samples.y_mm),
-        z,
-    ];
-    samples.x_mm.clone_from(&old[order[0]]);
-    samples.y_mm.clone_from(&old[order[1]]);
-    samples.z_mm = Some(old[order[2]].clone());
-}

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use crate::diagnosis::Options;
+use crate::diagnosis::{Mend, Options};
 use crate::effects::{Term, find};
 use crate::identification::problem::{Problem, unusable};
 use crate::model::Model;
@@ -25,6 +25,8 @@ pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
         what: format!("the instrument lost the reflector in {}", listed(&lost)),
         evidence: "it wrote 0, 0, 0".to_owned(),
         proposal: "these samples are left out; measure them again".to_owned(),
+        mend: Some(Mend::Remove(lost.clone())),
+        samples: lost,
     });
 }
 
@@ -70,6 +72,8 @@ pub(super) fn mislocked(session: &Session, options: &Options, problems: &mut Vec
                 evidence: format!("the points lie where {name} should be"),
                 proposal: "these samples are left out; correct their target or measure them again"
                     .to_owned(),
+                mend: Some(Mend::Remove(close.clone())),
+                samples: close,
             });
         }
     }
@@ -90,6 +94,8 @@ pub(super) fn mislocked(session: &Session, options: &Options, problems: &mut Vec
             ),
             evidence: "the measured point stays while the robot moves".to_owned(),
             proposal: "these samples are left out; measure them again".to_owned(),
+            mend: Some(Mend::Remove(stuck.clone())),
+            samples: stuck,
         });
     }
 }

@@ -20,13 +20,13 @@ use crate::model::Model;
 use crate::sessions::{Samples, Session, Setups};
 use crate::units::rad_from_deg;
 
-use super::Options;
+use super::{Mend, Options};
 
 use hypotheses::{Hypothesis, hypotheses};
 use losses::{losses, mislocked};
 
 /// A mistake in the data, its evidence, and how to mend it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DataProblem {
     /// What is wrong.
     pub what: String,
@@ -34,6 +34,10 @@ pub struct DataProblem {
     pub evidence: String,
     /// What to do.
     pub proposal: String,
+    /// The same as a change of the session, where that is mechanical.
+    pub mend: Option<Mend>,
+    /// The samples that it is about, counted from 0; empty where it is about all of them.
+    pub samples: Vec<usize>,
 }
 
 /// A session with its blunders mended, and what they were.
@@ -90,7 +94,7 @@ fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataP
     let mut best: Option<(f64, Hypothesis)> = None;
     for hypothesis in hypotheses(&sample) {
         let mut trial = sample.clone();
-        (hypothesis.change)(&mut trial);
+        hypothesis.mend.apply(&mut trial);
         let Some(after) = base_gap(&trial, options) else {
             continue;
         };
@@ -102,13 +106,15 @@ fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataP
     }
     let (after, hypothesis) = best?;
     let mut better = session.clone();
-    (hypothesis.change)(&mut better);
+    hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
         evidence: format!(
             "with zero offset and link length fitted the gap is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
         ),
         what: hypothesis.what,
         proposal: hypothesis.proposal,
+        mend: Some(hypothesis.mend),
+        samples: Vec::new(),
     };
     Some((better, problem))
 }

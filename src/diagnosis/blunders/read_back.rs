@@ -53,7 +53,10 @@ pub(super) fn lagging(
     let mut mended = session.clone();
     for lag in &lags {
         let samples = &mut mended.samples;
-        let by = lag.of(&samples.speed[lag.joint], &samples.dir[lag.joint]);
+        let by = lag.of(
+            samples.speed[lag.joint].as_ref(),
+            samples.dir[lag.joint].as_ref(),
+        );
         let by = by.cloned().unwrap_or_default();
         if let Some(read) = &mut samples.q_read[lag.joint] {
             let finite = by.iter().map(|v| if v.is_finite() { *v } else { 0.0 });
@@ -94,14 +97,10 @@ const CLEAR: f64 = 5.0;
 impl Lag {
     fn of<'c>(
         &self,
-        speed: &'c Option<Vec<f64>>,
-        side: &'c Option<Vec<f64>>,
+        speed: Option<&'c Vec<f64>>,
+        side: Option<&'c Vec<f64>>,
     ) -> Option<&'c Vec<f64>> {
-        if self.by_speed {
-            speed.as_ref()
-        } else {
-            side.as_ref()
-        }
+        if self.by_speed { speed } else { side }
     }
 
     fn problem(&self) -> DataProblem {
@@ -124,6 +123,8 @@ impl Lag {
             proposal: format!(
                 "read joint {number} back at standstill; taken as they are, these values look like backlash or tracking lag"
             ),
+            mend: None,
+            samples: Vec::new(),
         }
     }
 }

@@ -4,20 +4,25 @@
 //! only function that changes anything.
 
 mod command;
+mod desk;
+mod follow;
 mod reports;
 #[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub(crate) use command::Command;
 
+use desk::Desk;
+
 use crate::diagnosis::{Diagnosis, measuring_list};
-use crate::gui::document::{Document, Method};
+use crate::gui::document::{Document, Method, Question};
 use crate::gui::edit::Edit;
-use crate::gui::files;
+use crate::gui::files::{self, Replace};
 use crate::gui::given::Given;
+use crate::gui::keeping::settings::Recent;
 use crate::gui::outcome::{Answer, Outcome};
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::search::Search;
@@ -25,15 +30,21 @@ use crate::gui::subject::Subject;
 use crate::gui::tasks::{Tasks, What};
 use crate::gui::undo::History;
 use crate::gui::units::Units;
-use crate::gui::view::{Message, Plane, Step, ViewState};
+use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::sessions::Samples;
 
 /// Document, view, answer and tasks.
 pub(crate) struct Workbench {
     history: History<Document>,
     /// The session that nobody opened: the window began with it.
     first: Arc<Subject>,
-    /// The document as it was last saved or opened.
-    saved: Arc<Document>,
+    desk: Desk,
+    /// A question that was cancelled: it is not asked again by itself.
+    declined: Option<Question>,
+    /// Whether samples are being put behind those that are there.
+    extending: bool,
+    /// Samples that came meanwhile, and whether they take the place of all others.
+    waiting_samples: Option<(Samples, bool)>,
     view: ViewState,
     outcome: Option<Arc<Outcome>>,
     searched: Option<Arc<Search>>,
@@ -49,7 +60,10 @@ impl Workbench {
         let history = History::new(Document::new(subject));
         let mut workbench = Self {
             first,
-            saved: Arc::clone(history.present()),
+            desk: Desk::default(),
+            declined: None,
+            extending: false,
+            waiting_samples: None,
             history,
             view: ViewState::default(),
             outcome: None,
@@ -58,6 +72,7 @@ impl Workbench {
             exported: None,
             tasks,
         };
+        workbench.remember_on_file(Arc::clone(workbench.history.present()));
         workbench.look_along_the_axis();
         workbench
     }
@@ -80,8 +95,8 @@ impl Workbench {
     /// The chosen units.
     pub(crate) fn units(&self) -> Units {
         Units {
-            length: self.view.length,
-            angle: self.view.angle,
+            length: self.view.preferences.length,
+            angle: self.view.preferences.angle,
         }
     }
 
@@ -98,17 +113,6 @@ impl Workbench {
     /// What redo brings back.
     pub(crate) fn redoes(&self) -> Option<&'static str> {
         self.history.redoes()
-    }
-
-    /// Whether something would be lost that a file can hold.
-    pub(crate) fn unsaved(&self) -> bool {
-        let (now, saved) = (self.document(), &*self.saved);
-        if now.subject.is_empty() {
-            return false;
-        }
-        now.regions != saved.regions
-            || now.tolerance_mm != saved.tolerance_mm
-            || !Arc::ptr_eq(&now.subject, &saved.subject)
     }
 
     /// Whether a model can be held against the open session: both are of the same robot. The
@@ -155,6 +159,11 @@ impl Workbench {
         self.exported.as_ref()
     }
 
+    /// Whether the identification was cancelled: nobody asks again by himself.
+    pub(crate) fn is_declined(&self) -> bool {
+        self.declined.is_some() && self.document().question() == self.declined
+    }
+
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(test)]
     pub(crate) fn settled(&self) -> bool {
@@ -172,28 +181,28 @@ impl Workbench {
             Command::Drag(edit) => self.edit(&edit, true),
             Command::EndDrag => self.history.finish_gesture(),
             Command::Undo => {
+                let before = self.subject().lineage;
                 self.history.undo();
-                self.after_travel();
+                self.after_travel(before);
             }
             Command::Redo => {
+                let before = self.subject().lineage;
                 self.history.redo();
-                self.after_travel();
+                self.after_travel(before);
             }
             Command::ChooseFile => {
                 self.tasks.start("waiting for a file to be chosen", |_| {
                     files::choose_to_open()
                 });
             }
-            Command::OpenFile(path) => {
-                self.view.sheet = None;
-                let what = format!("reading {}", path.display());
-                self.tasks.start(what, move |_| files::open(&path));
-            }
-            Command::OpenExample(index) => {
-                self.tasks
-                    .start("reading an example", move |_| files::open_example(index));
-            }
-            Command::ChooseWhereToSave | Command::SaveAs { .. } if self.subject().is_empty() => {
+            Command::OpenFile(path) => self.ask_then(Then::Open(path)),
+            Command::OpenExample(index) => self.ask_then(Then::Example(index)),
+            Command::Leave => self.ask_then(Then::Leave),
+            Command::Do(then) => self.go(then),
+            Command::SaveThen(then) => self.save_then(then),
+            Command::Save | Command::ChooseWhereToSave | Command::SaveAs { .. }
+                if self.subject().is_empty() =>
+            {
                 self.complain(
                     "There is no session to save",
                     vec!["A model by itself is saved in the Export step".to_owned()],
@@ -205,13 +214,27 @@ impl Workbench {
                     files::choose_to_save(&name)
                 });
             }
+            Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {
-                self.view.sheet = None;
-                let session = self.document().session_to_save();
-                let what = format!("saving {}", path.display());
-                self.tasks
-                    .start(what, move |_| files::save(&session, &path, replace));
+                let replace = if replace {
+                    Replace::Named
+                } else {
+                    Replace::Nothing
+                };
+                self.save_to(&path, replace);
             }
+            Command::SaveDespite => {
+                if let Some(path) = self.file().map(Path::to_path_buf) {
+                    self.save_to(&path, Replace::Whatever);
+                }
+            }
+            Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
+            Command::Restore(index) => self.restore(index),
+            Command::DiscardLeft(index) => self.discard_left(index),
+            Command::Reload => self.reload(),
+            Command::Follow(on) => self.follow(on),
+            Command::KeepRecovery => self.keep_recovery(),
+            Command::LookAtDisk => self.tasks.look_at_disk(),
             Command::ChooseWhereToExport(what) => {
                 let name = self.name_of(what);
                 self.tasks.start("waiting for a file name", move |_| {
@@ -230,13 +253,15 @@ impl Workbench {
                 if let Some(problem) = form.problem() {
                     self.complain("The simulation needs other numbers", vec![problem]);
                 } else {
-                    self.view.sheet = None;
-                    self.tasks
-                        .start("simulating", move |watch| files::simulate(&form, watch));
+                    self.ask_then(Then::Simulate(form));
                 }
             }
             Command::Search => self.search(),
-            Command::Cancel => self.tasks.cancel_newest(),
+            Command::Cancel => {
+                if let Some(question) = self.tasks.cancel_newest() {
+                    self.declined = Some(question);
+                }
+            }
             other => self.look(other),
         }
         self.keep_asking();
@@ -255,14 +280,41 @@ impl Workbench {
             Command::Component(component) => view.component = component,
             Command::OnlyAfter(only) => view.only_after = only,
             Command::Hover(sample) => view.hovered = sample,
-            Command::Select(sample) => view.selected = sample,
+            Command::Select(sample) => {
+                view.selected = sample;
+                view.marked.clear();
+            }
+            Command::Mark(samples) => {
+                view.selected = samples.first().copied();
+                view.marked = samples;
+                view.side = Side::Samples;
+            }
             Command::Side(side) => view.side = side,
             Command::Lower(lower) => view.lower = lower,
-            Command::Length(unit) => view.length = unit,
-            Command::Angle(unit) => view.angle = unit,
-            Command::Theme(theme) => view.theme = theme,
-            Command::Sheet(sheet) => view.sheet = sheet,
-            Command::Leave => view.leaving = true,
+            Command::Prefer(preferences) => {
+                view.preferences = preferences.sound();
+                self.keep_preferences();
+            }
+            Command::Draft(form) => view.setup = form,
+            Command::KeepMine => view.on_disk = None,
+            Command::Sheet(sheet) => {
+                if matches!(
+                    (&self.view.sheet, &sheet),
+                    (
+                        Some(
+                            Sheet::Unsaved(_)
+                                | Sheet::Overwrite(_)
+                                | Sheet::SavePath { .. }
+                                | Sheet::ExportPath { .. }
+                        ),
+                        None
+                    )
+                ) {
+                    // Whoever closes the question wants neither.
+                    self.stay();
+                }
+                self.view.sheet = sheet;
+            }
             Command::Dismiss => view.message = None,
             Command::Fit => view.fitted += 1,
             _ => {}
@@ -277,20 +329,31 @@ impl Workbench {
             Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
             Ok(next) => self.history.change(next, edit.what()),
         }
-        if matches!(edit, Edit::Open(_)) || !Arc::ptr_eq(&before, self.subject()) {
-            self.saved = Arc::clone(self.history.present());
+        self.view.setup = None;
+        if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
+            self.declined = None;
+        }
+        if !Arc::ptr_eq(&before, self.subject()) {
+            self.view.marked.clear();
+            self.after_travel(before.lineage);
+        }
+        if before.lineage != self.subject().lineage {
             self.exported = None;
-            self.after_travel();
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fitted += 1;
             self.view.message = None;
+            self.opened();
         }
     }
 
     /// After a change that may have brought another session.
-    fn after_travel(&mut self) {
+    fn after_travel(&mut self, lineage_before: u64) {
+        self.view.setup = None;
         self.forget_missing_samples();
+        if self.subject().lineage != lineage_before {
+            self.arrived();
+        }
     }
 
     fn forget_missing_samples(&mut self) {
@@ -298,6 +361,7 @@ impl Workbench {
         let there = |sample: &usize| *sample < samples;
         self.view.hovered = self.view.hovered.filter(there);
         self.view.selected = self.view.selected.filter(there);
+        self.view.marked.retain(there);
     }
 
     /// Looks at the workspace in the plane in which joint 1 turns.
@@ -413,8 +477,13 @@ impl Workbench {
             .outcome
             .as_ref()
             .is_some_and(|o| o.question == question);
-        if !answered && !self.tasks.is_asked(&question) {
-            self.tasks.ask(question);
+        let declined = self.declined.as_ref() == Some(&question);
+        if !answered && !declined && !self.tasks.is_asked(&question) {
+            self.declined = None;
+            self.tasks.ask(Question {
+                live: self.following().is_some(),
+                ..question
+            });
         }
     }
 }

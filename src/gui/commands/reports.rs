@@ -34,11 +34,16 @@ impl Workbench {
             }
             Report::Opened(Err(message))
             | Report::OpenedModel(Err(message))
-            | Report::Saved(Err(message))
             | Report::Listed(Err(message))
             | Report::Exported(Err(message)) => {
+                self.stay();
                 self.view.message = Some(message);
             }
+            Report::Saved(saved) => self.take_saved(*saved),
+            Report::Kept(kept) => self.take_kept(kept),
+            Report::LeftBehind(left) => self.take_left_behind(left),
+            Report::Seen(seen) => self.take_seen(seen),
+            Report::Extended(extended) => self.take_extended(*extended),
             Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
             // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
             Report::ChosenToOpen(None) => {
@@ -62,14 +67,6 @@ impl Workbench {
                 self.view.sheet = Some(Sheet::SavePath {
                     path: name,
                     replace: false,
-                });
-            }
-            Report::Saved(Ok(path)) => {
-                self.saved = Arc::clone(self.history.present());
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: format!("Saved {}", path.display()),
-                    details: Vec::new(),
                 });
             }
             Report::Answered(outcome) => {
@@ -100,12 +97,14 @@ impl Workbench {
                 });
             }
             Report::Exported(Ok(path)) => {
+                self.model_is_on_file();
                 self.view.message = Some(Message {
                     wrong: false,
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
                 self.exported = Some(path);
+                self.go_on();
             }
             Report::Broken => self.complain(
                 "Something went wrong inside the program",

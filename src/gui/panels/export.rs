@@ -13,6 +13,9 @@ use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
 
+/// Where an own step begins, degrees or mm.
+const FIRST_STEP: f64 = 1.0;
+
 /// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
@@ -33,8 +36,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             })));
         }
     }
-    widgets::section(ui, "Table");
-    joint_and_step(ui, workbench, choice, commands);
+    // A description of the robot is about all joints and has no steps.
+    if find(choice.format).is_some_and(|format| format.rules.is_some()) {
+        widgets::section(ui, "Table");
+        joint_and_step(ui, workbench, choice, commands);
+    }
     match workbench.export() {
         None => widgets::hint(ui, "The table is being prepared"),
         Some(Err(because)) => {
@@ -42,10 +48,17 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ui.label(RichText::new(because).color(color));
         }
         Some(Ok(made)) => {
-            let entries = made.table.commanded_outer.len();
-            widgets::fact(ui, "entries", entries.to_string());
+            if let Some(table) = &made.export.reads_as {
+                let entries = table.forward.places().len();
+                widgets::fact(ui, "entries", entries.to_string());
+            }
             widgets::section(ui, "Also");
-            if widgets::secondary(ui, "Copy table").clicked() {
+            let what = if made.export.reads_as.is_some() {
+                "Copy table"
+            } else {
+                "Copy text"
+            };
+            if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
             if widgets::secondary(ui, "Save model…").clicked() {
@@ -78,13 +91,21 @@ fn joint_and_step(
         JointKind::Revolute => "°",
         JointKind::Prismatic => " mm",
     };
-    let field = DragValue::new(&mut next.step)
-        .range(0.001..=90.0)
-        .speed(0.02)
-        .max_decimals(4)
-        .suffix(unit);
-    let response = widgets::number(ui, "step", field);
-    dragged |= response.dragged();
+    let mut own = choice.step.is_some();
+    if ui.checkbox(&mut own, "Own step").changed() {
+        next.step = own.then_some(FIRST_STEP);
+    }
+    let mut let_go = false;
+    if let Some(step) = &mut next.step {
+        let field = DragValue::new(step)
+            .range(0.001..=90.0)
+            .speed(0.02)
+            .max_decimals(4)
+            .suffix(unit);
+        let response = widgets::number(ui, "step", field);
+        dragged |= response.dragged();
+        let_go = response.drag_stopped();
+    }
     if next != choice {
         let edit = Edit::Export(next);
         commands.push(if dragged {
@@ -93,7 +114,7 @@ fn joint_and_step(
             Command::Edit(edit)
         });
     }
-    if response.drag_stopped() {
+    if let_go {
         commands.push(Command::EndDrag);
     }
 }
@@ -128,6 +149,9 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         let measured = !workbench.subject().is_empty();
         let stays = units.length(made.remainder.rms_mm);
         let (says, left) = match made.gap {
+            Some(gap) if made.export.robot.is_some() => {
+                ("Gap to this robot", units.length(gap.rms_mm))
+            }
             Some(gap) => ("Gap that the table leaves", units.length(gap.rms_mm)),
             // Without samples there is only what the model itself says.
             None => ("What no joint can remove", stays.clone()),
@@ -156,7 +180,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         title(ui, "What the numbers mean");
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
-        for line in said.chain(&made.table.notes) {
+        for line in said.chain(&made.said) {
             widgets::hint(ui, line);
         }
     });
@@ -201,10 +225,16 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         return;
     }
-    let title = find(workbench.document().export.format).map_or("table", |f| f.extension);
+    let format = find(workbench.document().export.format);
+    let title = format.map_or("table", |f| f.extension);
+    let what = if format.is_some_and(|f| f.rules.is_none()) {
+        "robot"
+    } else {
+        "table"
+    };
     let ready = matches!(workbench.export(), Some(Ok(_)));
     let save = ui.add_enabled_ui(ready, |ui| {
-        widgets::primary(ui, &format!("Save table as .{title}…"))
+        widgets::primary(ui, &format!("Save {what} as .{title}…"))
     });
     if save.inner.clicked() {
         commands.push(Command::ChooseWhereToExport(What::Table));

@@ -1,5 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
+mod disk;
 pub(super) mod dropped;
 mod export;
 mod findings;
@@ -7,13 +8,19 @@ mod gap;
 mod identify;
 pub(super) mod menu;
 mod model;
+mod preferences;
+mod recovery;
 mod regions;
 pub(super) mod results;
 mod samples;
 mod session;
+mod setup;
 pub(super) mod sheets;
 pub(super) mod shortcuts;
 mod simulation;
 pub(super) mod stage;
 pub(super) mod status;
 pub(super) mod steps;
+mod unexplained;
+mod unsaved;
+mod words;

@@ -10,6 +10,8 @@ use crate::gui::subject::Origin;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets;
+
+use super::setup;
 use crate::kinematics::JointKind;
 use crate::sessions::Sigma;
 
@@ -18,7 +20,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     widgets::section(ui, "Measured");
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
-    findings(ui, workbench);
+    follow(ui, workbench, commands);
+    findings(ui, workbench, commands);
+    setup::show(ui, workbench, commands);
     widgets::section(ui, "Another session or model");
     if widgets::secondary(ui, "Open…").clicked() {
         commands.push(Command::ChooseFile);
@@ -109,7 +113,25 @@ fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
-fn findings(ui: &mut Ui, workbench: &Workbench) {
+/// The file goes on growing: follow it.
+fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.samples_file().is_none() {
+        return;
+    }
+    let following = workbench.following();
+    let mut on = following.is_some();
+    let says = "New lines are read as they are written, and the answer follows";
+    let response = ui.checkbox(&mut on, "Follow the file as it grows");
+    if response.on_hover_text(says).changed() {
+        commands.push(Command::Follow(on));
+    }
+    if let Some(came) = following {
+        let samples = if came == 1 { "sample" } else { "samples" };
+        widgets::hint(ui, format!("{came} {samples} came since"));
+    }
+}
+
+fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     const MOST: usize = 50;
     let findings = &workbench.subject().findings;
     if findings.is_empty() {
@@ -125,7 +147,12 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
         };
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-            ui.label(RichText::new(finding.to_string()).size(size::SMALL));
+            let text = RichText::new(finding.to_string()).size(size::SMALL);
+            if finding.samples.is_empty() {
+                ui.label(text);
+            } else if ui.link(text).on_hover_text("Show these samples").clicked() {
+                commands.push(Command::Mark(finding.samples.clone()));
+            }
         });
     }
     if findings.len() > MOST {

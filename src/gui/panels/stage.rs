@@ -10,8 +10,11 @@ use crate::gui::units::significant;
 use crate::gui::view::{Lower, Plane, Step};
 use crate::gui::widgets;
 
+use super::disk;
+
 /// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    disk::show(ui, workbench, commands);
     message(ui, workbench, commands);
     let palette = Palette::of(ui);
     let height = ui.available_height();
@@ -23,9 +26,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .size_range(140.0..=(0.7 * height).max(150.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
-            let table = view.step == Step::Export || workbench.subject().is_empty();
+            let alone = workbench.subject().is_empty();
+            let table = view.step == Step::Export || alone;
             let waterfall = offers_waterfall(workbench) && view.lower == Lower::Waterfall;
-            if let (true, Some(Ok(made))) = (table, workbench.export()) {
+            let made = workbench.export().and_then(Result::ok).filter(|_| table);
+            // A description of the robot has no curve; then the samples are more to look at.
+            if let Some(made) = made.filter(|made| alone || made.export.reads_as.is_some()) {
                 ui.horizontal(|ui| {
                     title(ui, "Correction table");
                     caption(ui, &correction::caption(made));

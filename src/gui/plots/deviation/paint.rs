@@ -60,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         [axes.along(extent.q[0]), units.length_value(extent.mm[0])],
         [axes.along(extent.q[1]), units.length_value(extent.mm[1])],
     ];
-    let degrees = series.turns && view.angle == AngleUnit::Degree;
+    let degrees = series.turns && units.angle == AngleUnit::Degree;
     let across = format!("{joint}, {unit}");
     let upwards = format!("{}, {}", view.component.name(), units.length_name());
     let plot = Plot::new(("deviation", view.component.name(), only_after, view.fitted))
@@ -83,7 +83,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             move |transform, shapes| {
                 ground(shapes, transform, drawn, &extent, band, axes, &palette);
                 dots(shapes, transform, drawn, only_after, axes, &palette);
-                for dot in drawn.dots.iter().filter(|d| Some(d.sample) == emphasised) {
+                let shown = |sample: usize| {
+                    Some(sample) == emphasised || view.marked.binary_search(&sample).is_ok()
+                };
+                for dot in drawn.dots.iter().filter(|d| shown(d.sample)) {
                     let mm = dot.after_mm.unwrap_or(dot.before_mm);
                     let here = transform.position_from_point(&axes.at(dot.q, mm));
                     shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));

@@ -7,7 +7,7 @@ use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::{Drawing, axis, marks, steps};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::view::Step;
+use crate::gui::view::{Step, ViewState};
 use crate::gui::widgets;
 use crate::sessions::Region;
 
@@ -60,6 +60,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 &palette,
                 workbench.answer().is_some(),
             );
+            for sample in marked(view, scene.points.len()) {
+                emphasis(shapes, transform, workbench, sample, &palette);
+            }
             if let Some(sample) = emphasised {
                 emphasis(shapes, transform, workbench, sample, &palette);
             }
@@ -125,6 +128,13 @@ pub(crate) fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
         data.insert_temp(id, now);
         before && !now
     })
+}
+
+/// The samples that a finding is about, no more than can be told apart.
+pub(crate) fn marked(view: &ViewState, samples: usize) -> impl Iterator<Item = usize> + '_ {
+    const MOST: usize = 2000;
+    let there = view.marked.iter().copied().filter(move |s| *s < samples);
+    there.take(MOST)
 }
 
 fn screen(transform: &PlotTransform, p: [f64; 2]) -> Pos2 {
