@@ -16,9 +16,11 @@ use super::held_out::Folds;
 use super::linear::Basis;
 use super::{Cancelled, Progress, Watch};
 
-/// Chance that noise alone may lead to a step. Names and shapes share it; what is left up to one
-/// in a hundred is for what a simulation does not know of (tails, drifts, correlation).
-pub(super) const CHANCE: f64 = 0.004;
+/// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a
+/// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less
+/// than one session of a hundred with three effects, and most of the one in a hundred for false
+/// alarms is left for what a simulation does not know of (tails, drifts, correlation).
+pub(super) const CHANCE: f64 = 0.002;
 /// An effect matters if its root mean square is above this share of the noise …
 const LEAST_OF_NOISE: f64 = 0.3;
 /// … or above this share of the tolerance.
