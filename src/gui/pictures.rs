@@ -6,8 +6,8 @@ use std::sync::Arc;
 use crate::compensation::verify;
 use crate::report::drawing::{Drawing, Label, MUTED};
 use crate::report::plots::{deviation, waterfall, workspace};
-use crate::report::stages::{as_measured, stages};
 use crate::report::svg::svg_file;
+use crate::report::{as_measured, stages};
 
 use super::document::Document;
 use super::files;

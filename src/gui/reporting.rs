@@ -87,16 +87,13 @@ fn make(
             let session = document.session_to_save();
             let options = search::options();
             let found = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
-            let made = match found {
-                Some(found) => {
-                    // The tolerance may have been changed since: it decides nothing in a search.
-                    report::Report::of_diagnosis(&session, found, &options, &extras)
-                }
-                None => {
-                    details.push("The session was searched for it, as step 4 does".to_owned());
-                    let told = search::told(watch);
-                    report::Report::of_session(&session, &options, &extras, &told)
-                }
+            let made = if let Some(found) = found {
+                // The tolerance may have been changed since: it decides nothing in a search.
+                report::Report::of_diagnosis(&session, found, &options, &extras)
+            } else {
+                details.push("The session was searched for it, as step 4 does".to_owned());
+                let told = search::told(watch);
+                report::Report::of_session(&session, &options, &extras, &told)
             };
             made.map_err(|e| e.to_string())?
         }

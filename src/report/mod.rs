@@ -25,13 +25,13 @@ mod findings;
 mod numbers;
 mod parts;
 mod session;
-pub mod stages;
+mod stages;
 
 pub use document::Report;
 pub use exported::{ExportedTable, TableFileError};
 pub use html::html;
 pub use pdf::{PdfError, pdf};
-pub use stages::stages;
+pub use stages::{as_measured, stages};
 
 use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;

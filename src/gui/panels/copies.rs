@@ -1,9 +1,10 @@
 //! Tables as text for a spreadsheet: tabs between the columns, full digits, the decimal sign that
 //! the user chose.
 
-use egui::Ui;
+use egui::{Button, RichText, Ui, vec2};
 
 use crate::effects::find;
+use crate::gui::tokens::{size, space};
 use crate::gui::units::{cell, plain_number};
 use crate::identification::{Estimate, RegionResult};
 use crate::units::deg_from_rad;
@@ -12,9 +13,12 @@ use super::results::named;
 
 /// A button that copies a table.
 pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
-    let button = ui.small_button("Copy table");
+    ui.add_space(space::TIGHT);
+    // Higher than the rows of a dense table: it is pressed, not read.
+    let button = Button::new(RichText::new("Copy table").size(size::SMALL));
+    let button = ui.add(button.min_size(vec2(0.0, 22.0)));
     ui.ctx().accesskit_node_builder(button.id, |node| {
-        node.set_label(format!("Copy table of {of}"))
+        node.set_label(format!("Copy table of {of}"));
     });
     if button.clicked() {
         ui.copy_text(text());

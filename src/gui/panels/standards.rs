@@ -7,6 +7,8 @@ use crate::gui::figures::{Group, Made, as_text};
 use crate::gui::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 
+use super::copies;
+
 /// Shows them, where there is something measured.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
     let Some(figures) = workbench.figures() else {
@@ -23,6 +25,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
 }
 
 fn tables(ui: &mut Ui, made: &Made) {
+    if made.groups.iter().any(|group| !group.rows.is_empty()) {
+        copies::button(ui, "figures", || as_text(made));
+    }
     for group in &made.groups {
         widgets::section(ui, &format!("{}, {}", group.title, group.standard));
         if !group.says.is_empty() {
@@ -37,11 +42,6 @@ fn tables(ui: &mut Ui, made: &Made) {
     }
     for line in &made.notes {
         widgets::hint(ui, line);
-    }
-    if made.groups.iter().any(|group| !group.rows.is_empty())
-        && widgets::secondary(ui, "Copy figures").clicked()
-    {
-        ui.copy_text(as_text(made));
     }
 }
 
