@@ -183,7 +183,9 @@ fn add(basis: &mut Vec<Vec<f64>>, mut column: Vec<f64>) {
     project(basis, &mut column);
     let norm = dot(&column, &column).sqrt();
     if norm > 1e-6 * before && norm > 0.0 {
-        column.iter_mut().for_each(|v| *v /= norm);
+        for v in &mut column {
+            *v /= norm;
+        }
         basis.push(column);
     }
 }

@@ -13,6 +13,10 @@ use crate::{design, diagnosed, hidden, names, reaches, single_names};
 const NOT_ALIASED: f64 = 0.1;
 
 /// What one session showed.
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a column of the table"
+)]
 struct Seen {
     /// One or two other names leave less than [`NOT_ALIASED`] of the effect.
     aliased: bool,

@@ -97,16 +97,16 @@ pub struct Options {
 }
 
 /// How far the diagnosis is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Progress {
     /// Looking for blunders.
     Checking,
     /// Fitting the base, preparing the candidates.
     Preparing,
-    /// Searching; so many terms were found so far.
+    /// Searching; what was found so far may still be exchanged for something likelier.
     Searching {
-        /// Number of terms so far.
-        found: usize,
+        /// Names of the effects so far, in the order in which they act.
+        found: Vec<&'static str>,
     },
     /// Comparing with other explanations.
     Comparing,

@@ -53,7 +53,7 @@ pub(super) struct Search<'s, 'a> {
 impl Search<'_, '_> {
     pub(super) fn run(&self) -> Result<Found, Cancelled> {
         let base = self.arena.fit(&self.arena.base, Vec::new());
-        self.tell(Progress::Searching { found: 0 })?;
+        self.tell(Progress::Searching { found: Vec::new() })?;
         let mut names_only = self.forward(base.clone(), Allow::Names)?;
         names_only = self.pairs(names_only)?;
         // Names first, then what they leave; and everything at once from the start.
@@ -93,8 +93,9 @@ impl Search<'_, '_> {
                 break;
             }
             fit = next;
+            let names = self.arena.added(&fit).into_iter();
             self.tell(Progress::Searching {
-                found: self.count(&fit),
+                found: names.map(|term| term.effect.about().id).collect(),
             })?;
         }
         Ok(fit)
