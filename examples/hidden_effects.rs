@@ -13,6 +13,8 @@
 
 #[path = "hidden_effects/absorbed.rs"]
 mod absorbed;
+#[path = "hidden_effects/alias.rs"]
+mod alias;
 #[path = "hidden_effects/cells.rs"]
 mod cells;
 #[path = "hidden_effects/known.rs"]
@@ -24,8 +26,7 @@ mod rig;
 #[path = "hidden_effects/unknown.rs"]
 mod unknown;
 
-use cells::row;
-use rig::{Design, Hidden, NAMES, Random, Rig, Shot};
+use rig::{Design, Hidden, NAMES, Random, Rig};
 use truepose::diagnosis::{Allowed, Diagnosis, Options, diagnose};
 
 fn diagnosed(rig: &Rig, without: &[&str]) -> Diagnosis {
@@ -79,80 +80,6 @@ fn single_names() -> impl Iterator<Item = &'static str> {
     NAMES.into_iter().filter(move |id| !aliased.contains(id))
 }
 
-/// One radius, or one speed: said, in the set, and resolved by the proposed poses.
-fn aliases(n: usize) {
-    for (name, truth, conditions) in [
-        (
-            "one radius",
-            vec!["base-offset", "encoder-eccentricity"],
-            false,
-        ),
-        ("one speed", vec!["backlash"], true),
-        ("one speed", vec!["tracking-lag"], true),
-    ] {
-        let (mut said, mut inside, mut resolved, mut poses) = (0, 0, 0, 0);
-        for k in 0..n {
-            let mut random = Random(3 + 49_979_687 * k as u64);
-            let design = Design {
-                one_speed: conditions,
-                conditions,
-                span_deg: 170.0,
-                ..design(&mut random, "")
-            };
-            let mut rig = hidden(&design, &truth, 400.0, &mut random);
-            let answer = diagnosed(&rig, &[]);
-            let exact = names(&answer) == truth;
-            said += usize::from(!answer.equivalent.is_empty());
-            inside += usize::from(
-                exact
-                    || answer
-                        .equivalent
-                        .iter()
-                        .any(|e| reaches(&answer, e, &truth)),
-            );
-            poses += answer.next_poses.len();
-            let last = rig.shots.last().map_or(0.0, |s| s.time);
-            let mut shots = Vec::new();
-            for (i, pose) in answer.next_poses.iter().enumerate() {
-                let target = pose.target_mm.map_or_else(
-                    || usize::from(pose.target.as_deref() == Some("T2")),
-                    |mm| {
-                        if rig.targets.len() == 1 {
-                            rig.targets.push(mm);
-                        }
-                        1
-                    },
-                );
-                shots.push(Shot {
-                    q: pose.q[0],
-                    dir: pose.dir[0],
-                    speed: pose.speed.as_ref().map_or(0.0, |s| s[0]),
-                    load: pose.load_kg.unwrap_or(0.0),
-                    warmth: pose.temperature_c.map_or(0.0, |t| t - 20.0),
-                    time: last + 6.0 * (i + 1) as f64,
-                    travel: f64::INFINITY,
-                    target,
-                });
-            }
-            rig.measure_more(shots, &mut random);
-            let again = diagnosed(&rig, &[]);
-            resolved += usize::from(names(&again) == truth && again.equivalent.is_empty());
-        }
-        row(
-            &format!("{name}, {}: said", truth.join(" + ")),
-            said,
-            n,
-            "≥ 95 %",
-        );
-        row("  truth in the set", inside, n, "≥ 99 %");
-        row("  resolved by the proposed poses", resolved, n, "≥ 95 %");
-        println!(
-            "|   poses proposed on average | {:.1} | |",
-            poses as f64 / n as f64
-        );
-    }
-}
-
 /// Whether the exchange leads from what was found to the truth.
 fn reaches(answer: &Diagnosis, rival: &truepose::diagnosis::Equivalent, truth: &[&str]) -> bool {
     let mut set: Vec<&str> = names(answer);
@@ -178,7 +105,7 @@ fn main() {
         ("noise", noise::false_alarms),
         ("one", known::one_effect),
         ("three", known::three_effects),
-        ("alias", aliases),
+        ("alias", alias::aliases),
         ("unknown", unknown::unknown),
         ("without", unknown::one_name_left_out),
     ];

@@ -15,7 +15,7 @@
 //!    puts all of it on paper.
 //! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
-//! [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
+//! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
 //!
 //! ```
 //! use truepose::pipeline::{Method, calibrate};

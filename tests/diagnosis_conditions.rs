@@ -2,7 +2,6 @@
 //! something that the robot does.
 
 #[path = "support/rig.rs"]
-#[allow(dead_code, reason = "a part of the rig is enough here")]
 mod rig;
 
 use rig::{Design, Hidden, Random, Rig};

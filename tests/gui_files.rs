@@ -46,22 +46,16 @@ fn what_was_open_yesterday_is_in_the_menu_today() {
 
     let mut window = window_at(None, Some(&home));
     seconds(&mut window, 2);
-    press(&mut window, "File");
-    window.get_by_label_contains("Recent files").hover();
-    window.run_steps(8);
-    if !says(&window, "not there any more") {
-        window.get_by_label_contains("Recent files").click();
-        window.run_steps(6);
-    }
-    if !says(&window, "not there any more") {
-        panic!("a missing file is shown as such: {:?}", window.root());
-    }
+    assert!(says(
+        &window,
+        "lamp-commissioning.json is not there any more"
+    ));
     press(&mut window, "Forget lamp-commissioning.json");
     assert!(!says(&window, "not there any more"));
-    window.key_press(Key::Escape);
-    window.run_steps(4);
-    window.key_press(Key::Escape);
-    window.run_steps(4);
+    press(&mut window, "paper-30.json");
+    assert!(says(&window, "30 samples · gap"));
+    keys(&mut window, Modifiers::NONE, Key::F2);
+    assert!(says(&window, "208 samples · gap"));
     keys(&mut window, SHIFTED, Key::O);
     assert!(
         says(&window, "30 samples · gap"),

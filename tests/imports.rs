@@ -447,7 +447,7 @@ fn columns_without_a_header_are_named_by_the_person() {
 fn reference_points_that_fix_nothing_are_refused() {
     let robot = robot();
     let mut settings = Settings::new(reading(Kind::Csv), &robot);
-    let measured = b"name,q1_deg,x_mm,y_mm,z_mm\nA,0,0,0,0\nB,0,100,0,0\nC,0,200,0,0\nP,1,1,2,3\n";
+    let measured = b"name,q1_deg,x_mm,y_mm,z_mm\nA,0,0,0,1\nB,0,100,0,1\nC,0,200,0,1\nP,1,1,2,3\n";
     let line = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nB,5,105,5\nC,5,205,5\n";
     settings.reference = Some(companion(line));
     assert!(refusal(measured, &settings).contains("the points lie on one line"));
@@ -503,6 +503,35 @@ fn an_inspection_shows_what_was_found_and_what_is_asked() {
     assert_eq!(found.questions.len(), 1);
     assert_eq!(found.questions[0].about, About::Unit);
     assert_eq!(found.questions[0].answers, ["mm", "m", "in"]);
+}
+
+#[test]
+fn a_lost_reflector_is_no_point_once_points_are_moved() {
+    let robot = robot();
+    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let text =
+        b"name,q1_deg,x_mm,y_mm,z_mm\nA,0,0,0,1\nB,0,100,0,1\nC,0,0,100,1\nP,1,0,0,0\nQ,1,9,9,9\n";
+    let known = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nB,105,5,5\nC,5,105,5\n";
+    settings.reference = Some(companion(known));
+    let done = imported(text, &settings);
+    assert!(
+        findings(&done).contains("lost the reflector (0, 0, 0) in 1 measurements: 'P' (line 5)")
+    );
+    assert_eq!(done.session.samples.incomplete(), [0]);
+    assert!((done.session.samples.z_mm.as_ref().unwrap()[1] - 13.0).abs() < 1e-9);
+}
+
+#[test]
+fn numbers_that_overflow_are_refused() {
+    let robot = robot();
+    let csv = |text: &str| refusal(text.as_bytes(), &Settings::new(reading(Kind::Csv), &robot));
+    assert!(csv("q1_deg,x_m,y_mm\n1,1e308,3\n").contains("overflows in mm"));
+    assert!(csv("q1_deg,x_mm,y_mm\n1,1e309,3\n").contains("a number that a double can hold"));
+    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    settings.matching = Matching::Time;
+    settings.commands = Some(companion(b"time_s,q1_deg\n0,0\n1,1\n2,2\n3,1\n4,0\n"));
+    let far = "time_s,x_mm,y_mm,z_mm\n0,1e200,0,1\n1,0,-1e308,1\n2,0,0,1e308\n3,0,5,1\n4,1,1,1\n";
+    assert!(refusal(far.as_bytes(), &settings).contains("--clock-offset"));
 }
 
 fn program(arguments: &[&str]) -> Output {

@@ -22,8 +22,9 @@ const SETTINGS: usize = 4;
 /// A third and a fourth name are taken while they explain so much.
 const WORTHWHILE: f64 = 25.0;
 
-/// Strength that the best neighbours leave of a hidden effect, and who they are.
-pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden) -> (f64, Vec<&'static str>) {
+/// Strength that the best neighbours, at least two and at most so many, leave of a hidden effect,
+/// and who they are.
+pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden, most: usize) -> (f64, Vec<&'static str>) {
     let mut base = Vec::new();
     for (offset, length) in [(1e-5, 0.0), (0.0, 1e-3)] {
         let mut moved = rig.clone();
@@ -59,7 +60,7 @@ pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden) -> (f64, Vec<&'static str>
     }
     let (_, mut together, mut names) = best;
     project(&together, &mut left);
-    while names.len() < 4 {
+    while names.len() < most {
         let gains = short.iter().map(|s| {
             let mut new = together.clone();
             let had = new.len();
@@ -155,7 +156,8 @@ fn neighbour(
 /// How the points move from one rig with some effects to another with others, mm.
 fn difference(from: &Rig, to: &Rig, without: &[Hidden], with: &[Hidden]) -> Vec<f64> {
     let mut all = Vec::new();
-    for shot in &from.shots {
+    let fitted = |i: &usize| !from.held_out.get(*i).is_some_and(|h| *h);
+    for shot in (0..from.shots.len()).filter(fitted).map(|i| &from.shots[i]) {
         let (a, b) = (from.point(shot, without), to.point(shot, with));
         all.extend((0..3).map(|k| b[k] - a[k]));
     }
@@ -181,7 +183,9 @@ fn add(basis: &mut Vec<Vec<f64>>, mut column: Vec<f64>) {
     project(basis, &mut column);
     let norm = dot(&column, &column).sqrt();
     if norm > 1e-6 * before && norm > 0.0 {
-        column.iter_mut().for_each(|v| *v /= norm);
+        for v in &mut column {
+            *v /= norm;
+        }
         basis.push(column);
     }
 }

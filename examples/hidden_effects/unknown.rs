@@ -49,7 +49,7 @@ pub fn one_name_left_out(n: usize) {
         let rig = hidden(&design, &[id], 400.0, &mut random);
         let answer = diagnosed(&rig, &[id]);
         let flagged = answer.unexplained.present;
-        let (left, by) = left_by_neighbours(&rig, &rig.hidden[0]);
+        let (left, by) = left_by_neighbours(&rig, &rig.hidden[0], 4);
         if !flagged {
             told(
                 &rig,

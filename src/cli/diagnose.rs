@@ -187,29 +187,7 @@ fn in_words(d: &Diagnosis) -> String {
             rival.separate_by
         );
     }
-    if d.unexplained.present {
-        let _ = writeln!(
-            text,
-            "unexplained: {:.4} mm, {}",
-            d.unexplained.rms_mm, d.unexplained.says
-        );
-        if !d.unexplained.resembles.is_empty() {
-            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
-        }
-    }
-    match &d.unexplained.correction {
-        None => {}
-        Some(Ok(correction)) => {
-            let _ = writeln!(
-                text,
-                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
-                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
-            );
-        }
-        Some(Err(because)) => {
-            let _ = writeln!(text, "no smooth correction was added: {because}");
-        }
-    }
+    unexplained_in_words(&mut text, d);
     for pose in &d.not_testable {
         let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
     }
@@ -237,15 +215,47 @@ fn in_words(d: &Diagnosis) -> String {
     if !d.next_poses.is_empty() {
         let _ = writeln!(
             text,
-            "{} poses would decide; --json lists them",
-            d.next_poses.len()
+            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
+            d.next_poses.len(),
+            if d.equivalent.is_empty() {
+                "make more testable"
+            } else {
+                "decide"
+            }
         );
     }
     text
 }
 
+/// What no name explains, and its correction where one was asked for.
+fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
+    if d.unexplained.present {
+        let _ = writeln!(
+            text,
+            "unexplained: {:.4} mm, {}",
+            d.unexplained.rms_mm, d.unexplained.says
+        );
+        if !d.unexplained.resembles.is_empty() {
+            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
+        }
+    }
+    match &d.unexplained.correction {
+        None => {}
+        Some(Ok(correction)) => {
+            let _ = writeln!(
+                text,
+                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
+                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
+            );
+        }
+        Some(Err(because)) => {
+            let _ = writeln!(text, "no smooth correction was added: {because}");
+        }
+    }
+}
+
 /// A size with three significant digits.
-fn three_digits(size: f64) -> String {
+pub(super) fn three_digits(size: f64) -> String {
     let magnitude = if size == 0.0 {
         0.0
     } else {

@@ -11,6 +11,7 @@ mod failure;
 mod identify;
 mod import;
 mod output;
+mod plan;
 mod report;
 mod simulate;
 mod standards;
@@ -43,6 +44,8 @@ enum Command {
     Identify(identify::Identify),
     /// Find what is missing, name it, and prove it on unseen samples
     Diagnose(diagnose::Diagnose),
+    /// Say what to measure next, or first
+    Plan(plan::Plan),
     /// Check a model on another session
     Verify(verify::Verify),
     /// State accuracy and repeatability after ISO 230-2 and ISO 9283
@@ -66,6 +69,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Simulate(command)) => command.run(),
         Some(Command::Import(command)) => command.run(),
         Some(Command::Diagnose(command)) => command.run(),
+        Some(Command::Plan(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
         Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),

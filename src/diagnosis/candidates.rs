@@ -195,6 +195,17 @@ impl Table {
         table.rich = rich(&table, rows.len());
         table
     }
+
+    /// A table for other rows, with nothing to try.
+    pub(super) fn emptied(&self, rows: &Rows) -> Self {
+        Self {
+            candidates: Vec::new(),
+            raw: DMatrix::zeros(rows.len(), 0),
+            rich: Vec::new(),
+            not_testable: Vec::new(),
+            ground: self.ground.clone(),
+        }
+    }
 }
 
 fn probe(joint: usize) -> Term {

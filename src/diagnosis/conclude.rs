@@ -1,6 +1,8 @@
 //! From where the search ended to the answer: refits on all samples, and the evidence of every
 //! step put together.
 
+use std::borrow::Cow;
+
 use crate::effects::Term;
 use crate::identification::Outlier;
 use crate::identification::gap::{Deviations, Spread, deviations};
@@ -9,7 +11,7 @@ use crate::identification::robust::suspects;
 use crate::kinematics::Range;
 use crate::model::{GapStep, Model};
 
-use super::aliases::{self, UNDECIDED};
+use super::aliases;
 use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
 use super::arena::Fit;
 use super::blunders::Mended;
@@ -23,8 +25,8 @@ use super::smooth;
 use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
-use super::values::{covariance, covariance_of_model, identified_parameters};
-use super::{DiagnoseError, Progress, Watch};
+use super::values::Values;
+use super::{DiagnoseError, Progress, Watch, unlock};
 
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
@@ -57,10 +59,13 @@ pub(super) fn answer(
     } else {
         &names
     };
-    let final_model = on_all_samples(prepared, fit).settled();
     let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
-    let identified = deviations(problem, &on_all_samples(prepared, &base));
-    let after = deviations(problem, &final_model);
+    let held_out = held_out(prepared, &base, fit, &nominal);
+    // Unseen samples have done their part: values come from all samples that may be fitted.
+    let problem = &with_unlocked(prepared, fit);
+    let values = Values::of(prepared, problem, fit);
+    let identified = deviations(problem, &Values::of(prepared, problem, &base).model);
+    let after = deviations(problem, &values.model);
     let suspected: Vec<bool> = suspects(problem, &after)
         .into_iter()
         .zip(&problem.used)
@@ -78,25 +83,24 @@ pub(super) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::rivals(arena, with_shapes);
-    let equivalent: Vec<_> = rivals
-        .iter()
-        .filter(|r| r.other_names() && r.fit.ln_evidence > with_shapes.ln_evidence - UNDECIDED)
-        .collect();
-    let equivalent = aliases::without_idle_names(&equivalent);
+    let rivals = next_poses::open_rivals(arena, with_shapes);
+    let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
-    let next_poses = next_poses::separate(prepared, with_shapes, &equivalent);
-    let covariance = covariance(arena, fit);
-    let found = found(prepared, fit, with_shapes, &steps, &floor, &covariance);
+    let not_testable = not_testable(arena, &base);
+    let next_poses = if equivalent.is_empty() {
+        unlock::worth_unlocking(prepared, with_shapes, &not_testable)
+    } else {
+        next_poses::separate(prepared, with_shapes, &equivalent, next_poses::MOST)
+    };
+    let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
-    unexplained.correction = smooth::asked(prepared, &unexplained, &final_model);
+    unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
     let verdict = match (found.is_empty(), unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
         (false, true) => Verdict::PartlyExplained,
         (true, true) => Verdict::Unexplained,
     };
-    let held_out = held_out(prepared, &base, fit, &steps, &nominal);
     let mut history = vec![GapStep {
         what: "nominal robot".to_owned(),
         gap_mm: gap.start_mm,
@@ -121,29 +125,38 @@ pub(super) fn answer(
         floor,
         gap,
         held_out,
-        identified: identified_parameters(arena, fit, &covariance),
+        identified: values.identified(arena),
         found,
         equivalent: equivalents(&equivalent, with_shapes, &next_poses),
         unexplained,
-        not_testable: not_testable(prepared, &base),
+        not_testable,
         not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses,
         noise: arena.noise.clone(),
-        covariance: covariance_of_model(&covariance, &final_model),
-        model: final_model,
+        covariance: values.covariance(),
+        model: values.model.settled(),
         history,
         measured: measured(problem.inputs.q.iter().map(|q| &**q)),
     })
 }
 
-/// The model's values from all samples that count; a short session's fit already has them.
-fn on_all_samples(prepared: &Prepared, fit: &Fit) -> Model {
-    let used = prepared.problem.used.iter().filter(|u| **u).count();
-    if used == prepared.arena.rows.samples.len() || !fit.shapes.is_empty() {
-        return fit.model.clone();
+/// All samples that may be fitted, those that an option locked away as well, without those that
+/// are far off beside the model.
+fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
+    if !prepared.locked.contains(&true) {
+        return Cow::Borrowed(&prepared.problem);
     }
-    crate::identification::solver::solve(&prepared.problem, &fit.model).model
+    let model = &Values::of(prepared, &prepared.problem, fit).model;
+    let mut all = prepared.problem.clone();
+    for (fit, locked) in all.fit.iter_mut().zip(&prepared.locked) {
+        *fit |= locked;
+    }
+    let suspected = suspects(&all, &deviations(&all, model));
+    for i in 0..all.used.len() {
+        all.used[i] |= prepared.locked[i] && !suspected[i];
+    }
+    Cow::Owned(all)
 }
 
 fn measured<'q>(columns: impl Iterator<Item = &'q [f64]>) -> Vec<Range> {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::identification::Estimate;
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
@@ -278,7 +278,7 @@ impl Document {
                     deviation_mm: o.deviation_mm,
                 })
                 .collect(),
-            next_poses: poses(&d.next_poses, session),
+            next_poses: poses(&d.next_poses, &session.robot),
             noise: Noise {
                 sigma_mm: d.noise.sigma_mm,
                 axes_differ: d.noise.unequal,
@@ -290,8 +290,8 @@ impl Document {
 }
 
 /// Poses in the units of the file.
-pub fn poses(poses: &[NextPose], session: &Session) -> Vec<Pose> {
-    let unit = |(joint, v): (usize, &f64)| match session.robot.joints[joint].kind {
+pub fn poses(poses: &[NextPose], robot: &Robot) -> Vec<Pose> {
+    let unit = |(joint, v): (usize, &f64)| match robot.joints[joint].kind {
         JointKind::Revolute => deg_from_rad(*v),
         JointKind::Prismatic => *v,
     };

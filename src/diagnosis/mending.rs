@@ -85,7 +85,9 @@ impl Mend {
             Self::ScaleLengths(factor) => {
                 let columns = [&mut samples.x_mm, &mut samples.y_mm];
                 for column in columns.into_iter().chain(samples.z_mm.as_mut()) {
-                    column.iter_mut().for_each(|value| *value *= factor);
+                    for value in column.iter_mut() {
+                        *value *= factor;
+                    }
                 }
             }
             Self::Reorder(order) => reorder(samples, *order),

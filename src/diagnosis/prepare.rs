@@ -4,7 +4,7 @@
 //! practice (0.3 of the noise, root mean square, λ = 45 in 500 samples) can well hide from them; values and
 //! gaps then come from all of them.
 
-use crate::effects::{JointValues, Survey, Term, find};
+use crate::effects::{Survey, Term, find};
 use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::robust::suspects;
@@ -239,6 +239,7 @@ fn keep_clusters(problem: &mut Problem) {
     if count < RUN {
         return;
     }
+    super::classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
@@ -263,8 +264,3 @@ fn keep_clusters(problem: &mut Problem) {
 }
 
 const RUN: usize = 3;
-
-/// The joint values that a diagnosis starts from.
-pub(super) fn values(options: &Options) -> JointValues {
-    options.joint_values
-}

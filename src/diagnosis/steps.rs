@@ -1,14 +1,12 @@
 //! What each effect adds, in the order of what it adds, with its evidence in numbers and words.
 
-use nalgebra::DMatrix;
-
 use crate::effects::Term;
 
 use super::answer::{Floor, Found};
 use super::arena::Fit;
 use super::familywise::FamilyP;
 use super::prepare::Prepared;
-use super::values::parameters_of;
+use super::values::Values;
 
 /// One effect more, in the order of what each adds.
 pub(super) struct Step {
@@ -53,11 +51,10 @@ pub(super) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
 
 pub(super) fn found(
     prepared: &Prepared,
-    fit: &Fit,
     with_shapes: &Fit,
     steps: &[Step],
     floor: &Floor,
-    covariance: &DMatrix<f64>,
+    values: &Values,
 ) -> Vec<Found> {
     let arena = &prepared.arena;
     let explained: f64 = steps
@@ -66,8 +63,7 @@ pub(super) fn found(
         .sum();
     let one = |step: &Step| {
         let about = step.term.effect.about();
-        let fitted = fit.model.terms().iter().find(|t| t.same_column(&step.term));
-        let term = fitted.unwrap_or(&step.term);
+        let term = &step.term;
         let rest = arena.without_term(with_shapes, term);
         let scores = arena.scan(&rest);
         let own_odds = with_shapes.ln_evidence - rest.ln_evidence;
@@ -100,7 +96,7 @@ pub(super) fn found(
         Found {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
-            parameters: parameters_of(arena, fit, covariance, term),
+            parameters: values.parameters_of(arena, term),
             p_family,
             share: if explained > 0.0 {
                 (share / explained).clamp(0.0, 1.0)

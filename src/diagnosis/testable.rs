@@ -1,12 +1,10 @@
 //! Effects that the session cannot show.
 
-use super::arena::Fit;
+use super::arena::{Arena, Fit};
 use super::candidates::NotTestable;
-use super::prepare::Prepared;
 
 /// What the conditions forbid, and names of which nothing is left beside the base.
-pub(super) fn not_testable(prepared: &Prepared, base: &Fit) -> Vec<NotTestable> {
-    let arena = &prepared.arena;
+pub(super) fn not_testable(arena: &Arena, base: &Fit) -> Vec<NotTestable> {
     let mut all = arena.table.not_testable.clone();
     let projected = arena.projected(&base.basis);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();

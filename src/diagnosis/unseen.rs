@@ -7,13 +7,12 @@ use crate::model::Model;
 use super::answer::{Gaps, HeldOut};
 use super::arena::Fit;
 use super::prepare::Prepared;
-use super::steps::Step;
+use super::values::Values;
 
 pub(super) fn held_out(
     prepared: &Prepared,
     base: &Fit,
     fit: &Fit,
-    _: &[Step],
     nominal: &Deviations,
 ) -> HeldOut {
     let arena = &prepared.arena;
@@ -41,13 +40,14 @@ pub(super) fn held_out(
             });
             spread.map_or(0.0, |s| s.rms_mm)
         };
+        let seen = |fit: &Fit| Values::of(prepared, problem, fit).model;
         return HeldOut {
             how: how.to_owned(),
             samples: count,
             gaps: Some(Gaps {
                 start_mm: rms(nominal),
-                identified_mm: rms(&deviations(problem, &base.model)),
-                end_mm: rms(&deviations(problem, &fit.model)),
+                identified_mm: rms(&deviations(problem, &seen(base))),
+                end_mm: rms(&deviations(problem, &seen(fit))),
             }),
         };
     }

@@ -189,31 +189,8 @@ impl Edit {
                 added.get_mut(*index).ok_or("there is no such effect")?.on = *on;
                 exactly_with(&mut next, added);
             }
-            Self::Setup(form) => {
-                let session = form
-                    .session(&document.subject.session)
-                    .map_err(|problems| problems[0].1.clone())?;
-                if **form == SetupForm::of(&document.subject.session) {
-                    return Ok(next);
-                }
-                with_session(&mut next, session);
-            }
-            Self::Mend(mends) => {
-                let mut session = document.subject.session.clone();
-                mends.iter().for_each(|mend| mend.apply(&mut session));
-                if session.samples.incomplete().len() == session.samples.len() {
-                    return Err("no sample would be left".to_owned());
-                }
-                let n = session.samples.len();
-                let same = n == document.subject.len();
-                with_session(&mut next, session);
-                if !same {
-                    let mut subject = Subject::clone(&next.subject);
-                    // Rows have other numbers now.
-                    subject.findings.iter_mut().for_each(|f| f.samples.clear());
-                    next.subject = Arc::new(subject);
-                }
-            }
+            Self::Setup(form) => set_up(&mut next, form)?,
+            Self::Mend(mends) => mend(&mut next, mends)?,
             Self::Recover(subject, kept) => return Ok(recovered(document, subject, kept)),
             Self::Identify => next.identified = true,
             Self::IdentifyBy(method) => {
@@ -233,6 +210,42 @@ fn opened(document: &Document, subject: &Arc<Subject>) -> Document {
         Some(given) => opened.with_model(Arc::clone(given)),
         None => opened,
     }
+}
+
+/// What is filled in, where that makes a robot.
+fn set_up(document: &mut Document, form: &SetupForm) -> Result<(), String> {
+    let session = &document.subject.session;
+    // Compared as it is filled in: missing cells are never equal.
+    if *form == SetupForm::of(session) {
+        return Ok(());
+    }
+    let next = form.session(session);
+    let next = next.map_err(|problems| problems[0].1.clone())?;
+    with_session(document, next);
+    Ok(())
+}
+
+/// Takes mistakes back, one after the other.
+fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
+    let mut session = document.subject.session.clone();
+    for mend in mends {
+        mend.apply(&mut session);
+    }
+    let left = session.samples.len();
+    if session.samples.incomplete().len() == left {
+        return Err("no sample would be left".to_owned());
+    }
+    let same_rows = left == document.subject.len();
+    with_session(document, session);
+    if !same_rows {
+        let mut subject = Subject::clone(&document.subject);
+        // Samples have other numbers now.
+        for finding in &mut subject.findings {
+            finding.samples.clear();
+        }
+        document.subject = Arc::new(subject);
+    }
+    Ok(())
 }
 
 /// The same document with another description of the robot, or other samples.

@@ -13,6 +13,7 @@ use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
+use super::foreign::{self, Foreign};
 use super::given::Given;
 use super::keeping::disk::{Fate, Print};
 use super::preview::{Preview, Wanted};
@@ -29,6 +30,13 @@ pub(crate) struct Example {
     pub(crate) what: &'static str,
     document: &'static [u8],
     samples: &'static [u8],
+}
+
+impl Example {
+    /// Document and samples.
+    pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
+        (self.document, self.samples)
+    }
 }
 
 /// Every session that comes with the program; the window opens on the first.
@@ -106,6 +114,16 @@ pub(crate) fn open(path: &Path) -> Report {
                 details: listed(&rejected.diagnostics),
             }),
         });
+    }
+    if foreign::is_foreign(path) {
+        return match Foreign::read(path) {
+            Ok(foreign) => Report::Foreign(Box::new(foreign)),
+            Err(rejected) => Report::Opened(Err(Message {
+                wrong: true,
+                title: format!("{} could not be read", path.display()),
+                details: listed(&rejected.diagnostics),
+            })),
+        };
     }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
@@ -259,8 +277,10 @@ fn advice(error: &WriteError) -> String {
 /// Asks the user for a session file.
 pub(crate) fn choose_to_open() -> Report {
     let dialog = rfd::FileDialog::new()
-        .set_title("Open session or model")
-        .add_filter("Sessions and models", &["json"]);
+        .set_title("Open session, model or measurements")
+        .add_filter("Sessions and models", &["json"])
+        .add_filter("Measurements", &["csv", "txt", "tsv", "dat", "asc"])
+        .add_filter("All files", &["*"]);
     Report::ChosenToOpen(dialog.pick_file())
 }
 

@@ -14,6 +14,7 @@
 //! - `keeping`: what outlives the window (recent files, what is not saved), and what changes under it.
 //! - `preview`: an export as it would be written; `reporting`, `pictures`: a report, a plot as a file;
 //!   `figures`: the standards' figures.
+//! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
@@ -25,6 +26,7 @@ mod document;
 mod edit;
 mod figures;
 mod files;
+mod foreign;
 mod given;
 mod help;
 mod keeping;

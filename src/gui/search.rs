@@ -27,6 +27,9 @@ pub(crate) const STAGES: [&str; 5] = [
     "poses to measure next",
 ];
 
+/// The stage in which names are found.
+pub(crate) const SEARCHING: usize = 2;
+
 /// Part of the whole that is done when a stage begins.
 const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
 
@@ -53,15 +56,18 @@ pub(crate) fn options() -> Options {
 /// Passes on how far a search is, and whether it was cancelled.
 pub(crate) fn told(watch: &Watch) -> impl Fn(&Progress) -> bool {
     |progress| {
-        let (stage, found) = match progress {
-            Progress::Checking => (0, 0),
-            Progress::Preparing => (1, 0),
-            Progress::Searching { found } => (2, *found),
-            Progress::Comparing => (3, 0),
-            Progress::Planning => (4, 0),
+        let stage = match progress {
+            Progress::Checking => 0,
+            Progress::Preparing => 1,
+            Progress::Searching { found } => {
+                watch.found(found);
+                SEARCHING
+            }
+            Progress::Comparing => 3,
+            Progress::Planning => 4,
         };
         watch.done(BEGUN[stage]);
-        watch.reached(stage, found);
+        watch.reached(stage);
         !watch.stopped()
     }
 }

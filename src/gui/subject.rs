@@ -26,6 +26,8 @@ pub(crate) enum Origin {
     Simulated,
     /// There is none: a model was read from this file, and nothing was measured.
     Model(PathBuf),
+    /// It was made of a file that an instrument wrote, and is in none of its own.
+    Imported(PathBuf),
     /// It was kept when a window ended without warning; opened from this file, if from any.
     Recovered(Option<PathBuf>),
 }

@@ -7,13 +7,14 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
 
 use super::document::Question;
 use super::figures::Figures;
 use super::files::Saved;
+use super::foreign::Foreign;
 use super::given::Given;
 use super::keeping::recovery::LeftBehind;
 use super::keeping::watcher::{Order, Seen, Watched};
@@ -30,6 +31,8 @@ use super::view::Message;
 pub(crate) enum Report {
     /// A session was read or made.
     Opened(Result<Arc<Subject>, Message>),
+    /// A file that an instrument wrote was looked at.
+    Foreign(Box<Foreign>),
     /// A model was read.
     OpenedModel(Result<Arc<Given>, Message>),
     /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.
@@ -97,7 +100,7 @@ pub(crate) enum What {
 pub(crate) struct Watch {
     permille: AtomicU32,
     stage: AtomicUsize,
-    found: AtomicUsize,
+    found: Mutex<Vec<&'static str>>,
     stopped: AtomicBool,
 }
 
@@ -113,10 +116,19 @@ impl Watch {
         self.permille.store(permille, Ordering::Relaxed);
     }
 
-    /// Which stage has begun, and how much was found so far.
-    pub(crate) fn reached(&self, stage: usize, found: usize) {
+    /// Which stage has begun.
+    pub(crate) fn reached(&self, stage: usize) {
         self.stage.store(stage, Ordering::Relaxed);
-        self.found.fetch_max(found, Ordering::Relaxed);
+    }
+
+    /// What a search has found so far, if it is more than before: it starts again from nothing
+    /// now and then, to see whether it ends elsewhere.
+    pub(crate) fn found(&self, names: &[&'static str]) {
+        if let Ok(mut found) = self.found.lock()
+            && names.len() >= found.len()
+        {
+            *found = names.to_vec();
+        }
     }
 
     /// Whether something is done already.
@@ -157,10 +169,17 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// The stage that has begun, and how much was found so far.
-    pub(crate) fn stage(&self) -> (usize, usize) {
-        let Watch { stage, found, .. } = &*self.watch;
-        (stage.load(Ordering::Relaxed), found.load(Ordering::Relaxed))
+    /// The stage that has begun.
+    pub(crate) fn stage(&self) -> usize {
+        self.watch.stage.load(Ordering::Relaxed)
+    }
+
+    /// Names of the effects that a search has found so far.
+    pub(crate) fn found(&self) -> Vec<&'static str> {
+        self.watch
+            .found
+            .lock()
+            .map_or_else(|_| Vec::new(), |f| f.clone())
     }
 
     /// Which part is done, where the task says so.

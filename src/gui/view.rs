@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use super::foreign::Foreign;
 use super::keeping::disk::Fate;
 use super::preferences::Preferences;
 use super::setup::SetupForm;
@@ -173,6 +174,8 @@ pub(crate) enum Sheet {
     Overwrite(PathBuf),
     /// What windows that are gone have left behind.
     Recover,
+    /// A file that an instrument wrote.
+    Import(Box<Foreign>),
     /// Units, digits, colours, size of text.
     Preferences,
     /// What the words mean.

@@ -288,6 +288,20 @@ pub(crate) fn number(ui: &mut Ui, name: &str, field: DragValue<'_>) -> Response 
     row.inner
 }
 
+/// A row of a form on a sheet: its name, as wide as all the others, and what is chosen.
+pub(crate) fn form_row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
+    const NAMES: f32 = 136.0;
+    let muted = Palette::of(ui).muted;
+    ui.horizontal(|ui| {
+        let room = vec2(NAMES, space::CONTROL);
+        ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(NAMES);
+            ui.label(RichText::new(name).color(muted));
+        });
+        control(ui);
+    });
+}
+
 /// A field for a number as a table has it: no wider than it must be.
 pub(crate) fn cell_number(ui: &mut Ui, name: &str, width: f32, field: DragValue<'_>) -> Response {
     let response = ui.add_sized([width, 24.0], typing(field));

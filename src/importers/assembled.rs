@@ -25,6 +25,14 @@ impl Job<'_> {
         let (Role::Axis(joint), Cells::Numbers(values)) = (column.role, column.cells) else {
             return Ok(());
         };
+        if values.iter().any(|value| value.is_infinite()) {
+            let found = "a position that overflows";
+            return self.refuse(
+                self.place.clone(),
+                found,
+                "numbers that a double can hold in mm",
+            );
+        }
         let mut q = vec![0.0; robot.joint_count()];
         let mut points = [Vec::new(), Vec::new(), Vec::new()];
         let mut moved: f64 = 0.0;
@@ -90,6 +98,14 @@ impl Job<'_> {
         if let Some(wrong) = self.joints_checked(&columns, &self.place) {
             return self.refused(wrong);
         }
+        if let Some(column) = columns.list.iter().find(|column| overflows(column)) {
+            let place = self.place.clone().in_field(column.name.clone());
+            return self.refuse(
+                place,
+                "a number that overflows",
+                "numbers that a double can hold in mm",
+            );
+        }
         let numbers: Vec<u64> = columns.list.iter().map(|column| column.number).collect();
         let table = table(columns, self.settings.robot.joint_count());
         let names = table.names.clone();
@@ -132,6 +148,11 @@ impl Job<'_> {
         session.samples.line = crate::sessions::Lines::default();
         Ok(session)
     }
+}
+
+/// Whether a number became infinite on the way.
+fn overflows(column: &Column) -> bool {
+    matches!(&column.cells, Cells::Numbers(values) if values.iter().any(|value| value.is_infinite()))
 }
 
 /// The columns as a session's reader would have them.

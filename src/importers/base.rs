@@ -15,6 +15,33 @@ use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::number::quoted;
 
 impl Job<'_> {
+    /// Where the instrument had lost its reflector it says (0, 0, 0): once points are moved or
+    /// averaged nobody could see that any more.
+    pub(crate) fn lost_become_missing(&mut self, columns: &mut Columns) {
+        let Some(points) = points_of(columns) else {
+            return;
+        };
+        let is_lost = |row: &usize| points[*row] == Point3::origin();
+        let lost: Vec<usize> = (0..points.len()).filter(is_lost).collect();
+        if lost.is_empty() {
+            return;
+        }
+        for quantity in [Quantity::X, Quantity::Y, Quantity::Z] {
+            if let Some(mut values) = columns.numbers(quantity) {
+                for &row in &lost {
+                    values[row] = f64::NAN;
+                }
+                columns.put(Column::made(quantity, Unit::Length(1.0), values));
+            }
+        }
+        let found = format!(
+            "the instrument lost the reflector (0, 0, 0) in {} measurements: {}",
+            lost.len(),
+            matching::listed_rows(columns, &lost)
+        );
+        self.warn(found, "");
+    }
+
     /// Brings the points into the base frame, if points are known there.
     pub(crate) fn in_base_frame(
         &mut self,

@@ -30,6 +30,9 @@ const TABLE: usize = 16_384;
 /// Minima that are refined.
 const REFINED: usize = 6;
 
+/// Nothing that is measured is farther away; the squares of larger numbers overflow.
+pub(crate) const FARTHEST_MM: f64 = 1e12;
+
 /// A measured point with its time.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Timed {
@@ -199,7 +202,8 @@ impl<'a> Search<'a> {
             path.end() - earliest - overlap,
         );
         // Written so that what is not a number is refused too.
-        let sound = variance > 1e-12 && to > from && (to - from).is_finite();
+        let sound =
+            variance > 1e-12 && variance.is_finite() && to > from && (to - from).is_finite();
         if !sound {
             return Err(NoOffset::NothingMoves);
         }
@@ -272,6 +276,10 @@ impl<'a> Search<'a> {
         if inside < 0.5 * count.min(6.0) {
             return self.variance;
         }
+        // What overflows fits nothing (and would never let the decomposition end).
+        if !squares.is_finite() {
+            return self.variance;
+        }
         squares -= (a_sum.norm_squared() + b_sum.norm_squared()) / inside;
         moment -= b_sum * a_sum.transpose() / inside;
         let singular = moment.singular_values();
@@ -329,6 +337,10 @@ impl<'a> Search<'a> {
             .iter()
             .filter_map(|point| Some((position(point, offset_s)?, point.position)))
             .collect();
+        let near = |v: &Vector3<f64>| v.amax() < FARTHEST_MM;
+        if !pairs.iter().all(|(a, b)| near(a) && near(b)) {
+            return Err(NoOffset::NothingMoves);
+        }
         let Some(motion) = rigid_motion(&pairs).filter(|_| pairs.len() >= 4) else {
             return Err(NoOffset::NothingMoves);
         };

@@ -201,7 +201,7 @@ fn timed(measured: &Columns, time_s: &[f64], targets: &[usize]) -> Vec<Timed> {
         .filter(|&row| {
             [x[row], y[row], z[row], time_s[row]]
                 .iter()
-                .all(|v| v.is_finite())
+                .all(|v| v.abs() < clock::FARTHEST_MM)
         })
         .map(|row| Timed {
             time_s: time_s[row],

@@ -16,7 +16,7 @@ pub enum Matching {
     /// The first belongs to the first, and so on.
     #[default]
     Order,
-    /// By clock: [`super::clock`].
+    /// By clock.
     Time,
     /// By the points' names.
     Name,

@@ -9,7 +9,7 @@
 //! person can answer; the answers go into [`Reading`], and [`import`] makes the session or refuses
 //! with every reason and its place. The command line and the window ask the same questions.
 //!
-//! A new format is one file like [`tum`] and one line in [`IMPORTERS`].
+//! A new format is one file like `tum.rs` and one line in [`IMPORTERS`].
 
 mod assembled;
 mod averages;
@@ -151,7 +151,13 @@ fn proposed(text: &str, reading: &Reading) -> Kind {
             .any(|q| q.about == About::Columns);
         let errors = |finding: &Diagnostic| finding.severity == Severity::Error;
         let is_sound = !asks_for_columns && !case.found.findings.iter().any(errors);
-        let has_header = case.found.header_line.is_some();
+        let names = case
+            .found
+            .columns
+            .iter()
+            .map(|column| column.heading.as_str());
+        // The format's own names, behind a comment sign, are no header of a table.
+        let has_header = case.found.header_line.is_some() && !names.eq(tum::NAMES);
         (is_sound, has_header, read.is_some())
     };
     if let (true, false, true) = silent(Kind::Tum) {

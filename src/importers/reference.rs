@@ -12,6 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use crate::identification::alignment::rigid_motion;
+use crate::importers::clock::FARTHEST_MM;
 
 /// Up to so many points every triple is tried.
 const ALL_TRIPLES: usize = 24;
@@ -82,6 +83,9 @@ pub enum AlignError {
     /// All on one line, or all in one place.
     #[error("the points lie on one line: nothing fixes the turn about it")]
     OnALine,
+    /// So far away that squares overflow.
+    #[error("a reference point is more than a million kilometres away")]
+    TooFar,
     /// No three of them agree with each other.
     #[error("the points contradict each other: no majority of them fits")]
     NoMajority,
@@ -94,6 +98,13 @@ pub enum AlignError {
 pub fn align(landmarks: &[Landmark], with_scale: bool) -> Result<Alignment, AlignError> {
     if landmarks.len() < 3 {
         return Err(AlignError::TooFew(landmarks.len()));
+    }
+    let near = |point: &Point3<f64>| point.coords.amax() < FARTHEST_MM;
+    if !landmarks
+        .iter()
+        .all(|l| near(&l.known) && near(&l.measured))
+    {
+        return Err(AlignError::TooFar);
     }
     if on_a_line(landmarks.iter().map(|l| l.known))
         || on_a_line(landmarks.iter().map(|l| l.measured))

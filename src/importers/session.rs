@@ -124,6 +124,10 @@ pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejecte
         said: Vec::new(),
     };
     job.say_source(bytes, &inspection);
+    let by_time = settings.commands.is_some() && settings.matching == Matching::Time;
+    if settings.reference.is_some() || by_time {
+        job.lost_become_missing(&mut columns);
+    }
     if reading.z_up {
         optitrack::turn_up(&mut columns);
         job.said

@@ -7,6 +7,9 @@ use crate::importers::headings::Role;
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 
+/// The columns as the format calls them.
+pub(crate) const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+
 /// Reads a trajectory.
 pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;

@@ -85,7 +85,7 @@ impl Growing {
         let mut next = if grown {
             self.clone()
         } else {
-            self.from_the_start()
+            self.begun_anew()
         };
         let Some(bytes) = next.read_lines(&mut file).map_err(failed)? else {
             return Ok(Growth::Nothing);
@@ -99,7 +99,7 @@ impl Growing {
         })
     }
 
-    fn from_the_start(&self) -> Self {
+    fn begun_anew(&self) -> Self {
         Self {
             heading: Vec::new(),
             last: Vec::new(),

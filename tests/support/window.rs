@@ -26,9 +26,16 @@ pub fn window_at(path: Option<PathBuf>, home: Option<&Path>) -> Window {
     window
 }
 
+/// Presses something; brings it into sight first where it is not.
 pub fn press(window: &mut Window, label: &str) {
+    into_sight(window, label);
     window.get_by_label(label).click();
     window.run_steps(4);
+}
+
+fn into_sight(window: &mut Window, label: &str) {
+    window.get_by_label(label).scroll_to_me();
+    window.run_steps(6);
 }
 
 pub fn says(window: &Window, part: &str) -> bool {
@@ -51,6 +58,7 @@ pub fn keys(window: &mut Window, modifiers: Modifiers, key: Key) {
 
 /// Types into a field, over what stands there.
 pub fn type_into(window: &mut Window, label: &str, text: &str) {
+    into_sight(window, label);
     window.get_by_label(label).click();
     window.run_steps(2);
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
@@ -65,6 +73,8 @@ pub fn type_into(window: &mut Window, label: &str, text: &str) {
 pub fn open(window: &mut Window, path: &Path) {
     press(window, "1 Session");
     window.get_by_label("Path of a session or model").focus();
+    window.run_steps(2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     let typed = path.to_str().expect("a path in UTF-8");
     window
         .get_by_label("Path of a session or model")

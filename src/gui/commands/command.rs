@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
+use crate::gui::foreign::Foreign;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
@@ -27,6 +28,10 @@ pub(crate) enum Command {
     ChooseFile,
     /// Read this file.
     OpenFile(PathBuf),
+    /// Look at a foreign file again, with what was said since.
+    Inspect(Box<Foreign>),
+    /// Make a session of a foreign file.
+    Import(Box<Foreign>),
     /// Open a session that comes with the program.
     OpenExample(usize),
     /// Do it, whatever is lost.

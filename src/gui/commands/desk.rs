@@ -303,7 +303,7 @@ impl Workbench {
             Origin::Bundled | Origin::Model(_) => {
                 self.remember_on_file(Arc::clone(self.history.present()));
             }
-            Origin::Simulated | Origin::Recovered(_) => {}
+            Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
         }
         self.arrived();
     }
@@ -484,10 +484,12 @@ impl Workbench {
             Seen::Read(print) => {
                 for place in self.desk.places.values_mut() {
                     let same = place.files.iter_mut().find(|f| f.path == print.path);
-                    same.into_iter().for_each(|f| *f = print.clone());
+                    if let Some(file) = same {
+                        *file = print.clone();
+                    }
                 }
             }
-            Seen::Grew(growth) => self.take_growth(growth),
+            Seen::Grew(growth) => self.take_growth(*growth),
         }
     }
 

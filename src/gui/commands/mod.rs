@@ -30,7 +30,7 @@ use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::reporting::About;
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
-use crate::gui::tasks::{Tasks, What};
+use crate::gui::tasks::{Report, Tasks, What};
 use crate::gui::undo::History;
 use crate::gui::units::Units;
 use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
@@ -186,16 +186,8 @@ impl Workbench {
             Command::Edit(edit) => self.edit(&edit, false),
             Command::Drag(edit) => self.edit(&edit, true),
             Command::EndDrag => self.history.finish_gesture(),
-            Command::Undo => {
-                let before = self.subject().lineage;
-                self.history.undo();
-                self.after_travel(before);
-            }
-            Command::Redo => {
-                let before = self.subject().lineage;
-                self.history.redo();
-                self.after_travel(before);
-            }
+            Command::Undo => self.travel(History::undo),
+            Command::Redo => self.travel(History::redo),
             Command::ChooseFile => {
                 self.tasks.start("waiting for a file to be chosen", |_| {
                     files::choose_to_open()
@@ -219,6 +211,20 @@ impl Workbench {
                 self.tasks.start("waiting for a file name", move |_| {
                     files::choose_to_save(&name)
                 });
+            }
+            Command::Inspect(foreign) => {
+                // What was typed meanwhile is not lost while it is looked at.
+                self.view.sheet = Some(Sheet::Import(foreign.clone()));
+                self.tasks.start("looking at the file", move |_| {
+                    Report::Foreign(Box::new(foreign.looked_at()))
+                });
+            }
+            Command::Import(foreign) => {
+                self.tasks
+                    .start("importing", move |_| match foreign.import() {
+                        Ok(subject) => Report::Opened(Ok(Arc::new(subject))),
+                        Err(refused) => Report::Foreign(refused),
+                    });
             }
             Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {
@@ -351,6 +357,13 @@ impl Workbench {
             self.view.message = None;
             self.opened();
         }
+    }
+
+    /// Back or forth in the history.
+    fn travel(&mut self, way: fn(&mut History<Document>) -> bool) {
+        let before = self.subject().lineage;
+        way(&mut self.history);
+        self.after_travel(before);
     }
 
     /// After a change that may have brought another session.

@@ -33,7 +33,7 @@ pub(crate) enum Seen {
     /// A file is not what it was.
     Fate(PathBuf, Fate),
     /// The followed file has grown, was rewritten, or cannot be followed any more.
-    Grew(Result<Growth, Rejected>),
+    Grew(Box<Result<Growth, Rejected>>),
     /// A file that was followed, as it is now that it was read to its end.
     Read(Print),
     /// Which of the recent files are not there.
@@ -61,7 +61,9 @@ impl Watched {
                 // What was not read is a change that has to be told.
                 if before.has_read(print.length()) {
                     let same = self.files.iter_mut().find(|f| f.path == print.path);
-                    same.into_iter().for_each(|file| *file = print.clone());
+                    if let Some(file) = same {
+                        *file = print.clone();
+                    }
                     return Some(Seen::Read(print));
                 }
             }
@@ -88,9 +90,9 @@ impl Watched {
         if let Some(growing) = &mut self.followed {
             match growing.look() {
                 Ok(Growth::Nothing) => {}
-                Ok(growth) => seen.push(Seen::Grew(Ok(growth))),
+                Ok(growth) => seen.push(Seen::Grew(Box::new(Ok(growth)))),
                 Err(rejected) => {
-                    seen.push(Seen::Grew(Err(rejected)));
+                    seen.push(Seen::Grew(Box::new(Err(rejected))));
                     self.followed = None;
                 }
             }

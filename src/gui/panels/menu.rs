@@ -70,6 +70,7 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
         (None, Origin::Bundled) => "example".to_owned(),
         (None, Origin::Simulated) => "simulated".to_owned(),
         (None, Origin::Recovered(_)) => "restored".to_owned(),
+        (None, Origin::Imported(path)) => format!("from {}", file_name(path)),
         (None, Origin::File(path) | Origin::Model(path)) => file_name(path),
     };
     let origin = match (&workbench.document().given, &subject.origin) {

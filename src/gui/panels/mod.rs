@@ -7,6 +7,7 @@ mod export;
 mod findings;
 mod gap;
 mod identify;
+mod import;
 pub(super) mod menu;
 mod model;
 mod preferences;

@@ -1,10 +1,10 @@
 //! Units, digits, colours, size of text: seen at once, kept for tomorrow.
 
-use egui::{RichText, Slider, Ui};
+use egui::{Slider, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::preferences::{Preferences, Theme, ZOOM};
-use crate::gui::tokens::{Palette, space};
+use crate::gui::tokens::space;
 use crate::gui::view::{AngleUnit, LengthUnit};
 use crate::gui::widgets;
 
@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (LengthUnit::Micrometre, "µm"),
         (LengthUnit::Inch, "inch"),
     ];
-    row(ui, "Lengths in", |ui| {
+    widgets::form_row(ui, "Lengths in", |ui| {
         if let Some(unit) = widgets::segmented(ui, &lengths, now.length) {
             next.length = unit;
         }
@@ -28,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (AngleUnit::Degree, "degrees"),
         (AngleUnit::Radian, "radians"),
     ];
-    row(ui, "Angles in", |ui| {
+    widgets::form_row(ui, "Angles in", |ui| {
         if let Some(unit) = widgets::segmented(ui, &angles, now.angle) {
             next.angle = unit;
         }
@@ -41,13 +41,13 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (Some(4), "4"),
         (Some(5), "5"),
     ];
-    row(ui, "Decimals of lengths", |ui| {
+    widgets::form_row(ui, "Decimals of lengths", |ui| {
         if let Some(decimals) = widgets::segmented(ui, &decimals, now.decimals) {
             next.decimals = decimals;
         }
     });
     let signs = [(false, "1.5"), (true, "1,5")];
-    row(ui, "Decimal sign", |ui| {
+    widgets::form_row(ui, "Decimal sign", |ui| {
         if let Some(comma) = widgets::segmented(ui, &signs, now.decimal_comma) {
             next.decimal_comma = comma;
         }
@@ -57,12 +57,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         (Theme::Light, "light"),
         (Theme::Dark, "dark"),
     ];
-    row(ui, "Colours", |ui| {
+    widgets::form_row(ui, "Colours", |ui| {
         if let Some(theme) = widgets::segmented(ui, &themes, now.theme) {
             next.theme = theme;
         }
     });
-    row(ui, "Size of text", |ui| {
+    widgets::form_row(ui, "Size of text", |ui| {
         let mut percent = (100.0 * now.zoom).round();
         let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
         let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
@@ -97,16 +97,4 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if next != now {
         commands.push(Command::Prefer(next));
     }
-}
-
-fn row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
-    let muted = Palette::of(ui).muted;
-    ui.horizontal(|ui| {
-        ui.set_min_height(space::CONTROL);
-        ui.add_sized(
-            [136.0, space::CONTROL],
-            egui::Label::new(RichText::new(name).color(muted)).halign(egui::Align::Min),
-        );
-        control(ui);
-    });
 }

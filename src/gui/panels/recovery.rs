@@ -1,6 +1,6 @@
 //! What windows that are gone have left behind: what, from when, and whether to bring it back.
 
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
 
 use egui::{RichText, ScrollArea, Ui};
 
@@ -63,28 +63,34 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 }
 
 /// How long ago, in words.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "a person wants to know from when it is; nothing is worked out from it"
+)]
 fn ago(when: SystemTime) -> Option<String> {
-    let seconds = SystemTime::now().duration_since(when).ok()?.as_secs();
+    Some(in_words(SystemTime::now().duration_since(when).ok()?))
+}
+
+fn in_words(ago: Duration) -> String {
+    let seconds = ago.as_secs();
     let count = |n: u64, unit: &str| {
         let s = if n == 1 { "" } else { "s" };
         format!("{n} {unit}{s} ago")
     };
-    Some(match seconds {
+    match seconds {
         0..60 => "less than a minute ago".to_owned(),
         60..3600 => count(seconds / 60, "minute"),
         3600..86_400 => count(seconds / 3600, "hour"),
         _ => count(seconds / 86_400, "day"),
-    })
+    }
 }
 
 #[cfg(test)]
 #[test]
 fn a_time_is_said_in_words() {
-    use std::time::Duration;
-    let before = |s| ago(SystemTime::now() - Duration::from_secs(s)).unwrap_or_default();
-    assert_eq!(before(5), "less than a minute ago");
-    assert_eq!(before(61), "1 minute ago");
-    assert_eq!(before(7300), "2 hours ago");
-    assert_eq!(before(200_000), "2 days ago");
-    assert_eq!(ago(SystemTime::now() + Duration::from_secs(999)), None);
+    let says = |s| in_words(Duration::from_secs(s));
+    assert_eq!(says(5), "less than a minute ago");
+    assert_eq!(says(61), "1 minute ago");
+    assert_eq!(says(7300), "2 hours ago");
+    assert_eq!(says(200_000), "2 days ago");
 }

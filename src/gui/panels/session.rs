@@ -22,7 +22,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     tolerance(ui, workbench, commands);
     follow(ui, workbench, commands);
     findings(ui, workbench, commands);
-    setup::show(ui, workbench, commands);
     widgets::section(ui, "Another session or model");
     if widgets::secondary(ui, "Open…").clicked() {
         commands.push(Command::ChooseFile);
@@ -32,6 +31,39 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
     widgets::hint(ui, "A file can also be dropped on the window");
+    setup::show(ui, workbench, commands);
+    recent(ui, workbench, commands);
+}
+
+/// Files that were opened before, newest first.
+fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    const MOST: usize = 5;
+    let recent: Vec<_> = workbench.recent().take(MOST).collect();
+    if recent.is_empty() {
+        return;
+    }
+    let palette = Palette::of(ui);
+    widgets::section(ui, "Recent files");
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    for (path, there) in recent {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let name = name.to_string_lossy();
+        let whole = path.display().to_string();
+        if there {
+            let link = ui.link(name.as_ref()).on_hover_text(whole);
+            if link.clicked() {
+                commands.push(Command::OpenFile(path.to_path_buf()));
+            }
+            continue;
+        }
+        let says = format!("{name} is not there any more");
+        let says = RichText::new(says).size(size::SMALL + 0.5);
+        let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
+        says.on_hover_text(whole);
+        if ui.link(format!("Forget {name}")).clicked() {
+            commands.push(Command::Forget(path.to_path_buf()));
+        }
+    }
 }
 
 fn facts(ui: &mut Ui, workbench: &Workbench) {

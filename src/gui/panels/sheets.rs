@@ -10,7 +10,7 @@ use crate::gui::tokens::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 
-use super::{preferences, recovery, shortcuts, simulation, unsaved, words};
+use super::{import, preferences, recovery, shortcuts, simulation, unsaved, words};
 
 /// Room around what a sheet says, points: half as much again as in a panel, which has the
 /// window's edge beside it.
@@ -47,6 +47,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
             Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
             Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
             Sheet::Recover => recovery::show(ui, workbench, commands),
+            Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
             Sheet::Preferences => preferences::show(ui, workbench, commands),
             Sheet::Words => words::show(ui),
             Sheet::Shortcuts => keys(ui),
@@ -149,7 +150,7 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
 }
 
 fn keys(ui: &mut Ui) {
-    ui.set_width(560.0);
+    ui.set_width(600.0);
     widgets::heading(ui, "Keyboard shortcuts");
     let others: [(&str, &str); 6] = [
         ("← →", "move the boundary that has the focus"),
@@ -160,7 +161,7 @@ fn keys(ui: &mut Ui) {
         ("Esc", "close a sheet"),
     ];
     let all = shortcuts::ALL.iter();
-    let all = all.map(|(_, keys, what)| (ui.ctx().format_shortcut(keys), *what));
+    let all = all.map(|(_, keys, what)| (shortcuts::in_words(ui.ctx(), *keys), *what));
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
     let all: Vec<_> = all.chain(others).collect();
     let rows = all.len().div_ceil(2);
@@ -173,7 +174,8 @@ fn keys(ui: &mut Ui) {
 
 fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
     let muted = Palette::of(ui).muted;
-    Grid::new("shortcuts")
+    widgets::dense(ui);
+    Grid::new(("shortcuts", rows.len(), rows.first().map(|(keys, _)| keys)))
         .num_columns(2)
         .spacing([16.0, 6.0])
         .show(ui, |ui| {

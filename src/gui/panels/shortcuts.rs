@@ -77,7 +77,7 @@ const COMMAND: Modifiers = Modifiers::COMMAND;
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 36] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 35] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(COMMAND, Key::Z), "undo"),
     (
@@ -181,15 +181,18 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 36] = [
     ),
     (Action::Words, with(PLAIN, Key::F1), "what the words mean"),
     (Action::Keys, with(COMMAND, Key::K), "this list"),
-    (Action::Keys, with(COMMAND, Key::Slash), "this list"),
 ];
 
 /// How a menu shows the keys of an action.
 pub(crate) fn keys(ctx: &Context, action: Action) -> String {
     let found = ALL.iter().find(|(other, _, _)| *other == action);
-    found.map_or_else(String::new, |(_, shortcut, _)| {
-        ctx.format_shortcut(shortcut)
-    })
+    found.map_or_else(String::new, |(_, keys, _)| in_words(ctx, *keys))
+}
+
+/// Keys as they stand on the keyboard.
+pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
+    let text = ctx.format_shortcut(&keys);
+    text.replace("Comma", ",").replace("Period", ".")
 }
 
 /// What an action does, as the workbench stands.
