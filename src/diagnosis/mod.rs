@@ -161,8 +161,8 @@ pub fn diagnose(
     conclude::answer(&mended, &prepared, &found, watch)
 }
 
-fn tell(watch: Watch, progress: Progress) -> Result<(), Cancelled> {
-    if watch(&progress) {
+fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {
+    if watch(progress) {
         Ok(())
     } else {
         Err(Cancelled)
@@ -175,7 +175,7 @@ fn checked<'a>(
     options: &Options,
     watch: Watch,
 ) -> Result<Mended<'a>, Cancelled> {
-    tell(watch, Progress::Checking)?;
+    tell(watch, &Progress::Checking)?;
     Ok(blunders::mend(session, options))
 }
 
@@ -185,7 +185,7 @@ fn searched<'a>(
     options: &Options,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    tell(watch, Progress::Preparing)?;
+    tell(watch, &Progress::Preparing)?;
     let mut prepared = Prepared::new(session, options)?;
     let mut found = prepared.search(options, watch)?;
     if prepared.reconsider(&found) {

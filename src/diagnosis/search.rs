@@ -53,7 +53,7 @@ pub(super) struct Search<'s, 'a> {
 impl Search<'_, '_> {
     pub(super) fn run(&self) -> Result<Found, Cancelled> {
         let base = self.arena.fit(&self.arena.base, Vec::new());
-        self.tell(Progress::Searching { found: Vec::new() })?;
+        self.tell(&Progress::Searching { found: Vec::new() })?;
         let mut names_only = self.forward(base.clone(), Allow::Names)?;
         names_only = self.pairs(names_only)?;
         // Names first, then what they leave; and everything at once from the start.
@@ -69,8 +69,8 @@ impl Search<'_, '_> {
         Ok(Found { fit, names_only })
     }
 
-    fn tell(&self, progress: Progress) -> Result<(), Cancelled> {
-        if (self.watch)(&progress) {
+    fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {
+        if (self.watch)(progress) {
             Ok(())
         } else {
             Err(Cancelled)
@@ -94,7 +94,7 @@ impl Search<'_, '_> {
             }
             fit = next;
             let names = self.arena.added(&fit).into_iter();
-            self.tell(Progress::Searching {
+            self.tell(&Progress::Searching {
                 found: names.map(|term| term.effect.about().id).collect(),
             })?;
         }
@@ -237,7 +237,7 @@ impl Search<'_, '_> {
     fn pairs(&self, fit: Fit) -> Result<Fit, Cancelled> {
         let mut fit = fit;
         for _ in 0..3 {
-            self.tell(Progress::Comparing)?;
+            self.tell(&Progress::Comparing)?;
             let rivals = aliases::rivals(self.arena, &fit);
             let Some(best) = rivals.into_iter().next() else {
                 break;

@@ -236,7 +236,7 @@ impl<'a> Rows<'a> {
         let stop = |c: char| c == '\n' || c == '\r' || self.separator.is(c);
         let end = rest.find(stop).unwrap_or(rest.len());
         self.at += end;
-        add(&mut text, rest[..end].trim());
+        add(&mut text, rest[..end].trim_end());
         Ok(text)
     }
 }
