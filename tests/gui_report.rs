@@ -3,7 +3,7 @@
 #![cfg(feature = "gui")]
 
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::OutputCommand;
 use egui_kittest::Harness;
@@ -163,14 +163,14 @@ fn a_report_that_is_cancelled_leaves_nothing_behind() {
     let path = folder.path().join("report.html");
     // How long one takes that nobody cancels.
     window.state_mut().type_report_path(&path);
-    let begin = Instant::now();
     save(&mut window, false);
-    while !path.exists() && begin.elapsed() < Duration::from_secs(120) {
+    let mut takes = 0;
+    while !path.exists() && takes < 6000 {
         std::thread::sleep(Duration::from_millis(20));
         window.step();
+        takes += 1;
     }
     assert!(path.exists(), "it can be written");
-    let takes = begin.elapsed();
     std::fs::remove_file(&path).expect("it can be removed");
     window.run_steps(4);
 
@@ -179,8 +179,7 @@ fn a_report_that_is_cancelled_leaves_nothing_behind() {
     let cancels = window.query_by_label("Cancel").is_some();
     assert!(cancels, "it is made in the background");
     press(&mut window, "Cancel");
-    let begin = Instant::now();
-    while begin.elapsed() < takes + Duration::from_millis(500) {
+    for _ in 0..takes + 25 {
         std::thread::sleep(Duration::from_millis(20));
         window.step();
     }

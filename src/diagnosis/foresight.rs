@@ -1,7 +1,7 @@
 //! What a measurement will be able to tell, before anybody has measured: the session is imagined
 //! with the nominal robot and the instrument's noise, and asked what could be seen in it.
 //!
-//! Detection limits are those of a diagnosis ([`limits`](super::limits)). Two effects look alike
+//! Detection limits are those of a diagnosis (`limits`). Two effects look alike
 //! where their columns, without what the base model explains, have a canonical correlation r near
 //! one: the part √(1 − r²) of an effect is all that tells it from the other.
 

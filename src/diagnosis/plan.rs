@@ -1,15 +1,15 @@
 //! What to measure: for a session the poses that decide what it leaves open, that unlock what it
 //! cannot show, and that sharpen the rest; for a robot alone a first measurement.
 //!
-//! 1. Rivals of the diagnosis first ([`next_poses`](super::next_poses)), or the two effects that
+//! 1. Rivals of the diagnosis first (`next_poses`), or the two effects that
 //!    the user names (`duel`).
-//! 2. Then what is locked ([`unlock`](super::unlock)): which condition is missing, and poses under
+//! 2. Then what is locked (`unlock`): which condition is missing, and poses under
 //!    that condition.
 //! 3. Then, where more poses are asked for, greedy D-optimality over every effect of the catalogue
 //!    (`first_measurement`), which lowers the detection limits.
 //!
 //! What the plan claims is checked on the session as it would be with the poses measured
-//! ([`foresight`](super::foresight)): an effect counts as unlocked only if nothing stands against
+//! (`foresight`): an effect counts as unlocked only if nothing stands against
 //! it there.
 
 use crate::effects::{Form, find};

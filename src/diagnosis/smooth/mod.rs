@@ -1,12 +1,12 @@
 //! What no name explains, as a smooth correction: the technician gets the accuracy without a
 //! false name.
 //!
-//! The residuals of the named model are smoothed over the joint's value ([`likelihood`]), in
+//! The residuals of the named model are smoothed over the joint's value (`likelihood`), in
 //! directions that turn with the joint: along its motion, which a table can correct, along its
 //! radius and along its axis. The curve is orthogonal to the names on the samples, so their values
 //! stay what they are.
 //!
-//! It is added only if it helps on samples that it has not seen ([`columns`]: every so-many-th
+//! It is added only if it helps on samples that it has not seen (`columns`: every so-many-th
 //! value of the joint is left out and predicted from its neighbours; where the noise is correlated
 //! in time whole stretches of time as well), and only for what depends on a joint's value: what
 //! follows time, speed, load or temperature is refused.
