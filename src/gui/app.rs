@@ -8,8 +8,8 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 use super::commands::{Command, Workbench};
 use super::tasks::{Runner, Tasks, What};
 use super::tokens::{self, Palette, space};
-use super::view::Sheet;
-use super::{files, panels};
+use super::view::{Canvas, Sheet};
+use super::{files, layers, panels};
 
 /// The window's contents.
 pub struct App {
@@ -33,6 +33,26 @@ impl App {
             theme: egui::ThemePreference::System,
             title: String::new(),
         }
+    }
+
+    /// Draws what there is for each sample on the graphics processor, where there is one; without,
+    /// egui draws it, thinned where it is much.
+    #[must_use]
+    pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
+        if let Some(state) = state {
+            let canvas = layers::register(state);
+            self.workbench.execute(Command::Canvas(canvas));
+        }
+        self
+    }
+
+    /// The same work for the window, of which nobody sees the result: to measure it without
+    /// anything that draws.
+    #[must_use]
+    pub fn drawn_by_nobody(mut self) -> Self {
+        let canvas = Canvas::Layers(usize::MAX);
+        self.workbench.execute(Command::Canvas(canvas));
+        self
     }
 
     /// Shows everything and does what was asked for.

@@ -8,6 +8,8 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
+//!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
 //! - `search`: what a diagnosis found, ready to be added.
 //! - `preview`: an export as it would be written.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
@@ -15,13 +17,16 @@
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
 mod app;
+mod backdrop;
 mod boundaries;
 mod commands;
 mod document;
 mod edit;
 mod files;
 mod given;
+mod layers;
 mod outcome;
+mod overview;
 mod panels;
 mod plots;
 mod preview;
@@ -82,7 +87,10 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
     eframe::run_native(
         TITLE,
         options,
-        Box::new(move |cc| Ok(Box::new(App::new(&cc.egui_ctx, path, Runner::Threads)))),
+        Box::new(move |cc| {
+            let app = App::new(&cc.egui_ctx, path, Runner::Threads);
+            Ok(Box::new(app.drawn_by(cc.wgpu_render_state.as_ref())))
+        }),
     )
     .map_err(|error| {
         let error = error.to_string();

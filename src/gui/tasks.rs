@@ -11,6 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
+use super::backdrop::{Backdrop, Scenery};
 use super::document::Question;
 use super::given::Given;
 use super::outcome::Outcome;
@@ -36,6 +37,8 @@ pub(crate) enum Report {
     Answered(Box<Outcome>),
     /// A session was searched.
     Searched(Box<Search>),
+    /// What plots of many samples stand on was worked out.
+    Drawn(Box<Backdrop>),
     /// An export was prepared.
     Prepared(Box<Preview>),
     /// An export was written.
@@ -132,6 +135,7 @@ enum Kind {
     Identifies,
     Prepares,
     Searches,
+    Draws,
 }
 
 /// One question at a time, and the latest one after it.
@@ -190,6 +194,7 @@ pub(crate) struct Tasks {
     last_id: u64,
     questions: Latest<Question>,
     previews: Latest<Wanted>,
+    sceneries: Latest<Scenery>,
 }
 
 impl Tasks {
@@ -205,12 +210,13 @@ impl Tasks {
             last_id: 0,
             questions: Latest::default(),
             previews: Latest::default(),
+            sceneries: Latest::default(),
         }
     }
 
-    /// The task that the status bar names: the newest.
+    /// The task that the status bar names: the newest. What is only drawn passes without a word.
     pub(crate) fn newest(&self) -> Option<&Running> {
-        self.running.last()
+        self.running.iter().rfind(|r| r.kind != Kind::Draws)
     }
 
     /// Starts a task.
@@ -275,6 +281,24 @@ impl Tasks {
         );
     }
 
+    /// Asks for what plots of many samples stand on; `last` is what they stand on now.
+    pub(crate) fn draw(&mut self, scenery: Scenery, last: Option<Arc<Backdrop>>) {
+        if let Some(scenery) = self.sceneries.ask(scenery) {
+            self.backdrop(scenery, last);
+        }
+    }
+
+    /// Whether it is on its way.
+    pub(crate) fn is_drawn(&self, scenery: &Scenery) -> bool {
+        self.sceneries.is_asked(scenery)
+    }
+
+    fn backdrop(&mut self, scenery: Scenery, last: Option<Arc<Backdrop>>) {
+        self.spawn("drawing".to_owned(), Kind::Draws, move |_| {
+            Report::Drawn(Box::new(Backdrop::of(scenery, last.as_deref())))
+        });
+    }
+
     fn spawn(
         &mut self,
         what: String,
@@ -312,12 +336,13 @@ impl Tasks {
 
     /// Cancels the newest task: its report will not be taken.
     pub(crate) fn cancel_newest(&mut self) {
-        let Some(cancelled) = self.running.pop() else {
+        let Some(place) = self.running.iter().rposition(|r| r.kind != Kind::Draws) else {
             return;
         };
+        let cancelled = self.running.remove(place);
         cancelled.watch.stopped.store(true, Ordering::Relaxed);
         match cancelled.kind {
-            Kind::Once | Kind::Searches => {}
+            Kind::Once | Kind::Searches | Kind::Draws => {}
             Kind::Identifies => self.questions = Latest::default(),
             Kind::Prepares => self.previews = Latest::default(),
         }
@@ -341,6 +366,15 @@ impl Tasks {
                 Kind::Prepares => {
                     if let Some(next) = self.previews.answered() {
                         self.preview(next);
+                    }
+                }
+                Kind::Draws => {
+                    if let Some(next) = self.sceneries.answered() {
+                        let last = match &report {
+                            Report::Drawn(backdrop) => Some(Arc::new((**backdrop).clone())),
+                            _ => None,
+                        };
+                        self.backdrop(next, last);
                     }
                 }
             }

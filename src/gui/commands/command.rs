@@ -6,7 +6,7 @@ use crate::gui::edit::Edit;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{AngleUnit, LengthUnit, Lower, Plane, Sheet, Side, Step};
+use crate::gui::view::{AngleUnit, Canvas, Colouring, LengthUnit, Lower, Plane, Sheet, Side, Step};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -61,6 +61,10 @@ pub(crate) enum Command {
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.
     Blend(f32),
+    /// Let the colour of error vectors say this.
+    Colour(Colouring),
+    /// Show the heat map, or hide it.
+    Heat(bool),
     /// Show this component in the chart.
     Component(Component),
     /// Show only what is left in the chart.
@@ -73,6 +77,8 @@ pub(crate) enum Command {
     Side(Side),
     /// Show this below the workspace in the step that finds the gap.
     Lower(Lower),
+    /// Draw what there is for each sample on this.
+    Canvas(Canvas),
     /// Show lengths in this unit.
     Length(LengthUnit),
     /// Show angles in this unit.

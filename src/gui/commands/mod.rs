@@ -14,11 +14,14 @@ use std::sync::Arc;
 pub(crate) use command::Command;
 
 use crate::diagnosis::{Diagnosis, measuring_list};
+use crate::gui::backdrop::{Backdrop, Scenery};
 use crate::gui::document::{Document, Method};
 use crate::gui::edit::Edit;
 use crate::gui::files;
 use crate::gui::given::Given;
-use crate::gui::outcome::{Answer, Outcome};
+use crate::gui::layers::{Heat, Nearest};
+use crate::gui::outcome::{After, Answer, Outcome};
+use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
@@ -39,6 +42,7 @@ pub(crate) struct Workbench {
     searched: Option<Arc<Search>>,
     preview: Option<Preview>,
     exported: Option<PathBuf>,
+    backdrop: Option<Arc<Backdrop>>,
     tasks: Tasks,
 }
 
@@ -56,6 +60,7 @@ impl Workbench {
             searched: None,
             preview: None,
             exported: None,
+            backdrop: None,
             tasks,
         };
         workbench.look_along_the_axis();
@@ -141,6 +146,38 @@ impl Workbench {
         self.outcome().and_then(|o| o.answer.as_ref().ok())
     }
 
+    /// What follows from the newest answer, for drawing.
+    pub(crate) fn after(&self) -> Option<&After> {
+        self.outcome().and_then(|o| o.after.as_ref())
+    }
+
+    fn backdrop(&self) -> Option<&Backdrop> {
+        let backdrop = self.backdrop.as_deref()?;
+        Arc::ptr_eq(&backdrop.scenery.subject, self.subject()).then_some(backdrop)
+    }
+
+    /// Which sample is where in the plane; `None` where they are few, or while it is being found
+    /// out.
+    pub(crate) fn nearest(&self) -> Option<&Nearest> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        self.backdrop().filter(seen)?.nearest.as_deref()
+    }
+
+    /// The heat map, if it is shown. While a newer one is being made it is the one before.
+    pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
+        let seen = |b: &&Backdrop| self.view.heat && b.scenery.plane == self.view.plane;
+        self.backdrop().filter(seen)?.heat.as_ref()
+    }
+
+    /// The extremes of the deviation chart; `None` where samples are few, or until they are found.
+    pub(crate) fn envelope(&self) -> Option<&Envelope> {
+        let seen = |b: &&Backdrop| {
+            b.scenery.component == self.view.component
+                && b.scenery.outcome.is_some() == self.outcome().is_some()
+        };
+        self.backdrop().filter(seen)?.envelope.as_deref()
+    }
+
     /// The export as it would be written, or why there is none. While a newer one is being made it
     /// is the one before.
     pub(crate) fn export(&self) -> Option<Result<&Made, &String>> {
@@ -207,10 +244,11 @@ impl Workbench {
             }
             Command::SaveAs { path, replace } => {
                 self.view.sheet = None;
-                let session = self.document().session_to_save();
+                let document = self.document().clone();
                 let what = format!("saving {}", path.display());
-                self.tasks
-                    .start(what, move |_| files::save(&session, &path, replace));
+                self.tasks.start(what, move |_| {
+                    files::save(&document.session_to_save(), &path, replace)
+                });
             }
             Command::ChooseWhereToExport(what) => {
                 let name = self.name_of(what);
@@ -241,6 +279,7 @@ impl Workbench {
         }
         self.keep_asking();
         self.keep_preparing();
+        self.keep_drawing();
     }
 
     fn look(&mut self, command: Command) {
@@ -252,6 +291,9 @@ impl Workbench {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
             Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
+            Command::Colour(colouring) => view.colouring = colouring,
+            Command::Heat(shown) => view.heat = shown,
+            Command::Canvas(canvas) => view.canvas = canvas,
             Command::Component(component) => view.component = component,
             Command::OnlyAfter(only) => view.only_after = only,
             Command::Hover(sample) => view.hovered = sample,
@@ -401,6 +443,22 @@ impl Workbench {
         let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
         if !made && !self.tasks.is_wanted(&wanted) {
             self.tasks.prepare(wanted);
+        }
+    }
+
+    /// Asks for what the plots stand on, if it is not there and not on its way.
+    fn keep_drawing(&mut self) {
+        let outcome = self.outcome.clone().filter(|_| self.outcome().is_some());
+        let scenery = Scenery {
+            subject: Arc::clone(self.subject()),
+            outcome,
+            plane: self.view.plane,
+            heat: self.view.heat,
+            component: self.view.component,
+        };
+        let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
+        if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {
+            self.tasks.draw(scenery, self.backdrop.clone());
         }
     }
 

@@ -75,8 +75,10 @@ impl Workbench {
             Report::Answered(outcome) => {
                 self.outcome = Some(Arc::new(*outcome));
                 self.keep_preparing();
+                self.keep_drawing();
             }
             Report::Searched(search) => self.searched = Some(Arc::new(*search)),
+            Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
                 what,

@@ -80,7 +80,7 @@ fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
         if let Some(gap) = gap {
             widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
         }
-        if let Some((inside, all)) = within(workbench, None) {
+        if let Some((inside, all)) = within(workbench, false) {
             widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
         }
     });
@@ -126,17 +126,13 @@ fn title(ui: &mut Ui, text: &str) {
 }
 
 /// How many samples are within the tolerance, of how many; before, or after an answer.
-fn within(workbench: &Workbench, answer: Option<&Answer>) -> Option<(usize, usize)> {
+fn within(workbench: &Workbench, after: bool) -> Option<(usize, usize)> {
     let tolerance_mm = workbench.document().tolerance_mm?;
-    let subject = workbench.subject();
-    let lengths = answer.map_or(&subject.before.length_mm, |a| &a.lengths_mm);
-    let usable = lengths.iter().filter(|l| l.is_finite());
-    let (mut inside, mut all) = (0, 0);
-    for length in usable {
-        all += 1;
-        inside += usize::from(*length <= tolerance_mm);
-    }
-    Some((inside, all))
+    let lengths = match after {
+        false => &workbench.subject().overview.lengths,
+        true => &workbench.after()?.lengths,
+    };
+    Some(lengths.within(tolerance_mm))
 }
 
 fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
@@ -175,7 +171,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             widgets::fact(ui, "held out", from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
-            (within(workbench, None), within(workbench, Some(answer)))
+            (within(workbench, false), within(workbench, true))
         {
             widgets::fact(
                 ui,

@@ -1,6 +1,10 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
 //! pointer, what the hover says.
 
+use egui::Pos2;
+use egui_plot::{PlotPoint, PlotTransform};
+
+use crate::gui::backdrop::FEW;
 use crate::gui::commands::Workbench;
 use crate::gui::plots::round_down;
 use crate::gui::subject::Component;
@@ -29,9 +33,7 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
             }
         }
     };
-    for point in &scene.points {
-        take(point.at_mm);
-    }
+    scene.measured_mm.into_iter().for_each(&mut take);
     for p in scene.paths_mm.iter().flatten() {
         take(*p);
     }
@@ -93,6 +95,30 @@ pub(crate) fn nearest(
         .map(|(sample, _)| sample)
 }
 
+/// The sample under the pointer, of those within `reach` points of it.
+pub(crate) fn under(
+    workbench: &Workbench,
+    transform: &PlotTransform,
+    pointer: Pos2,
+    reach: f32,
+) -> Option<usize> {
+    let usable = &workbench.subject().overview.usable;
+    if usable.len() > FEW {
+        let at = transform.value_from_position(pointer);
+        let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
+        return workbench.nearest()?.find([at.x, at.y], reach_mm);
+    }
+    let axes = workbench.view().plane.axes();
+    let candidates = usable.iter().map(|sample| {
+        let sample = *sample as usize;
+        let measured = workbench.subject().measured(sample);
+        let [x, y] = axes.map(|k| measured[k]);
+        let at = transform.position_from_point(&PlotPoint::new(x, y));
+        (sample, [at.x, at.y])
+    });
+    nearest(candidates, [pointer.x, pointer.y], reach)
+}
+
 /// One line of what is said about a sample: what, and how much.
 pub(crate) type Line = (String, String);
 
@@ -137,6 +163,17 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         }
         let value = subject.component(shown, sample, component);
         lines.push((component.name().to_owned(), units.length(value)));
+    }
+    let samples = &subject.session.samples;
+    let conditions = [
+        ("load", &samples.load_kg, "kg"),
+        ("temperature", &samples.temperature_c, "°C"),
+        ("time", &samples.time_s, "s"),
+    ];
+    for (name, column, unit) in conditions {
+        if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
+            lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+        }
     }
     let [right, up] = workbench.view().plane.axes();
     let direction = shown[up].atan2(shown[right]).to_degrees();

@@ -7,9 +7,11 @@ use crate::gui::commands::Workbench;
 use crate::gui::plots::{marks, thinned};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
+use crate::gui::view::Colouring;
 
 use super::layout;
 use super::model::Scene;
+use super::scales;
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 90.0;
@@ -30,7 +32,9 @@ pub(super) fn show(
     let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
     let long = points_from(mm * scene.magnification * points_per_mm);
     let corner = frame.left_top() + vec2(12.0, 16.0);
-    let color = if workbench.answer().is_some() {
+    let color = if scene.look.colouring != Colouring::State {
+        palette.muted
+    } else if scene.look.answered {
         palette.after
     } else {
         palette.before
@@ -64,6 +68,7 @@ pub(super) fn show(
         painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.warning);
     }
     meanings(ui, frame, workbench, scene, palette);
+    scales::show(ui, frame, scene, workbench, palette);
 }
 
 /// A mark of the legend.
@@ -99,7 +104,9 @@ fn meanings(ui: &Ui, frame: Rect, workbench: &Workbench, scene: &Scene, palette:
     if workbench.answer().is_some() && workbench.view().blend > 0.0 {
         let faint = palette.before.gamma_multiply(0.5);
         entries.push(("before", Sign::Line(faint, 1.5)));
-        entries.push(("after", Sign::Line(palette.after, 1.8)));
+        if scene.look.colouring == Colouring::State {
+            entries.push(("after", Sign::Line(palette.after, 1.8)));
+        }
     }
     if workbench.document().tolerance_mm.is_some() {
         entries.push(("within", Sign::Disc(palette.within)));
