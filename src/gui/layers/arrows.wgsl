@@ -93,11 +93,11 @@ fn covered(arrow: Arrow) -> @location(0) vec4f {
     let head = arrow.form.y;
     let neck = length_px - head;
     let across = abs(p.y);
-    // The shaft reaches a little into the head, so that no seam shows.
-    let shaft = max(across - 0.5 * arrow.form.z, max(-p.x, p.x - neck - min(1.0, head)));
+    let shaft = max(across - 0.5 * arrow.form.z, max(-p.x, p.x - neck));
     // The head's side goes from the tip to half its length beside the neck.
     let side = (0.5 * (p.x - length_px) + across) / 1.118034;
     let triangle = max(neck - p.x, side);
-    let outside = min(shaft, triangle);
-    return output_of(arrow.color, clamp(0.5 - outside, 0.0, 1.0));
+    // Both meet at the neck, where each covers the part that the other leaves.
+    let coverage = clamp(0.5 - shaft, 0.0, 1.0) + clamp(0.5 - triangle, 0.0, 1.0);
+    return output_of(arrow.color, min(coverage, 1.0));
 }
