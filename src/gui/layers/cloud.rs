@@ -3,8 +3,8 @@
 //!
 //! Lengths are mm of the measuring frame, in single precision from the middle of the workspace:
 //! 0.03 µm at half a metre. Samples stand in an order whose every beginning is spread evenly over
-//! the session (the bits of the position reversed), so that a slow renderer draws the first of them
-//! and still shows the whole.
+//! the session (steps of the golden ratio), so that the first of them show the whole. Every nth
+//! sample would not: where reflectors or directions alternate it is always the same of them.
 
 use crate::gui::subject::Subject;
 use crate::sessions::Samples;
@@ -102,13 +102,22 @@ fn range(column: &[f64], usable: &[u32]) -> Option<[f64; 2]> {
     (low < high && (high - low).is_finite()).then_some([low, high])
 }
 
-/// 0 … count in an order whose every beginning is spread evenly.
+/// 0 … count in an order whose every beginning is spread evenly: multiples, modulo the count, of
+/// a step that has no divisor with it and is nearly its golden section.
 fn spread(count: usize) -> impl Iterator<Item = usize> {
-    let size = count.next_power_of_two().max(2);
-    let bits = size.trailing_zeros();
-    (0..size)
-        .map(move |k| k.reverse_bits() >> (usize::BITS - bits))
-        .filter(move |k| *k < count)
+    let common = |mut a: usize, mut b: usize| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a
+    };
+    // 0.618034 of any count that memory holds, without rounding.
+    let mut step = (count / 1_000_000 * 618_034 + count % 1_000_000 * 618_034 / 1_000_000).max(1);
+    while common(step, count) > 1 {
+        step += 1;
+    }
+    let next = move |k: &usize| Some((k + step) % count);
+    std::iter::successors((count > 0).then_some(0), next).take(count)
 }
 
 #[allow(
@@ -132,9 +141,20 @@ mod tests {
             sorted.sort_unstable();
             assert!(sorted.iter().copied().eq(0..count), "{count}");
         }
-        let mut some: Vec<usize> = spread(1000).take(50).collect();
-        some.sort_unstable();
-        assert!(some.windows(2).all(|pair| pair[1] - pair[0] <= 40));
+        // No gap is much wider than the mean one.
+        for (count, first) in [(100_000, 500), (1_000_008, 6_000), (36_000, 1_000)] {
+            let mut some: Vec<usize> = spread(count).take(first).collect();
+            some.sort_unstable();
+            let widest = some.windows(2).map(|pair| pair[1] - pair[0]).max();
+            assert!(widest <= Some(3 * count / first), "{count} {widest:?}");
+        }
+        // Whatever alternates is met in all its forms.
+        for period in [2, 3, 4, 16] {
+            let mut met: Vec<usize> = spread(1_000_000).take(64).map(|k| k % period).collect();
+            met.sort_unstable();
+            met.dedup();
+            assert_eq!(met.len(), period);
+        }
     }
 
     #[test]

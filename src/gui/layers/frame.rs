@@ -41,6 +41,14 @@ pub(crate) struct Look {
     pub(crate) mark: f32,
 }
 
+impl Look {
+    /// Whether the deviations before stand pale beside those that are shown: only where no colour
+    /// has to be compared with theirs.
+    pub(crate) fn ghosts(&self) -> bool {
+        self.answered && self.blend > 0.0 && self.colouring == Colouring::State
+    }
+}
+
 /// See the module.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Frame {

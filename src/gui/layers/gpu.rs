@@ -42,8 +42,8 @@ pub(crate) struct CloudLayer {
     pub(crate) remainder: Option<Arc<Remainder>>,
     /// Where they go.
     pub(crate) frame: Frame,
-    /// So many of them.
-    pub(crate) count: usize,
+    /// So many of their points, and so many of their vectors.
+    pub(crate) counts: [usize; 2],
     /// Whether the deviations before are drawn as well.
     pub(crate) ghosts: bool,
 }
@@ -97,11 +97,12 @@ impl CallbackTrait for CloudLayer {
     ) {
         if let Some(drawer) = resources.get::<Drawer>() {
             pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
-            drawer.draw(pass, &drawer.marks, self.count);
+            let [points, vectors] = self.counts;
+            drawer.draw(pass, &drawer.marks, points);
             if self.ghosts {
-                drawer.draw(pass, &drawer.ghosts, self.count);
+                drawer.draw(pass, &drawer.ghosts, vectors);
             }
-            drawer.draw(pass, &drawer.arrows, self.count);
+            drawer.draw(pass, &drawer.arrows, vectors);
         }
     }
 }

@@ -157,7 +157,7 @@ fn compare_arrows(pixels: f32, palette: Palette, colouring: Colouring, blend: f3
             cloud: Arc::clone(&cloud),
             remainder: Some(Arc::clone(&remainder)),
             frame: Frame::new(&look, &palette, &transform(), None, pixels),
-            count: ARROWS.len(),
+            counts: [ARROWS.len(); 2],
             ghosts: false,
         };
         layer.shape(frame())
@@ -329,7 +329,7 @@ fn a_cloud_that_has_changed_is_uploaded_again() {
                 None,
                 1.0,
             ),
-            count: now.0.samples.len(),
+            counts: [now.0.samples.len(); 2],
             ghosts: false,
         };
         layer.shape(frame())

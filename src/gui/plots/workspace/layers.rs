@@ -10,6 +10,7 @@ use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Look, mesh};
 use crate::gui::tokens::Palette;
 use crate::gui::view::{Canvas, Colouring};
 
+use super::layout;
 use super::model::Scene;
 
 /// The heat map, if it is shown.
@@ -54,8 +55,8 @@ pub(super) fn cloud(
         cloud: Arc::clone(cloud),
         remainder: workbench.after().map(|after| Arc::clone(&after.remainder)),
         frame: Frame::new(&scene.look, palette, transform, None, pixels),
-        count: cloud.samples.len().div_ceil(scene.arrow_stride),
-        ghosts: scene.look.answered && scene.look.blend > 0.0,
+        counts: layout::counts(scene, transform),
+        ghosts: scene.look.ghosts(),
     };
     shapes.push(layer.shape(*transform.frame()));
 }

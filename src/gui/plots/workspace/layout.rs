@@ -9,6 +9,7 @@ use crate::gui::commands::Workbench;
 use crate::gui::plots::round_down;
 use crate::gui::subject::Component;
 use crate::gui::units::trimmed;
+use crate::gui::view::Canvas;
 
 use super::model::{Dial, Scene};
 
@@ -93,6 +94,48 @@ pub(crate) fn nearest(
         .filter(|(_, d)| *d <= reach)
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(sample, _)| sample)
+}
+
+/// So many vectors can be told apart where all of the workspace is in sight.
+const APART: f64 = 6_000.0;
+
+/// How many points and how many vectors a layer draws: the nearer one looks the more, until it is
+/// all of them.
+pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
+    let Canvas::Layers(most) = scene.canvas else {
+        return [0; 2];
+    };
+    let [low, high] = scene.measured_mm;
+    let side = |k: usize, points_per_mm: f64, frame: f32| {
+        let drawn = (high[k] - low[k]) * points_per_mm.abs();
+        (drawn / f64::from(frame.max(1.0))).max(1.0)
+    };
+    let frame = transform.frame();
+    let wide = side(0, transform.dpos_dvalue_x(), frame.width());
+    let tall = side(1, transform.dpos_dvalue_y(), frame.height());
+    let apart = APART * wide * tall;
+    let points = scene.samples.min(most);
+    let vectors = if apart < points as f64 {
+        crate::gui::units::whole(apart)
+    } else {
+        points
+    };
+    [points, vectors]
+}
+
+/// What a layer says when it does not draw everything.
+pub(crate) fn drawn(samples: usize, [points, vectors]: [usize; 2]) -> Vec<String> {
+    let one_of = |count: usize| samples.div_ceil(count.max(1));
+    let mut says = Vec::new();
+    if points < samples {
+        let of = one_of(points);
+        says.push(format!("1 of {of} points: this computer draws in software"));
+    }
+    if vectors < samples {
+        let of = one_of(vectors);
+        says.push(format!("1 of {of} vectors: zoom in for more"));
+    }
+    says
 }
 
 /// The sample under the pointer, of those within `reach` points of it.
@@ -191,6 +234,8 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
 
 #[cfg(test)]
 mod tests {
+    use egui_plot::PlotBounds;
+
     use super::*;
     use crate::gui::testing::workbench;
 
@@ -212,6 +257,30 @@ mod tests {
             let drawn = mm * magnification * 1.7;
             assert!(drawn <= 80.0 + 1e-9 && drawn > 80.0 / 2.6, "{drawn}");
         }
+    }
+
+    #[test]
+    fn the_nearer_one_looks_the_more_vectors_are_drawn() {
+        let mut scene = Scene::of(&workbench());
+        scene.samples = 1_000_000;
+        scene.canvas = Canvas::Layers(usize::MAX);
+        let at = |scale: f64| {
+            let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+            let bounds = PlotBounds::from_min_max(
+                [-300.0 * scale, -240.0 * scale],
+                [300.0 * scale, 240.0 * scale],
+            );
+            counts(&scene, &PlotTransform::new(frame, bounds, false))
+        };
+        assert_eq!(at(1.5), [1_000_000, 6_000]);
+        let nearer = at(0.1)[1];
+        assert!(nearer > 100_000 && nearer < 1_000_000, "{nearer}");
+        assert_eq!(at(0.001), [1_000_000, 1_000_000]);
+        assert_eq!(
+            drawn(1_000_000, at(1.5)),
+            ["1 of 167 vectors: zoom in for more"]
+        );
+        assert!(drawn(10, [10, 10]).is_empty());
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::gui::commands::Workbench;
 use crate::gui::plots::{marks, thinned};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
-use crate::gui::view::Colouring;
+use crate::gui::view::{Canvas, Colouring};
 
 use super::layout;
 use super::model::Scene;
@@ -59,13 +59,18 @@ pub(super) fn show(
         font.clone(),
         palette.muted,
     );
-    let notes = [
-        thinned(scene.arrow_stride, "arrow"),
-        thinned(scene.point_stride, "point"),
-    ];
-    for (line, note) in notes.into_iter().flatten().enumerate() {
+    let notes = if scene.canvas == Canvas::Shapes {
+        let thinned = [
+            thinned(scene.arrow_stride, "arrow"),
+            thinned(scene.point_stride, "point"),
+        ];
+        thinned.into_iter().flatten().collect()
+    } else {
+        layout::drawn(scene.samples, layout::counts(scene, transform))
+    };
+    for (line, note) in notes.into_iter().enumerate() {
         let at = corner + vec2(0.0, 18.0 * (line + 1) as f32);
-        painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.warning);
+        painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.muted);
     }
     meanings(ui, frame, workbench, scene, palette);
     scales::show(ui, frame, scene, workbench, palette);
@@ -101,12 +106,10 @@ fn meanings(ui: &Ui, frame: Rect, workbench: &Workbench, scene: &Scene, palette:
     if !scene.paths_mm.is_empty() {
         entries.push(("nominal path", Sign::Line(palette.nominal, 1.25)));
     }
-    if workbench.answer().is_some() && workbench.view().blend > 0.0 {
+    if scene.look.ghosts() {
         let faint = palette.before.gamma_multiply(0.5);
         entries.push(("before", Sign::Line(faint, 1.5)));
-        if scene.look.colouring == Colouring::State {
-            entries.push(("after", Sign::Line(palette.after, 1.8)));
-        }
+        entries.push(("after", Sign::Line(palette.after, 1.8)));
     }
     if workbench.document().tolerance_mm.is_some() {
         entries.push(("within", Sign::Disc(palette.within)));

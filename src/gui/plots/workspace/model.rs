@@ -90,6 +90,10 @@ pub(crate) struct Scene {
     pub(crate) measured_mm: [[f64; 2]; 2],
     /// What is shown of each sample, and how.
     pub(crate) look: Look,
+    /// How many samples can be used.
+    pub(crate) samples: usize,
+    /// What draws them.
+    pub(crate) canvas: Canvas,
 }
 
 impl Scene {
@@ -101,14 +105,13 @@ impl Scene {
         let flat = |p: [f64; 3]| [p[right], p[up]];
         let answer = workbench.answer();
         let look = look(workbench);
-        let blend = f64::from(look.blend);
         let shown = |sample: usize| shown(workbench, sample);
         let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
         let tolerance_mm = workbench.document().tolerance_mm;
         let usable = &subject.overview.usable;
         let (most, shown_here): (_, &[u32]) = match view.canvas {
             Canvas::Shapes => ([MOST_ARROWS, MOST_POINTS], usable),
-            Canvas::Layers(most) => ([most, most], &[]),
+            Canvas::Layers(_) => ([usize::MAX; 2], &[]),
         };
         let [arrow_stride, point_stride] = most.map(|most| stride(usable.len(), most));
         let samples = |stride| shown_here.iter().step_by(stride).map(|s| *s as usize);
@@ -119,7 +122,8 @@ impl Scene {
                 sample,
                 from_mm: flat(std::array::from_fn(|k| measured[k] - e[k])),
                 vector_mm: flat(e),
-                before_mm: (answer.is_some() && blend > 0.0)
+                before_mm: look
+                    .ghosts()
                     .then(|| flat(subject.deviation_before(sample))),
                 says: says(subject, &look, sample, e),
             }
@@ -142,6 +146,8 @@ impl Scene {
             reach_mm: subject.overview.reach_mm,
             measured_mm,
             look,
+            samples: usable.len(),
+            canvas: view.canvas,
         }
     }
 }

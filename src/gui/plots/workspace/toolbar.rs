@@ -20,6 +20,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         if let Some(plane) = widgets::segmented(ui, &planes, view.plane) {
             commands.push(Command::Look(plane));
         }
+        if measured {
+            ui.add_space(space::TIGHT);
+            heat(ui, workbench, commands);
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if workbench.answer().is_some() && measured {
                 blend(ui, workbench, commands);
@@ -30,7 +34,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui.horizontal(|ui| {
             magnification(ui, workbench, commands);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                heat(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
         });
@@ -58,7 +61,7 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     let now = magnification_of(workbench.view(), subject);
     caption(ui, "vectors");
     let mut factor = now;
-    fine(ui, 110.0);
+    fine(ui, 70.0);
     let slider = Slider::new(&mut factor, 1.0..=100_000.0)
         .logarithmic(true)
         .show_value(false);
@@ -83,6 +86,9 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     }
 }
 
+/// With so much room beside it the list of colours has its name before it, points.
+const NAMED: f32 = 48.0;
+
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut shown = workbench.view().heat;
@@ -103,7 +109,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let text = RichText::new(shown.name()).size(size::SMALL);
     let list = ComboBox::from_id_salt("colouring").selected_text(text);
-    let list = list.width(116.0).show_ui(ui, |ui| {
+    let list = list.width(112.0).height(280.0).show_ui(ui, |ui| {
         for colouring in Colouring::ALL {
             if !offers(workbench.subject(), colouring) {
                 continue;
@@ -116,5 +122,7 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     });
     ui.ctx()
         .accesskit_node_builder(list.response.id, |node| node.set_label("Colour of vectors"));
-    caption(ui, "colour");
+    if ui.available_width() > NAMED {
+        caption(ui, "colour");
+    }
 }
