@@ -86,14 +86,9 @@ impl Window {
     /// One frame; the number of its triangles.
     fn frame(&mut self, events: Vec<Event>) -> usize {
         self.frames += 1;
-        let modifiers = match events.first() {
-            Some(Event::Key { modifiers, .. }) => *modifiers,
-            _ => Modifiers::NONE,
-        };
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0))),
             time: Some(f64::from(self.frames) / 60.0),
-            modifiers,
             events,
             ..RawInput::default()
         };

@@ -110,10 +110,10 @@ impl Backdrop {
         let chart = || Arc::new(Envelope::of(subject, scenery.answer(), scenery.component));
         let envelope = many.then(|| known.unwrap_or_else(chart));
         Self {
+            scenery,
             nearest,
             heat,
             envelope,
-            scenery,
         }
     }
 }

@@ -141,12 +141,12 @@ mod tests {
             sorted.sort_unstable();
             assert!(sorted.iter().copied().eq(0..count), "{count}");
         }
-        // No gap is much wider than the mean one.
+        // No gap is much wider than the mean one; the step is whole, the golden section is not.
         for (count, first) in [(100_000, 500), (1_000_008, 6_000), (36_000, 1_000)] {
             let mut some: Vec<usize> = spread(count).take(first).collect();
             some.sort_unstable();
             let widest = some.windows(2).map(|pair| pair[1] - pair[0]).max();
-            assert!(widest <= Some(3 * count / first), "{count} {widest:?}");
+            assert!(widest <= Some(4 * count / first), "{count} {widest:?}");
         }
         // Whatever alternates is met in all its forms.
         for period in [2, 3, 4, 16] {

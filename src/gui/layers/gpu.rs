@@ -263,17 +263,14 @@ impl Drawer {
         if same && std::ptr::eq(of.as_ptr(), Arc::as_ptr(cloud)) {
             return;
         }
-        let buffers = match remainder {
-            Some(remainder) => {
-                let chunks = remainder.rows.chunks(CHUNK);
-                let buffer = |chunk| vertices(device, bytemuck::cast_slice(chunk));
-                chunks.map(buffer).collect()
-            }
+        let buffers = if let Some(remainder) = remainder {
+            let chunks = remainder.rows.chunks(CHUNK);
+            let buffer = |chunk| vertices(device, bytemuck::cast_slice(chunk));
+            chunks.map(buffer).collect()
+        } else {
             // Nothing is left of nothing: a new buffer holds zeros.
-            None => {
-                let chunks = cloud.places.chunks(CHUNK);
-                chunks.map(|chunk| zeros(device, chunk.len())).collect()
-            }
+            let chunks = cloud.places.chunks(CHUNK);
+            chunks.map(|chunk| zeros(device, chunk.len())).collect()
         };
         self.remains = (
             Arc::downgrade(cloud),

@@ -82,7 +82,7 @@ impl Heat {
             first_mm,
             cell_mm,
             size,
-            cells: smoothed(sums, size, sigma),
+            cells: smoothed(&sums, size, sigma),
         })
     }
 
@@ -115,7 +115,7 @@ pub(crate) fn blended([bb, ba, aa, _]: [f64; 4], t: f64) -> f64 {
 }
 
 /// Sums (each with its weight in the last place) smoothed along x and then along y.
-fn smoothed(sums: Vec<[f64; 4]>, size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
+fn smoothed(sums: &[[f64; 4]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
     let reach = crate::gui::units::whole((END * sigma).ceil());
     let weight = |k: usize| (-0.5 * (k as f64 / sigma).powi(2)).exp();
     let weights: Vec<f64> = (0..=reach).map(weight).collect();
@@ -140,7 +140,7 @@ fn smoothed(sums: Vec<[f64; 4]>, size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> 
         }
         out
     };
-    let across = along(&sums, 1, size[0], size[0]);
+    let across = along(sums, 1, size[0], size[0]);
     let both = along(&across, size[0], size[1], 1);
     both.into_iter().map(normalised).collect()
 }

@@ -125,12 +125,13 @@ fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
 }
 
-/// How many samples are within the tolerance, of how many; before, or after an answer.
+/// How many samples are within the tolerance, of how many; before the answer, or after it.
 fn within(workbench: &Workbench, after: bool) -> Option<(usize, usize)> {
     let tolerance_mm = workbench.document().tolerance_mm?;
-    let lengths = match after {
-        false => &workbench.subject().overview.lengths,
-        true => &workbench.after()?.lengths,
+    let lengths = if after {
+        &workbench.after()?.lengths
+    } else {
+        &workbench.subject().overview.lengths
     };
     Some(lengths.within(tolerance_mm))
 }

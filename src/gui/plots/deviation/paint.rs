@@ -137,21 +137,31 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let near = envelope.map(|envelope| {
             let q = |x: f32| axes.q(transform.value_from_position(pos2(x, pointer.y)).x);
             let around = [q(pointer.x - REACH), q(pointer.x + REACH)];
-            let samples = envelope.samples(around, MOST_NEAR);
-            these(&samples.collect::<Vec<_>>())
+            these(&envelope.samples(around, MOST_NEAR).collect::<Vec<_>>())
         });
         let near = near.as_deref().unwrap_or(&series.dots);
-        let candidates = near.iter().flat_map(|dot| {
-            let before = (!only_after).then_some(dot.before_mm);
-            let marks = before.into_iter().chain(dot.after_mm);
-            marks.map(|mm| {
-                let here = transform.position_from_point(&axes.at(dot.q, mm));
-                (dot.sample, [here.x, here.y])
-            })
-        });
-        workspace::nearest(candidates, [pointer.x, pointer.y], REACH)
+        under(near, only_after, axes, &transform, pointer)
     });
     workspace::hover(&response, workbench, under, commands);
+}
+
+/// The sample whose mark is under the pointer.
+fn under(
+    dots: &[Dot],
+    only_after: bool,
+    axes: Axes,
+    transform: &PlotTransform,
+    pointer: egui::Pos2,
+) -> Option<usize> {
+    let candidates = dots.iter().flat_map(|dot| {
+        let before = (!only_after).then_some(dot.before_mm);
+        let marks = before.into_iter().chain(dot.after_mm);
+        marks.map(|mm| {
+            let here = transform.position_from_point(&axes.at(dot.q, mm));
+            (dot.sample, [here.x, here.y])
+        })
+    });
+    workspace::nearest(candidates, [pointer.x, pointer.y], REACH)
 }
 
 /// Tolerance, boundaries and zero.
