@@ -122,7 +122,7 @@ fn plain(ctx: &Context, tails: &[[f64; 2]], tips: &[[f64; 2]]) -> usize {
     };
     let mut output = ctx.run_ui(input, |ui| {
         Plot::new("arrows").data_aspect(1.0).show(ui, |plot| {
-            let points = |p: &[[f64; 2]]| PlotPoints::from_iter(p.iter().copied());
+            let points = |p: &[[f64; 2]]| p.iter().copied().collect::<PlotPoints<'_>>();
             plot.arrows(Arrows::new("arrows", points(tails), points(tips)));
         });
     });
@@ -141,6 +141,10 @@ fn arrows(samples: usize) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
 }
 
 /// The median of some runs, ms.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "this measures time; nothing that is computed depends on it"
+)]
 fn median_ms(runs: usize, mut run: impl FnMut() -> usize) -> f64 {
     let mut times: Vec<f64> = (0..runs)
         .map(|_| {
