@@ -336,7 +336,16 @@ impl Tasks {
 
     /// Cancels the newest task: its report will not be taken.
     pub(crate) fn cancel_newest(&mut self) {
-        let Some(place) = self.running.iter().rposition(|r| r.kind != Kind::Draws) else {
+        self.cancel(|kind| kind != Kind::Draws);
+    }
+
+    /// Cancels the search, whatever else is under way.
+    pub(crate) fn cancel_search(&mut self) {
+        self.cancel(|kind| kind == Kind::Searches);
+    }
+
+    fn cancel(&mut self, meant: impl Fn(Kind) -> bool) {
+        let Some(place) = self.running.iter().rposition(|r| meant(r.kind)) else {
             return;
         };
         let cancelled = self.running.remove(place);

@@ -53,6 +53,8 @@ pub(crate) enum Command {
     Simulate(Form),
     /// Drop the task that is under way.
     Cancel,
+    /// Drop the search that is under way.
+    StopSearch,
     /// Show this step.
     GoTo(Step),
     /// Look at the workspace in this plane.

@@ -275,6 +275,7 @@ impl Workbench {
             }
             Command::Search => self.search(),
             Command::Cancel => self.tasks.cancel_newest(),
+            Command::StopSearch => self.tasks.cancel_search(),
             other => self.look(other),
         }
         self.keep_asking();

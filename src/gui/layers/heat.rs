@@ -4,10 +4,11 @@
 //! measured once, and the cells smoothed by a normalised Gaussian (Knutsson & Westin 1993):
 //!
 //! ```text
-//! m(p) = Σ w(p − c) m(c) / Σ w(p − c),   w(r) = exp(−r² / 2σ²),   opacity = 1 − exp(−2.5 Σ w)
+//! m(p) = Σ w(p − c) m(c) / Σ w(p − c),   w(r) = exp(−r² / 2σ²),   opacity = 1 − exp(−2.5 max w)
 //! ```
 //!
-//! over the cells c that hold a sample. A cell keeps three mean products, |b|², b·a and |a|² of
+//! over the cells c that hold a sample; the nearest of them decides how far the map reaches, however
+//! many there are. A cell keeps three mean products, |b|², b·a and |a|² of
 //! the deviations before and after: the map at any blend t between them is exactly
 //! √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²), so that blending needs no new map. Cells follow the
 //! nominal robot's extent: a sample that was measured far away cannot stretch the map.
@@ -53,7 +54,7 @@ impl Heat {
         let size =
             extent.map(|e| crate::gui::units::whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
         let first_mm = [low[right] - margin * cell_mm, low[up] - margin * cell_mm];
-        let mut sums = vec![[0.0_f64; 4]; size[0] * size[1]];
+        let mut sums = vec![[0.0_f64; 5]; size[0] * size[1]];
         for sample in usable.iter().map(|sample| *sample as usize) {
             let at = subject.measured(sample);
             let cell = |k: usize, axis: usize| ((at[axis] - first_mm[k]) / cell_mm).round();
@@ -75,7 +76,8 @@ impl Heat {
         }
         for sum in &mut sums {
             if sum[3] > 0.0 {
-                *sum = [sum[0] / sum[3], sum[1] / sum[3], sum[2] / sum[3], 1.0];
+                let [bb, ba, aa] = [0, 1, 2].map(|k| sum[k] / sum[3]);
+                *sum = [bb, ba, aa, 1.0, 1.0];
             }
         }
         Some(Self {
@@ -114,13 +116,14 @@ pub(crate) fn blended([bb, ba, aa, _]: [f64; 4], t: f64) -> f64 {
     squared.max(0.0).sqrt()
 }
 
-/// Sums (each with its weight in the last place) smoothed along x and then along y.
-fn smoothed(sums: &[[f64; 4]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
+/// Sums, each with its weight and the largest weight in the last places, smoothed along x and then
+/// along y: the Gaussian is the product of both.
+fn smoothed(sums: &[[f64; 5]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
     let reach = crate::gui::units::whole((END * sigma).ceil());
     let weight = |k: usize| (-0.5 * (k as f64 / sigma).powi(2)).exp();
     let weights: Vec<f64> = (0..=reach).map(weight).collect();
-    let along = |cells: &[[f64; 4]], step: usize, length: usize, other: usize| {
-        let mut out = vec![[0.0; 4]; cells.len()];
+    let along = |cells: &[[f64; 5]], step: usize, length: usize, other: usize| {
+        let mut out = vec![[0.0; 5]; cells.len()];
         for line in 0..cells.len() / length {
             let first = line * other;
             for from in 0..length {
@@ -135,6 +138,7 @@ fn smoothed(sums: &[[f64; 4]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
                     for k in 0..4 {
                         sum[k] += w * cell[k];
                     }
+                    sum[4] = sum[4].max(w * cell[4]);
                 }
             }
         }
@@ -146,11 +150,11 @@ fn smoothed(sums: &[[f64; 4]], size: [usize; 2], sigma: f64) -> Vec<[f32; 4]> {
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "drawn in single precision")]
-fn normalised([bb, ba, aa, weight]: [f64; 4]) -> [f32; 4] {
+fn normalised([bb, ba, aa, weight, largest]: [f64; 5]) -> [f32; 4] {
     if weight < 1e-9 {
         return [0.0; 4];
     }
-    let opacity = 1.0 - (-2.5 * weight).exp();
+    let opacity = 1.0 - (-2.5 * largest).exp();
     [bb / weight, ba / weight, aa / weight, opacity].map(|v| v as f32)
 }
 

@@ -290,7 +290,8 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
             let pixel = |v: f32| crate::gui::units::whole(f64::from(2.0 * v));
             let found = picture.at(pixel(screen.x), pixel(screen.y));
             for k in 0..3 {
-                let wanted = surface[k] + f64::from(HEAT) * (color[k] - surface[k]);
+                let opacity = f64::from(HEAT) * (1.0 - (-2.5_f64).exp());
+                let wanted = surface[k] + opacity * (color[k] - surface[k]);
                 let off = (found[k] - wanted).abs();
                 assert!(off < 0.06, "sample {sample}: {found:?}, {wanted} of {k}");
             }

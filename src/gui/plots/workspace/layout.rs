@@ -97,7 +97,7 @@ pub(crate) fn nearest(
 }
 
 /// So many vectors can be told apart where all of the workspace is in sight.
-const APART: f64 = 6_000.0;
+const APART: f64 = 1_500.0;
 
 /// How many points and how many vectors a layer draws: the nearer one looks the more, until it is
 /// all of them.
@@ -272,13 +272,13 @@ mod tests {
             );
             counts(&scene, &PlotTransform::new(frame, bounds, false))
         };
-        assert_eq!(at(1.5), [1_000_000, 6_000]);
+        assert_eq!(at(1.5), [1_000_000, 1_500]);
         let nearer = at(0.1)[1];
-        assert!(nearer > 100_000 && nearer < 1_000_000, "{nearer}");
+        assert!(nearer > 30_000 && nearer < 1_000_000, "{nearer}");
         assert_eq!(at(0.001), [1_000_000, 1_000_000]);
         assert_eq!(
             drawn(1_000_000, at(1.5)),
-            ["1 of 167 vectors: zoom in for more"]
+            ["1 of 667 vectors: zoom in for more"]
         );
         assert!(drawn(10, [10, 10]).is_empty());
     }

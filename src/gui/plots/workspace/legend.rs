@@ -70,7 +70,11 @@ pub(super) fn show(
     };
     for (line, note) in notes.into_iter().enumerate() {
         let at = corner + vec2(0.0, 18.0 * (line + 1) as f32);
-        painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.muted);
+        let galley = painter.layout_no_wrap(note, font.clone(), palette.muted);
+        let place = Align2::LEFT_CENTER.anchor_size(at, galley.size());
+        let back = place.expand2(vec2(3.0, 1.0));
+        painter.rect_filled(back, 2.0, palette.surface.gamma_multiply(0.85));
+        painter.galley(place.min, galley, palette.muted);
     }
     meanings(ui, frame, workbench, scene, palette);
     scales::show(ui, frame, scene, workbench, palette);
