@@ -96,11 +96,11 @@ pub(crate) fn nearest(
         .map(|(sample, _)| sample)
 }
 
-/// So many vectors can be told apart where all of the workspace is in sight.
-const APART: f64 = 1_500.0;
+/// So many vectors and points can be told apart where all of the workspace is in sight.
+const APART: [f64; 2] = [1_500.0, 7_500.0];
 
-/// How many points and how many vectors a layer draws: the nearer one looks the more, until it is
-/// all of them.
+/// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
+/// apart along both axes; vectors become longer as well, and so fewer of them fit.
 pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
     let Canvas::Layers(most) = scene.canvas else {
         return [0; 2];
@@ -113,29 +113,31 @@ pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
     let frame = transform.frame();
     let wide = side(0, transform.dpos_dvalue_x(), frame.width());
     let tall = side(1, transform.dpos_dvalue_y(), frame.height());
-    let apart = APART * wide * tall;
-    let points = scene.samples.min(most);
-    let vectors = if apart < points as f64 {
-        crate::gui::units::whole(apart)
-    } else {
-        points
+    let most = scene.samples.min(most);
+    let at_most = |apart: f64| {
+        if apart < most as f64 {
+            crate::gui::units::whole(apart)
+        } else {
+            most
+        }
     };
-    [points, vectors]
+    let [vectors, points] = APART;
+    [points * wide * tall, vectors * (wide * tall).sqrt()].map(at_most)
 }
 
 /// What a layer says when it does not draw everything.
-pub(crate) fn drawn(samples: usize, [points, vectors]: [usize; 2]) -> Vec<String> {
-    let one_of = |count: usize| samples.div_ceil(count.max(1));
-    let mut says = Vec::new();
-    if points < samples {
-        let of = one_of(points);
-        says.push(format!("1 of {of} points: this computer draws in software"));
-    }
-    if vectors < samples {
-        let of = one_of(vectors);
-        says.push(format!("1 of {of} vectors: zoom in for more"));
-    }
-    says
+pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String> {
+    let one_of = |count: usize| scene.samples.div_ceil(count.max(1));
+    let note = |(count, what): (usize, &str)| {
+        let why = if scene.canvas == Canvas::Layers(count) {
+            "this computer draws in software"
+        } else {
+            "zoom in for more"
+        };
+        (count < scene.samples).then(|| format!("1 of {} {what}: {why}", one_of(count)))
+    };
+    let layers = [(points, "points"), (vectors, "vectors")];
+    layers.into_iter().filter_map(note).collect()
 }
 
 /// The sample under the pointer, of those within `reach` points of it.
@@ -272,15 +274,14 @@ mod tests {
             );
             counts(&scene, &PlotTransform::new(frame, bounds, false))
         };
-        assert_eq!(at(1.5), [1_000_000, 1_500]);
-        let nearer = at(0.1)[1];
-        assert!(nearer > 30_000 && nearer < 1_000_000, "{nearer}");
-        assert_eq!(at(0.001), [1_000_000, 1_000_000]);
-        assert_eq!(
-            drawn(1_000_000, at(1.5)),
-            ["1 of 667 vectors: zoom in for more"]
-        );
-        assert!(drawn(10, [10, 10]).is_empty());
+        assert_eq!(at(1.5), [7_500, 1_500]);
+        let [points, vectors] = at(0.1);
+        assert!(points > 100_000 && vectors > 7_000, "{points} {vectors}");
+        assert!(at(0.02) > at(0.1));
+        assert_eq!(at(0.0001), [1_000_000, 1_000_000]);
+        let says = drawn(&scene, at(1.5));
+        assert_eq!(says[1], "1 of 667 vectors: zoom in for more");
+        assert!(drawn(&scene, [1_000_000; 2]).is_empty());
     }
 
     #[test]

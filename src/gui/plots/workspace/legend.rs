@@ -66,7 +66,7 @@ pub(super) fn show(
         ];
         thinned.into_iter().flatten().collect()
     } else {
-        layout::drawn(scene.samples, layout::counts(scene, transform))
+        layout::drawn(scene, layout::counts(scene, transform))
     };
     for (line, note) in notes.into_iter().enumerate() {
         let at = corner + vec2(0.0, 18.0 * (line + 1) as f32);

@@ -77,7 +77,9 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     };
     let left = after.readable;
     ui.add_space(space::ROW);
-    caption(ui, "readable");
+    if ui.available_width() > SPELT_OUT {
+        caption(ui, "readable");
+    }
     let options = [(Some(before), "before"), (Some(left), "after")];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
@@ -86,6 +88,8 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
     }
 }
 
+/// With so much room the lengths at which vectors can be read have a name before them, points.
+const SPELT_OUT: f32 = 340.0;
 /// With so much room beside it the list of colours has its name before it, points.
 const NAMED: f32 = 48.0;
 
