@@ -52,6 +52,8 @@ struct Window {
     ctx: Context,
     app: App,
     frames: u32,
+    /// The status bar of the last frame without an event.
+    says: String,
 }
 
 impl Window {
@@ -65,6 +67,7 @@ impl Window {
             ctx,
             app,
             frames: 0,
+            says: String::new(),
         };
         for _ in 0..4 {
             window.frame(Vec::new());
@@ -80,12 +83,19 @@ impl Window {
         for _ in 0..4 {
             window.frame(Vec::new());
         }
+        let says = window.says.as_str();
+        let there = format!("{samples} samples · gap");
+        assert!(
+            says.contains(&there) && says.contains('→'),
+            "not identified: {says}"
+        );
         window
     }
 
     /// One frame; the number of its triangles.
     fn frame(&mut self, events: Vec<Event>) -> usize {
         self.frames += 1;
+        let still = events.is_empty();
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0))),
             time: Some(f64::from(self.frames) / 60.0),
@@ -95,6 +105,14 @@ impl Window {
         let app = &mut self.app;
         let mut output = self.ctx.run_ui(input, |ui| app.show(ui));
         output.textures_delta.clear();
+        if still {
+            let texts = output.shapes.iter().filter_map(|shape| match &shape.shape {
+                egui::Shape::Text(text) => Some(text.galley.text()),
+                _ => None,
+            });
+            let mut bars = texts.filter(|text| text.contains("· gap"));
+            self.says = bars.next().unwrap_or_default().to_owned();
+        }
         triangles(&self.ctx, output)
     }
 

@@ -1,15 +1,33 @@
 //! The bar for finding and naming hidden effects, measured on sessions that an independent rig
 //! makes (`tests/support/rig.rs`, which shares no code with the model).
 //!
-//! `cargo run --release --example hidden_effects [SESSIONS PER CELL] [ROW]`
+//! `cargo run --release --no-default-features --example hidden_effects [SESSIONS PER CELL] [ROW]`
+//!
+//! With `DETAILS` in the environment every session that went wrong is told on the error stream.
 
 #![allow(clippy::print_stdout, reason = "the table is what this program is for")]
+#![allow(
+    unreachable_pub,
+    reason = "the parts of this program are modules of one example"
+)]
 
+#[path = "hidden_effects/absorbed.rs"]
+mod absorbed;
+#[path = "hidden_effects/alias.rs"]
+mod alias;
+#[path = "hidden_effects/cells.rs"]
+mod cells;
+#[path = "hidden_effects/known.rs"]
+mod known;
+#[path = "hidden_effects/noise.rs"]
+mod noise;
 #[path = "../tests/support/rig.rs"]
 mod rig;
+#[path = "hidden_effects/unknown.rs"]
+mod unknown;
 
-use rig::{Design, Hidden, Kind, NAMES, Random, Rig, Shot};
-use truepose::diagnosis::{Allowed, Diagnosis, Options, Verdict, diagnose};
+use rig::{Design, Hidden, NAMES, Random, Rig};
+use truepose::diagnosis::{Allowed, Diagnosis, Options, diagnose};
 
 fn diagnosed(rig: &Rig, without: &[&str]) -> Diagnosis {
     let loaded = truepose::sessions::parse(rig.json("hidden").as_bytes()).expect("a good session");
@@ -57,192 +75,9 @@ fn hidden(design: &Design, ids: &[&str], lambda: f64, random: &mut Random) -> Ri
     rig
 }
 
-fn row(name: &str, good: usize, of: usize, bar: &str) {
-    let share = good as f64 / of.max(1) as f64;
-    println!("| {name} | {good}/{of} = {:.1} % | {bar} |", 100.0 * share);
-}
-
-fn false_alarms(n: usize) {
-    let kinds = [
-        (Kind::Gauss, "Gaussian"),
-        (Kind::Tails, "heavy-tailed"),
-        (Kind::Correlated, "correlated in time"),
-        (Kind::Unequal, "unequal axes"),
-        (Kind::Outliers, "2 % outliers"),
-        (Kind::Quantised, "quantised"),
-    ];
-    for (kind, name) in kinds {
-        let mut alarms = 0;
-        for k in 0..n {
-            let mut random = Random(1 + 7919 * k as u64);
-            let design = Design {
-                kind,
-                reflectors: 1 + k % 2,
-                samples: [120, 60, 200, 30][k % 4],
-                ..design(&mut random, "")
-            };
-            let rig = hidden(&design, &[], 0.0, &mut random);
-            alarms += usize::from(diagnosed(&rig, &[]).verdict != Verdict::Noise);
-        }
-        row(&format!("false alarms, {name}"), alarms, n, "≤ 1 %");
-    }
-}
-
 fn single_names() -> impl Iterator<Item = &'static str> {
     let aliased = ["lost-motion", "instrument-scale"];
     NAMES.into_iter().filter(move |id| !aliased.contains(id))
-}
-
-fn one_effect(n: usize) {
-    for (lambda, bar) in [(200.0, "≥ 99 %"), (100.0, "≥ 97 %"), (40.0, "≥ 75 %")] {
-        let (mut exact, mut covered, mut parameters, mut close, mut of) = (0, 0, 0, 0, 0);
-        for id in single_names() {
-            for k in 0..n {
-                let mut random = Random(77 + id.len() as u64 + 104_729 * k as u64);
-                let design = design(&mut random, id);
-                let rig = hidden(&design, &[id], lambda, &mut random);
-                let answer = diagnosed(&rig, &[]);
-                of += 1;
-                if names(&answer) != [id] || answer.unexplained.present {
-                    continue;
-                }
-                exact += 1;
-                let truth = [
-                    ("offset_deg", rig.offset.to_degrees()),
-                    ("delta_mm", rig.length),
-                ];
-                for estimate in &answer.identified {
-                    let value = truth.iter().find(|t| t.0 == estimate.name);
-                    if let (Some((_, value)), Some([low, high])) = (value, estimate.ci95) {
-                        parameters += 1;
-                        covered += usize::from(low <= *value && *value <= high);
-                    }
-                }
-                let held_out = answer.held_out.gaps.map_or(0.0, |g| g.end_mm);
-                close += usize::from(held_out <= 1.03 * answer.floor.mm);
-            }
-        }
-        row(&format!("one effect, λ = {lambda}: exact"), exact, of, bar);
-        row(
-            "  95 % intervals of zero offset and link length cover",
-            covered,
-            parameters,
-            "93–97 %",
-        );
-        row(
-            "  held-out gap within 1.03 of the stated floor",
-            close,
-            exact,
-            "on average",
-        );
-    }
-}
-
-fn three_effects(n: usize) {
-    let pool: Vec<&str> = single_names()
-        .filter(|id| *id != "joint-compliance")
-        .collect();
-    let mut exact = 0;
-    for k in 0..n {
-        let mut random = Random(5 + 15_485_863 * k as u64);
-        let design = Design {
-            samples: 200,
-            reflectors: 2,
-            span_deg: 170.0,
-            ..design(&mut random, "")
-        };
-        let mut ids: Vec<&str> = Vec::new();
-        while ids.len() < 3 {
-            let id = pool[random.below(pool.len())];
-            if !ids.contains(&id) {
-                ids.push(id);
-            }
-        }
-        let rig = hidden(&design, &ids, 200.0, &mut random);
-        ids.sort_unstable();
-        let answer = diagnosed(&rig, &[]);
-        exact += usize::from(names(&answer) == ids && !answer.unexplained.present);
-    }
-    row(
-        "three effects, λ = 200, two reflectors: exact",
-        exact,
-        n,
-        "≥ 95 %",
-    );
-}
-
-/// One radius, or one speed: said, in the set, and resolved by the proposed poses.
-fn aliases(n: usize) {
-    for (name, truth, conditions) in [
-        (
-            "one radius",
-            vec!["base-offset", "encoder-eccentricity"],
-            false,
-        ),
-        ("one speed", vec!["backlash"], true),
-        ("one speed", vec!["tracking-lag"], true),
-    ] {
-        let (mut said, mut inside, mut resolved, mut poses) = (0, 0, 0, 0);
-        for k in 0..n {
-            let mut random = Random(3 + 49_979_687 * k as u64);
-            let design = Design {
-                one_speed: conditions,
-                conditions,
-                span_deg: 170.0,
-                ..design(&mut random, "")
-            };
-            let mut rig = hidden(&design, &truth, 400.0, &mut random);
-            let answer = diagnosed(&rig, &[]);
-            let exact = names(&answer) == truth;
-            said += usize::from(!answer.equivalent.is_empty());
-            inside += usize::from(
-                exact
-                    || answer
-                        .equivalent
-                        .iter()
-                        .any(|e| reaches(&answer, e, &truth)),
-            );
-            poses += answer.next_poses.len();
-            let last = rig.shots.last().map_or(0.0, |s| s.time);
-            let mut shots = Vec::new();
-            for (i, pose) in answer.next_poses.iter().enumerate() {
-                let target = pose.target_mm.map_or_else(
-                    || usize::from(pose.target.as_deref() == Some("T2")),
-                    |mm| {
-                        if rig.targets.len() == 1 {
-                            rig.targets.push(mm);
-                        }
-                        1
-                    },
-                );
-                shots.push(Shot {
-                    q: pose.q[0],
-                    dir: pose.dir[0],
-                    speed: pose.speed.as_ref().map_or(0.0, |s| s[0]),
-                    load: pose.load_kg.unwrap_or(0.0),
-                    warmth: pose.temperature_c.map_or(0.0, |t| t - 20.0),
-                    time: last + 6.0 * (i + 1) as f64,
-                    travel: f64::INFINITY,
-                    target,
-                });
-            }
-            rig.measure_more(shots, &mut random);
-            let again = diagnosed(&rig, &[]);
-            resolved += usize::from(names(&again) == truth && again.equivalent.is_empty());
-        }
-        row(
-            &format!("{name}, {}: said", truth.join(" + ")),
-            said,
-            n,
-            "≥ 95 %",
-        );
-        row("  truth in the set", inside, n, "≥ 99 %");
-        row("  resolved by the proposed poses", resolved, n, "≥ 95 %");
-        println!(
-            "|   poses proposed on average | {:.1} | |",
-            poses as f64 / n as f64
-        );
-    }
 }
 
 /// Whether the exchange leads from what was found to the truth.
@@ -258,54 +93,6 @@ fn reaches(answer: &Diagnosis, rival: &truepose::diagnosis::Equivalent, truth: &
     set == truth
 }
 
-fn unknown(n: usize) {
-    for id in ["bump", "sawtooth", "plateau"] {
-        let (mut flagged, mut named) = (0, 0);
-        for k in 0..n {
-            let mut random = Random(9 + 32_452_843 * k as u64);
-            let design = Design {
-                samples: 240,
-                ..design(&mut random, "")
-            };
-            let rig = hidden(&design, &[id], 400.0, &mut random);
-            let answer = diagnosed(&rig, &[]);
-            flagged += usize::from(answer.unexplained.present);
-            let gear = names(&answer)
-                .iter()
-                .all(|f| *f == "gear-transmission-error");
-            named += usize::from(!(answer.found.is_empty() || id == "sawtooth" && gear));
-        }
-        row(
-            &format!("unknown {id}, λ = 400: flagged"),
-            flagged,
-            n,
-            "≥ 95 %",
-        );
-        row("  named", named, n, "≤ 5 %");
-    }
-}
-
-fn one_name_left_out(n: usize) {
-    let (mut all, mut of) = (0, 0);
-    for id in single_names() {
-        let mut flagged = 0;
-        for k in 0..n {
-            let mut random = Random(77 + id.len() as u64 + 104_729 * k as u64);
-            let design = design(&mut random, id);
-            let rig = hidden(&design, &[id], 400.0, &mut random);
-            flagged += usize::from(diagnosed(&rig, &[id]).unexplained.present);
-        }
-        row(
-            &format!("without {id}, λ = 400: flagged"),
-            flagged,
-            n,
-            "≥ 90 %",
-        );
-        (all, of) = (all + flagged, of + n);
-    }
-    row("without its name, all: flagged", all, of, "≥ 90 %");
-}
-
 /// Name and measurement of a row of the table.
 type Row = (&'static str, fn(usize));
 
@@ -315,12 +102,12 @@ fn main() {
     let only = arguments.get(1).map(String::as_str);
     println!("| what | measured | bar |\n| --- | --- | --- |");
     let rows: [Row; 6] = [
-        ("noise", false_alarms),
-        ("one", one_effect),
-        ("three", three_effects),
-        ("alias", aliases),
-        ("unknown", unknown),
-        ("without", one_name_left_out),
+        ("noise", noise::false_alarms),
+        ("one", known::one_effect),
+        ("three", known::three_effects),
+        ("alias", alias::aliases),
+        ("unknown", unknown::unknown),
+        ("without", unknown::one_name_left_out),
     ];
     for (name, measure) in rows {
         if only.is_none_or(|only| only == name) {

@@ -95,6 +95,8 @@ pub struct Diagnostic {
     pub found: String,
     /// What should stand there; empty for a plain note.
     pub expected: String,
+    /// The samples that it is about, counted from 0; empty where it is about none in particular.
+    pub samples: Vec<usize>,
 }
 
 impl Diagnostic {
@@ -105,7 +107,15 @@ impl Diagnostic {
             place,
             found: found.into(),
             expected: expected.into(),
+            samples: Vec::new(),
         }
+    }
+
+    /// The same finding, about these samples (counted from 0).
+    #[must_use]
+    pub fn about(mut self, samples: &[usize]) -> Self {
+        self.samples = samples.to_vec();
+        self
     }
 
     /// A finding that leaves something out.

@@ -11,9 +11,11 @@
 //! 4. [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
 //! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
 //!    where it was meant to, and what no joint can remove.
-//! 6. [`export`] writes the table that the controller reads, and reads it back to see what it does.
+//! 6. [`standards`] states a robot's accuracy as ISO 230-2 and ISO 9283 define it, and [`report`]
+//!    puts all of it on paper.
+//! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
-//! [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
+//! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
 //!
 //! ```
 //! use truepose::pipeline::{Method, calibrate};
@@ -53,7 +55,12 @@ pub mod diagnosis;
 pub mod compensation;
 
 pub mod export;
+pub mod importers;
 pub mod pipeline;
+
+pub mod standards;
+
+pub mod report;
 
 #[cfg(feature = "gui")]
 pub mod gui;

@@ -6,7 +6,7 @@ use crate::compensation::verification::VerifyError;
 use crate::compensation::{Verification, verify};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues};
-use crate::export::{DEFAULT_STEP, Export, ExportError, Format, Job};
+use crate::export::{Export, ExportError, Format, Job};
 use crate::identification::regions::RegionChoice;
 use crate::identification::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_exact, identify_regional,
@@ -79,10 +79,7 @@ pub fn calibrate(
     let loaded = load(path)?;
     let (identification, calibration) = identify(&loaded.session, method, JointValues::Commanded)?;
     let verification = verify(&calibration, &loaded.session)?;
-    let job = Job {
-        step: DEFAULT_STEP,
-        ..Job::new(&calibration, file_name)
-    };
+    let job = Job::new(&calibration, file_name);
     let export = format.exporter.export(&job)?;
     Ok(Calibrated {
         identification,

@@ -181,7 +181,13 @@ fn the_main_job_runs_from_a_scenario_to_a_table_in_a_folder_with_an_awkward_name
         "a saved model predicts the same: {after} {verified}"
     );
 
-    for (format, file) in [("csv", "table.csv"), ("c-header", "table.h")] {
+    for (format, file) in [
+        ("csv", "table.csv"),
+        ("c-header", "table.h"),
+        ("linuxcnc", "table.comp"),
+        ("twincat-cnc", "achskw1.lis"),
+        ("urdf", "robot.urdf"),
+    ] {
         let done = truepose(&["export", &at("m.json"), "--to", format, "--out", &at(file)]);
         assert_eq!(
             done.status.code(),
@@ -357,4 +363,21 @@ fn the_list_of_effects_is_complete_and_machine_readable() {
 fn a_model_goes_to_standard_output_alone() {
     let output = truepose(&["identify", &bundled("paper-30.json"), "--out", "-"]);
     assert_eq!(json(&output)["format"], "truepose-model/1");
+}
+
+#[test]
+fn effects_that_nothing_can_show_leave_nothing_to_fit_and_say_so() {
+    let session = bundled("paper-30.json");
+    // No side of approach in it, and what is unexplained is no effect to ask for.
+    for (id, because) in [
+        ("backlash", "not_identifiable"),
+        ("unexplained", "--correct-unexplained"),
+    ] {
+        let output = truepose(&["identify", &session, "--effects", id, "--json"]);
+        let answer = json(&output);
+        let combinations = answer["not_identifiable"].as_array().unwrap();
+        assert_eq!(combinations.len(), 1, "{id}");
+        assert!(answer.to_string().contains(because), "{answer}");
+        assert_eq!(answer["parameters"].as_array().unwrap().len(), 0);
+    }
 }

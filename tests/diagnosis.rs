@@ -193,34 +193,6 @@ fn approached_from_one_side_backlash_is_not_testable_and_the_answer_says_why() {
 }
 
 #[test]
-fn the_seed_and_a_turn_of_the_whole_session_change_no_name() {
-    let rig = measured(&Design::default(), &["base-offset"], 60.0, 5);
-    let as_it_is = diagnosed(&rig, &Options::default());
-    let seed = Options {
-        seed: 99,
-        ..Options::default()
-    };
-    assert_eq!(names(&as_it_is), names(&diagnosed(&rig, &seed)));
-    // Robot and measurement turned together about z by 37°.
-    let mut turned = session(&rig);
-    let turn = nalgebra::UnitQuaternion::from_axis_angle(
-        &nalgebra::Vector3::z_axis(),
-        37.0_f64.to_radians(),
-    );
-    turned.robot.base_from_tool =
-        nalgebra::Isometry3::from_parts(nalgebra::Translation3::identity(), turn)
-            * turned.robot.base_from_tool;
-    for i in 0..turned.samples.len() {
-        let samples = &mut turned.samples;
-        let p = turn * nalgebra::Vector3::new(samples.x_mm[i], samples.y_mm[i], 0.0);
-        (samples.x_mm[i], samples.y_mm[i]) = (p.x, p.y);
-    }
-    let answer = diagnose(&turned, &Options::default(), &|_| true).expect("a diagnosis");
-    assert_eq!(names(&as_it_is), names(&answer));
-    assert!((as_it_is.gap.end_mm - answer.gap.end_mm).abs() < 1e-9);
-}
-
-#[test]
 fn tiny_planar_and_noise_free_sessions_answer_sensibly() {
     for samples in [1, 2, 3, 5, 12, 30] {
         let design = Design {
@@ -245,67 +217,6 @@ fn tiny_planar_and_noise_free_sessions_answer_sensibly() {
     rig.measure(&mut random);
     let answer = diagnosed(&rig, &Options::default());
     assert_eq!(names(&answer), ["backlash", "encoder-two-cycle"]);
-}
-
-#[test]
-fn blunders_are_named_and_the_search_goes_on_without_them() {
-    let rig = measured(&Design::default(), &["backlash"], 400.0, 9);
-    let mut reversed = session(&rig);
-    reversed.samples.q[0].iter_mut().for_each(|q| *q = -*q);
-    for column in [&mut reversed.samples.dir[0], &mut reversed.samples.speed[0]] {
-        column.iter_mut().flatten().for_each(|v| *v = -*v);
-    }
-    let answer = diagnose(&reversed, &Options::default(), &|_| true).expect("a diagnosis");
-    assert!(
-        answer.data_problems[0]
-            .what
-            .contains("counts the other way"),
-        "{:?}",
-        answer.data_problems
-    );
-    assert_eq!(names(&answer), ["backlash"]);
-
-    let mut in_metres = session(&rig);
-    for i in 0..in_metres.samples.len() {
-        in_metres.samples.x_mm[i] /= 1000.0;
-        in_metres.samples.y_mm[i] /= 1000.0;
-    }
-    if let Some(z) = &mut in_metres.samples.z_mm {
-        for z in z.iter_mut() {
-            *z /= 1000.0;
-        }
-    }
-    let answer = diagnose(&in_metres, &Options::default(), &|_| true).expect("a diagnosis");
-    assert!(
-        answer.data_problems[0].what.contains("metres"),
-        "{:?}",
-        answer.data_problems
-    );
-
-    let mut swapped = session(&rig);
-    std::mem::swap(&mut swapped.samples.x_mm, &mut swapped.samples.y_mm);
-    let answer = diagnose(&swapped, &Options::default(), &|_| true).expect("a diagnosis");
-    assert!(
-        answer.data_problems[0].what.contains("swapped"),
-        "{:?}",
-        answer.data_problems
-    );
-}
-
-#[test]
-fn a_home_position_off_by_a_quarter_turn_is_a_data_problem() {
-    let rig = measured(&Design::default(), &[], 0.0, 9);
-    let mut off = session(&rig);
-    off.samples.q[0]
-        .iter_mut()
-        .for_each(|q| *q -= 90.0_f64.to_radians());
-    let answer = diagnose(&off, &Options::default(), &|_| true).expect("a diagnosis");
-    assert!(
-        answer.data_problems[0].what.contains("off by 90"),
-        "{:?}",
-        answer.data_problems
-    );
-    assert_eq!(answer.verdict, Verdict::Noise);
 }
 
 /// The practice sessions lie beside the project; without them there is nothing to test.
@@ -360,6 +271,48 @@ fn practice_sessions_are_diagnosed_as_they_were_made() {
         }
     }
     assert!(tried > 0, "no session in {}", folder.display());
+}
+
+#[test]
+fn values_come_from_all_fit_samples_and_held_out_rows_touch_nothing() {
+    // Kept from the search and then fitted: the same model as without the option.
+    let rig = measured(&Design::default(), &["encoder-two-cycle"], 400.0, 12);
+    let whole = diagnosed(&rig, &Options::default());
+    let locked = Options {
+        held_out: Some(0.25),
+        ..Options::default()
+    };
+    let answer = diagnosed(&rig, &locked);
+    assert_eq!(names(&whole), names(&answer));
+    assert_eq!(answer.held_out.samples, 30);
+    let unseen = answer.held_out.gaps.expect("30 samples are held out");
+    assert!(unseen.end_mm < unseen.identified_mm);
+    let (all, again) = (whole.model.coefficients(), answer.model.coefficients());
+    for (a, b) in all.iter().zip(&again) {
+        assert!((a - b).abs() < 1e-9 * (1.0 + a.abs()), "{all:?} {again:?}");
+    }
+    for (a, b) in whole.found[0]
+        .parameters
+        .iter()
+        .zip(&answer.found[0].parameters)
+    {
+        assert!((a.value - b.value).abs() < 1e-6, "{a:?} {b:?}");
+    }
+    assert!((whole.gap.end_mm - answer.gap.end_mm).abs() < 1e-9);
+
+    // Rows that the session marks are never fitted, whatever they say.
+    let mut rig = rig;
+    let mut random = Random(3);
+    rig.measure_unseen(&mut random);
+    let good = diagnosed(&rig, &locked);
+    assert!((good.found[0].parameters[0].value - whole.found[0].parameters[0].value).abs() < 1e-6);
+    for i in (0..rig.measured.len()).filter(|i| rig.held_out[*i]) {
+        rig.measured[i][0] += 3.0;
+    }
+    let bad = diagnosed(&rig, &locked);
+    assert_eq!(good.model.coefficients(), bad.model.coefficients());
+    let gaps = bad.held_out.gaps.expect("150 samples are held out");
+    assert!(gaps.end_mm > 2.0, "{gaps:?}");
 }
 
 #[test]

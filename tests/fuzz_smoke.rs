@@ -8,6 +8,9 @@
 )]
 
 use proptest::prelude::*;
+use truepose::importers::{
+    AngleUnit, Companion, Kind, LengthUnit, Matching, Reading, Settings, import, inspect,
+};
 use truepose::sessions::{Loaded, parse, parse_robot, parse_with_csv, write_inline};
 
 const DOCUMENT: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
@@ -154,8 +157,59 @@ fn the_seeds_are_accepted() {
     assert!(parse_robot(ROBOT).is_ok());
 }
 
+const TURNING: &[u8] =
+    br#"{"name":"r","joints":[{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],
+"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}}"#;
+
+const COMMANDS: &[u8] =
+    b"name;q1_deg;time_s;dir1\nR1;0;0,5;+\nR2;10;1,5;-\nR1;20;2,5;+\nR3;30;3,5;+\n";
+
+const REFERENCE: &[u8] = b"R1 0 0 0\nR2 100.5 0 0\nR3 0 90.5 3\nR4 5 5 70\n";
+
+/// A small file of every foreign format.
+const FOREIGN: [(Kind, &[u8]); 7] = [
+    (Kind::Csv, b"Report\nPoint Name;Theta [deg];X [mm];Y [mm];Z [mm];t;Direction\nP1;0;1,5;2,5;\"3\";0:00:01,5;+\nP2;90;-1,5;2;3;2;-\n"),
+    (Kind::Csv, b"\xff\xfeq\x001\0_\0d\0e\0g\0,\0x\0_\0m\0,\0y\0_\0m\0\n\x001\0,\x002\0,\x003\0\n\0"),
+    (Kind::Tracker, b"// export\nA, R1, 1.5, 2.5, 3.5, 1\nA, R2, 101.5, 2.5, 3.5, 1\nA, R3, 1.5, 93, 6.5, 1\nA, P, 9, 8, 7, 1\n"),
+    (Kind::Iso230, b"Target [deg],Run 1 +,Run 1 -,Run 2 +,Run 2 -\n0,0.1,-0.1,0.2,\n90,90.1,89.9,90.2,89.8\n"),
+    (Kind::Iso230, b"Run;Direction;Target [deg];Deviation [arcsec]\n1;+;0;3,5\n1;-;90;-2\n"),
+    (Kind::Optitrack, b"Format Version,1.23,Length Units,Meters,Rotation Type,Quaternion\n\n,Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n,Name,A,A,A,A,A,A,A\n,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,W,X,Y,Z\n0,0.5,0,0,0,1,0.1,0.2,0.3\n1,1.5,,,,,,,\n2,2.5,0,0,1,0,0.2,0.1,0.3\n3,3.5,0,0,1,0,0.4,0.1,0.3\n4,3.6,0,0,1,0,0.5,0.1,0.3\n"),
+    (Kind::Tum, b"# t x y z\n1 0.1 0.2 0.3 0 0 0 1\n2 0.2 0.2 0.3 0 0 0 1\n3 0.2 0.4 0.3 0 0 0 1\n3.5 0.1 0.5 0.3 0 0 0 1\n"),
+];
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
+
+    #[test]
+    fn foreign_files_that_are_damaged_do_no_harm(
+        which in 0..FOREIGN.len(),
+        changes in prop::collection::vec(any_change(), 0..5),
+        beside in prop::collection::vec(any_change(), 0..3),
+        matching in prop::sample::select(vec![Matching::Order, Matching::Name, Matching::Time]),
+        with_commands in any::<bool>(),
+        with_reference in any::<bool>(),
+        said in any::<bool>(),
+    ) {
+        let robot = parse_robot(TURNING).unwrap().robot;
+        let (kind, bytes) = FOREIGN[which];
+        let bytes = changed(bytes, &changes);
+        let _ = inspect(&bytes, &Reading::default());
+        let reading = Reading {
+            kind: Some(kind),
+            unit: said.then_some(LengthUnit::Millimetres),
+            angle_unit: said.then_some(AngleUnit::Degrees),
+            ..Reading::default()
+        };
+        let (commands, reference) = (changed(COMMANDS, &beside), changed(REFERENCE, &beside));
+        let mut settings = Settings::new(reading, &robot);
+        settings.matching = matching;
+        settings.clock_offset_s = said.then_some(0.0);
+        settings.commands = with_commands.then_some(Companion { bytes: &commands, file: None });
+        settings.reference = with_reference.then_some(Companion { bytes: &reference, file: None });
+        if let Ok(imported) = import(&bytes, &settings) {
+            assert_promises(&Loaded { session: imported.session, findings: Vec::new(), files: Vec::new() });
+        }
+    }
 
     #[test]
     fn documents_that_are_damaged_do_no_harm(changes in prop::collection::vec(any_change(), 1..5)) {

@@ -2,6 +2,9 @@
 //! and save the measuring list.
 #![cfg(feature = "gui")]
 
+#[path = "support/rig.rs"]
+mod rig;
+
 use std::path::{Path, PathBuf};
 
 use egui_kittest::Harness;
@@ -176,4 +179,52 @@ fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
     window.get_by_label("Stop the search").click();
     until(&mut window, "Search");
     assert!(!says(&window, "The gap is explained"));
+}
+
+#[test]
+fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let design = rig::Design {
+        samples: 240,
+        ..rig::Design::default()
+    };
+    let mut random = rig::Random(11);
+    let mut hidden = rig::Rig::new(&design, &mut random);
+    let bump = rig::Hidden::Bump(1.5e-3, 0.6, 0.25);
+    hidden.hidden = vec![bump, rig::Hidden::Backlash(1.2e-3)];
+    hidden.measure(&mut random);
+    let session = folder.path().join("bump.json");
+    std::fs::write(&session, hidden.json("bump")).expect("written");
+    let mut window = window(session, Runner::AtOnce);
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    assert!(says(&window, "A part of the gap is explained"));
+    let identified = gap_mm(&window);
+    assert!(says(&window, "held-out gap, corrected"));
+    // It stands below the fold of the list.
+    window.get_by_label("Add smooth correction").scroll_to_me();
+    window.run_steps(4);
+    press(&mut window, "Add smooth correction");
+
+    // The name that was found comes along, and what is left is noise.
+    let corrected = gap_mm(&window);
+    assert!((corrected / FLOOR_MM - 1.0).abs() < 0.1, "{corrected}");
+    assert!(says(&window, "with backlash"), "the waterfall has its bar");
+    assert!(says(&window, "with unexplained"), "and the correction too");
+    assert!(!says(&window, "Add smooth correction"));
+
+    press(&mut window, "smooth correction in the model");
+    let named = gap_mm(&window);
+    assert!(named > 1.3 * corrected && named < identified, "{named}");
+    assert!(!says(&window, "with unexplained"));
+    press(&mut window, "Undo switch effect off");
+    assert!((gap_mm(&window) - corrected).abs() < 1e-3);
+    press(&mut window, "Undo add to model");
+    assert!((gap_mm(&window) - identified).abs() < 1e-3);
+    press(&mut window, "Redo add to model");
+
+    // The table carries it, and says which part of it has no name.
+    press(&mut window, "5 Export");
+    window.get_by_label("correction table as a curve");
+    assert!(says(&window, "unexplained smooth correction"));
 }

@@ -8,6 +8,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use nalgebra::{Point3, Unit, Vector3};
+use truepose::diagnosis::{Options, diagnose, regional_start};
 use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
 use truepose::identification::{identify_exact, identify_regional};
@@ -255,4 +256,104 @@ fn the_exact_method_finds_the_one_constant_error() {
     assert!(answer.gap.before.rms_mm > 13.0);
     assert!(answer.outliers.is_empty() && answer.not_identifiable.is_empty());
     assert!(answer.quality.converged);
+}
+
+/// A document's commands, each with the lines that it says they print; `…` stands for any lines.
+fn commands_of(document: &str) -> Vec<(Vec<String>, Vec<String>)> {
+    let mut commands: Vec<(Vec<String>, Vec<String>)> = Vec::new();
+    let mut inside = false;
+    for line in document.lines() {
+        if line.starts_with("```") {
+            inside = line == "```console";
+        } else if !inside {
+        } else if let Some(command) = line.strip_prefix("$ truepose ") {
+            let words = command.split_whitespace().map(str::to_owned);
+            commands.push((words.collect(), Vec::new()));
+        } else {
+            commands.last_mut().unwrap().1.push(line.to_owned());
+        }
+    }
+    commands
+}
+
+#[test]
+fn the_walk_through_the_papers_gap_prints_what_its_document_says() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().unwrap();
+    let sessions = folder.path().join("sessions");
+    std::fs::create_dir(&sessions).unwrap();
+    for name in ["paper-30", "paper-run", "lamp-commissioning"] {
+        for ending in ["json", "csv"] {
+            let file = format!("{name}.{ending}");
+            let from = root.join("sessions").join(&file);
+            if from.exists() {
+                std::fs::copy(from, sessions.join(&file)).unwrap();
+            }
+        }
+    }
+    let document = std::fs::read_to_string(root.join("docs/paper-gap.md")).unwrap();
+    let commands = commands_of(&document);
+    assert_eq!(commands.len(), 7, "{commands:?}");
+    for (arguments, lines) in commands {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_truepose"))
+            .args(&arguments)
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{arguments:?}: {errors}");
+        let printed = String::from_utf8(output.stdout).unwrap();
+        let mut printed = printed.lines();
+        let mut skipping = false;
+        for line in lines {
+            if line == "…" {
+                skipping = true;
+                continue;
+            }
+            let found = if skipping {
+                printed.any(|p| p == line)
+            } else {
+                printed.next() == Some(line.as_str())
+            };
+            assert!(found, "{arguments:?} does not print\n{line}");
+            skipping = false;
+        }
+        assert!(
+            skipping || printed.next().is_none(),
+            "{arguments:?} prints more"
+        );
+    }
+}
+
+#[test]
+fn the_regional_model_misses_a_rotation_and_the_diagnosis_says_so() {
+    let session = paper_session();
+    let answer = diagnose(&session, &Options::default(), &|_| true).unwrap();
+    let start = regional_start(&session, &answer, JointValues::Commanded).unwrap();
+    assert!((start.turn.unwrap() - 1.0).abs() < 0.01, "{:?}", start.turn);
+    assert!(start.apart_mm < 1e-9, "{}", start.apart_mm);
+    let (theta, l1) = start.one_correction;
+    assert!((theta - 3.0_f64.to_radians()).abs() < 1e-12 && (l1 - 5.0).abs() < 1e-9);
+    for ((theta, l1), (t, l)) in start.of_one_error.iter().zip(RECOMPUTED) {
+        assert!((theta - t).abs() < 1e-7 && (l1 - l).abs() < 1e-7);
+    }
+    // An error that is constant in the base frame does not turn, and is not that rotation.
+    let mut shifted = paper_session();
+    for (x, y, q) in shifted.samples.q[0]
+        .iter()
+        .zip(&mut shifted.samples.x_mm)
+        .zip(&mut shifted.samples.y_mm)
+        .map(|((q, x), y)| (x, y, q))
+    {
+        (*x, *y) = (250.0 * q.cos() + 3.0, 250.0 * q.sin() - 2.0);
+    }
+    let answer = diagnose(&shifted, &Options::default(), &|_| true).unwrap();
+    let start = regional_start(&shifted, &answer, JointValues::Commanded).unwrap();
+    assert!(start.turn.unwrap().abs() < 1e-6, "{:?}", start.turn);
+    assert!(
+        !start.says.contains("drops that rotation"),
+        "{}",
+        start.says
+    );
+    assert!(start.says.contains("with base-offset"), "{}", start.says);
 }

@@ -122,3 +122,31 @@ fn outliers_are_found_and_do_not_spoil_the_answer() {
     assert_eq!(suspected, truth.outliers);
     assert!((found.parameters[1].value + 5.0).abs() < 0.005);
 }
+
+#[test]
+fn a_fade_between_the_scanned_ones_comes_back_with_an_interval_that_holds_it() {
+    let effects = |fade: f64| {
+        format!(
+            r#"{{"effect":"lost-motion","joint":1,"parameters":{{"width_deg":0.08,"fade_deg":{fade}}}}}"#
+        )
+    };
+    for fade in [4.0, 10.0, 37.0] {
+        let (exact, truth) = session(&effects(fade), "", 1);
+        let found = identify(&exact, &truth);
+        assert!(found.gap.after.max_mm < 1e-9, "{fade}: {:?}", found.gap);
+        assert_eq!(found.parameters[0].name, "fade_deg");
+        assert!((found.parameters[0].value - fade).abs() < 1e-6);
+        let (noisy, truth) = session(
+            &effects(fade),
+            r#","noise":{"sigma_mm":0.03,"kind":"gauss"}"#,
+            2,
+        );
+        let found = identify(&noisy, &truth);
+        let [low, high] = found.parameters[0].ci95.unwrap();
+        assert!(
+            low < fade && fade < high && high - low > 1e-3,
+            "{fade}: {low} … {high}"
+        );
+        assert!(high - low < fade, "{fade}: {low} … {high}");
+    }
+}

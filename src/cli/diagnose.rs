@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use truepose::diagnosis::format_v1::Document;
-use truepose::diagnosis::{Allowed, DiagnoseError, Diagnosis, Options, Verdict, diagnose};
+use truepose::diagnosis::{
+    Allowed, DiagnoseError, Diagnosis, Options, RegionalStart, Verdict, diagnose, regional_start,
+};
 use truepose::effects::JointValues;
 use truepose::identification::Estimate;
 
@@ -36,6 +38,12 @@ pub(crate) struct Diagnose {
     /// Joint values to start from
     #[arg(long, value_enum, default_value = "commanded")]
     joint_values: Values,
+    /// Start from the exact model, or show what the paper's regional model misses
+    #[arg(long, value_enum, default_value = "exact")]
+    start: Start,
+    /// Correct what no name explains by a smooth curve over the joint, if that helps on unseen samples
+    #[arg(long)]
+    correct_unexplained: bool,
     /// Write the model with what was found to this file; - is standard output
     #[arg(long, value_name = "MODEL")]
     out: Option<PathBuf>,
@@ -53,6 +61,14 @@ enum Values {
     Commanded,
     /// What the controller read back
     Read,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Start {
+    /// One model for the whole range
+    Exact,
+    /// The paper's constant corrections by region
+    Regional,
 }
 
 impl From<DiagnoseError> for Failure {
@@ -79,21 +95,47 @@ impl Diagnose {
                 Values::Commanded => JointValues::Commanded,
                 Values::Read => JointValues::Read,
             },
+            correct_unexplained: self.correct_unexplained,
         };
         let session = &loaded.session;
         let answer = diagnose(session, &options, &|_| true)?;
+        let start = match self.start {
+            Start::Exact => None,
+            Start::Regional => Some(regional_start(session, &answer, options.joint_values)?),
+        };
         if let Some(out) = &self.out {
             let text = truepose::model::format_v1::write_model(&answer.calibration(session));
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
-            output::json(&Document::new(&answer, session))
+            let document = Document::new(&answer, session);
+            output::json(&match &start {
+                Some(start) => document.with_start(start),
+                None => document,
+            })
         } else if to_stdout {
             Ok(())
         } else {
-            output::text(&in_words(&answer))
+            let start = start.map_or_else(String::new, |s| start_in_words(&s));
+            output::text(&(start + &in_words(&answer)))
         }
     }
+}
+
+fn start_in_words(start: &RegionalStart) -> String {
+    let mut text = format!(
+        "start: {}\n\nregion       Δθ rad      Δl1 mm    of one error: Δθ rad      Δl1 mm    after mm\n",
+        start.says
+    );
+    for (region, (theta, l1)) in start.regional.regions.iter().zip(&start.of_one_error) {
+        let c = &region.correction;
+        let _ = writeln!(
+            text,
+            "{:<8} {:>10.7} {:>11.7} {:>23.7} {:>11.7} {:>11.4}",
+            c.name, c.theta_rad, c.l1_mm, theta, l1, region.rms_after_mm
+        );
+    }
+    text + "\n"
 }
 
 fn in_words(d: &Diagnosis) -> String {
@@ -145,16 +187,7 @@ fn in_words(d: &Diagnosis) -> String {
             rival.separate_by
         );
     }
-    if d.unexplained.present {
-        let _ = writeln!(
-            text,
-            "unexplained: {:.4} mm, {}",
-            d.unexplained.rms_mm, d.unexplained.says
-        );
-        if !d.unexplained.resembles.is_empty() {
-            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
-        }
-    }
+    unexplained_in_words(&mut text, d);
     for pose in &d.not_testable {
         let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
     }
@@ -182,15 +215,47 @@ fn in_words(d: &Diagnosis) -> String {
     if !d.next_poses.is_empty() {
         let _ = writeln!(
             text,
-            "{} poses would decide; --json lists them",
-            d.next_poses.len()
+            "{} poses would {}; --json lists them, `truepose plan` makes a measuring list",
+            d.next_poses.len(),
+            if d.equivalent.is_empty() {
+                "make more testable"
+            } else {
+                "decide"
+            }
         );
     }
     text
 }
 
+/// What no name explains, and its correction where one was asked for.
+fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
+    if d.unexplained.present {
+        let _ = writeln!(
+            text,
+            "unexplained: {:.4} mm, {}",
+            d.unexplained.rms_mm, d.unexplained.says
+        );
+        if !d.unexplained.resembles.is_empty() {
+            let _ = writeln!(text, "  resembles {}", d.unexplained.resembles.join(", "));
+        }
+    }
+    match &d.unexplained.correction {
+        None => {}
+        Some(Ok(correction)) => {
+            let _ = writeln!(
+                text,
+                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
+                correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
+            );
+        }
+        Some(Err(because)) => {
+            let _ = writeln!(text, "no smooth correction was added: {because}");
+        }
+    }
+}
+
 /// A size with three significant digits.
-fn three_digits(size: f64) -> String {
+pub(super) fn three_digits(size: f64) -> String {
     let magnitude = if size == 0.0 {
         0.0
     } else {

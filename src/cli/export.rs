@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use truepose::export::{DEFAULT_STEP, EXPORTERS, ExportError, Job, find};
+use truepose::export::{EXPORTERS, ExportError, Job, find, gap_after_export};
 use truepose::model::format_v1::load_model;
 
 use super::failure::Failure;
@@ -25,9 +25,12 @@ pub(crate) struct Export {
     /// Joint of the table, counted from 1
     #[arg(long, default_value_t = 1)]
     joint: usize,
-    /// Step of the table in degrees or mm
-    #[arg(long, default_value_t = DEFAULT_STEP, value_name = "DEG")]
-    step: f64,
+    /// Step of the table in degrees or mm; without it the step is chosen
+    #[arg(long, value_name = "DEG")]
+    step: Option<f64>,
+    /// Also say what the written table leaves of this session's gap
+    #[arg(long, value_name = "SESSION")]
+    session: Option<PathBuf>,
     /// Replace files that exist
     #[arg(long)]
     force: bool,
@@ -68,7 +71,25 @@ impl Export {
             }
             ExportError::ReadBack(_) => Failure::Failed(error.into()),
         })?;
-        let inputs = [self.model.clone()];
+        let mut notes = export.notes.clone();
+        let mut inputs = vec![self.model.clone()];
+        if let Some(path) = &self.session {
+            let loaded = truepose::sessions::load(path)?;
+            output::messages(&loaded.findings);
+            inputs.extend(loaded.files);
+            let session = loaded.session;
+            notes.push(match gap_after_export(&calibration, &session, &export) {
+                Some(gap) => format!(
+                    "of '{}' it leaves a gap of {:.6} mm (largest {:.6})",
+                    session.name, gap.rms_mm, gap.max_mm
+                ),
+                None => format!(
+                    "what it leaves of '{}' cannot be said: another robot, no complete sample, or \
+                     measured with a table active",
+                    session.name
+                ),
+            });
+        }
         let beside = self.out.parent().map(PathBuf::from).unwrap_or_default();
         let places = export.documents.iter().enumerate().map(|(k, document)| {
             if k == 0 {
@@ -90,7 +111,7 @@ impl Export {
                 output::document(place, &document.bytes, self.force, &inputs)?;
             }
         }
-        output::messages(&export.notes);
+        output::messages(&notes);
         Ok(())
     }
 }

@@ -9,8 +9,12 @@ mod effects;
 mod export;
 mod failure;
 mod identify;
+mod import;
 mod output;
+mod plan;
+mod report;
 mod simulate;
+mod standards;
 mod verify;
 mod window;
 
@@ -34,14 +38,22 @@ struct Arguments {
 enum Command {
     /// Make a session by simulation from a scenario
     Simulate(simulate::Simulate),
+    /// Make a session of a file that an instrument wrote
+    Import(Box<import::Import>),
     /// Identify a session's robot: the exact fit, or the paper's method by regions
     Identify(identify::Identify),
     /// Find what is missing, name it, and prove it on unseen samples
     Diagnose(diagnose::Diagnose),
+    /// Say what to measure next, or first
+    Plan(plan::Plan),
     /// Check a model on another session
     Verify(verify::Verify),
+    /// State accuracy and repeatability after ISO 230-2 and ISO 9283
+    Standards(standards::Standards),
     /// Write the table that a controller reads
     Export(export::Export),
+    /// Write the calibration report as HTML or PDF
+    Report(report::Report),
     /// List the effects that the program knows
     Effects(effects::Effects),
 }
@@ -55,9 +67,13 @@ pub(crate) fn run() -> ExitCode {
     let done = match arguments.command {
         None => window::open(arguments.file),
         Some(Command::Simulate(command)) => command.run(),
+        Some(Command::Import(command)) => command.run(),
         Some(Command::Diagnose(command)) => command.run(),
+        Some(Command::Plan(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
+        Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
+        Some(Command::Report(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
     };

@@ -66,6 +66,16 @@ impl SortedTable {
         usable.then_some(Self { places, values })
     }
 
+    /// Where the entries stand.
+    pub fn places(&self) -> &[f64] {
+        &self.places
+    }
+
+    /// Their values.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
     /// The value at `q`; of NaN it is the first entry's.
     #[inline]
     pub fn at(&self, q: f64) -> f64 {

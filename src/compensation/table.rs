@@ -11,8 +11,8 @@
 //! place in such a table; they belong into the controller's kinematic data. Where the joint's
 //! wind-up depends on the other joints (compliance), they stand at home, and the table says so.
 
-use crate::effects::Stage;
 use crate::effects::term::JointFrame;
+use crate::effects::{Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model};
@@ -212,9 +212,8 @@ impl JointTable {
                     "travel"
                 },
             ));
-            let winds_up = |t: &crate::effects::Term| {
-                t.joint == self.joint && t.effect.about().id == "joint-compliance"
-            };
+            let winds_up =
+                |t: &Term| t.joint == self.joint && t.effect.about().id == "joint-compliance";
             if calibration.model.terms().iter().any(winds_up) {
                 notes.push(
                     "the wind-up of this joint depends on the other joints: they stand at home \
@@ -223,6 +222,7 @@ impl JointTable {
                 );
             }
         }
+        notes.extend(unexplained_part(calibration, self.joint));
         if !calibration.regions.is_empty() {
             notes.push(
                 "the correction jumps at the boundaries of the regions; between two entries the \
@@ -232,6 +232,30 @@ impl JointTable {
         }
         self.notes.extend(notes);
     }
+}
+
+/// What of a joint's table has no name, in words.
+fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<String> {
+    let model = &calibration.model;
+    let slides = model.robot.joints[joint].kind == JointKind::Prismatic;
+    let own = model.terms().iter().filter(|t| t.joint == joint);
+    let curves = own.filter_map(Term::curve);
+    let says = curves.map(|curve| {
+        let (unit, outer): (&str, fn(f64) -> f64) = if slides {
+            ("mm", |v| v)
+        } else {
+            ("deg", deg_from_rad)
+        };
+        format!(
+            "up to {:.6} {unit} of it is an unexplained smooth correction, measured from {:.3} to \
+             {:.3} {unit}: no effect of the catalogue explains it, and outside that range its end \
+             values are held",
+            outer(curve.largest()[0]),
+            outer(curve.knots().from),
+            outer(curve.knots().to),
+        )
+    });
+    says.collect()
 }
 
 /// Equal steps over the travel, in the user's unit.
@@ -326,6 +350,21 @@ fn whole_correction(
     corrections.swap_remove(0)
 }
 
+/// The effects of a joint on its own value; of what is unexplained the part along its motion.
+fn own_effects(model: &Model, joint: usize) -> Model {
+    let own = |term: &Term| -> Option<Term> {
+        if term.joint != joint {
+            return None;
+        }
+        if let Some(curve) = term.curve() {
+            return Some(Term::unexplained(joint, curve.along_the_motion()));
+        }
+        (term.effect.about().stage == Stage::Joint).then(|| term.clone())
+    };
+    let terms = model.terms().iter().filter_map(own);
+    Model::new(model.robot.clone(), terms.collect())
+}
+
 /// What a joint of an arm can correct of its own value: its effects alone, seen at a point with a
 /// long lever about it.
 fn own_correction(
@@ -336,9 +375,7 @@ fn own_correction(
     conditions: &Conditions,
 ) -> Vec<f64> {
     let robot = &calibration.model.robot;
-    let own = calibration
-        .model
-        .without(|term| term.joint != joint || term.effect.about().stage != Stage::Joint);
+    let own = own_effects(&calibration.model, joint);
     let frame = JointFrame::new(robot, joint);
     let columns = (0..robot.joints.len()).map(|j| {
         if j == joint {

@@ -112,14 +112,9 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     let outlier = suspects(&problem, &after);
     let spread = |d: &Deviations| Spread::of(&d.length_mm, |i| problem.usable[i], |i| outlier[i]);
     let compensated = session.compensated_by.is_none().then(|| {
-        let table = Conditions::default().impose_on(inputs);
-        let corrections = compensation.joint_corrections(&table);
-        let reached = compensation.reached(inputs, &corrections);
         // measured − model + reached − nominal, as if `nominal` were shifted by the model's error
-        let expected = |i: usize| {
-            let unexplained = minus(model.get(i), reached.get(i));
-            add_scaled(nominal.get(i), unexplained, 1.0)
-        };
+        let moved = moved(&compensation, inputs, &model);
+        let expected = |i: usize| minus(nominal.get(i), moved.get(i));
         let with_table = measured_minus(session, &problem, &compensation, expected);
         let left: Vec<f64> = left_over(&compensation, inputs)
             .iter()
@@ -151,6 +146,44 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     })
 }
 
+/// How far corrected commands would move each of a session's points from where they were measured,
+/// mm: reached − model. `None` for a session that was compensated already.
+///
+/// # Errors
+/// If the session's robot is another one.
+pub fn moved_by_correction(
+    calibration: &Calibration,
+    session: &Session,
+) -> Result<Option<Positions>, VerifyError> {
+    let mut notes = same_robot(calibration, session)?;
+    if session.compensated_by.is_some() {
+        return Ok(None);
+    }
+    let problem = Problem::new(session, JointValues::Commanded);
+    let compensation = Compensation::new(calibration);
+    let full = model_for(calibration, session, &problem, &mut notes);
+    let model = where_the_model_is(&compensation, &full, &problem.inputs, None);
+    Ok(Some(moved(&compensation, &problem.inputs, &model)))
+}
+
+/// Reached with the table for the reference conditions − where the model is, mm.
+fn moved(compensation: &Compensation, inputs: &Inputs, model: &Positions) -> Positions {
+    let table = Conditions::default().impose_on(inputs);
+    let corrections = compensation.joint_corrections(&table);
+    let mut reached = compensation.reached(inputs, &corrections);
+    let columns = [
+        (&mut reached.x_mm, &model.x_mm),
+        (&mut reached.y_mm, &model.y_mm),
+        (&mut reached.z_mm, &model.z_mm),
+    ];
+    for (reached, model) in columns {
+        for (reached, model) in reached.iter_mut().zip(model) {
+            *reached -= model;
+        }
+    }
+    reached
+}
+
 /// The gap that a table leaves on a session, `correction` being what the controller adds for a
 /// sample of this command (rad or mm) and side of one joint. The other joints go uncorrected.
 pub fn gap_with_table(
@@ -175,6 +208,33 @@ pub fn gap_with_table(
     let expected = |i: usize| add_scaled(nominal.get(i), minus(model.get(i), reached.get(i)), 1.0);
     let left = measured_minus(session, &problem, &compensation, expected);
     let after = measured_minus(session, &problem, &compensation, |i| model.get(i));
+    let outlier = suspects(&problem, &after);
+    Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
+}
+
+/// The gap to another description of the robot, the instrument's own effects being left to it.
+pub fn gap_to_robot(
+    calibration: &Calibration,
+    session: &Session,
+    robot: &crate::kinematics::Robot,
+) -> Option<Spread> {
+    let problem = Problem::new(session, JointValues::Commanded);
+    let inputs = &problem.inputs;
+    let compensation = Compensation::new(calibration);
+    let mut ignored = Vec::new();
+    let full = model_for(calibration, session, &problem, &mut ignored);
+    // What the instrument adds to the model it adds to any robot in the same place.
+    let (full, own) = (full.predict(inputs), compensation.robot.predict(inputs));
+    let mut inputs_there = inputs.clone();
+    let nominal = &calibration.model.robot.base_from_tool;
+    for home in &mut inputs_there.reflectors_at_home {
+        let in_tool = nominal.inverse_transform_point(&(*home).into());
+        *home = (robot.base_from_tool * in_tool).coords.into();
+    }
+    let there = Model::nominal(robot.clone()).predict(&inputs_there);
+    let expected = |i: usize| add_scaled(there.get(i), minus(full.get(i), own.get(i)), 1.0);
+    let left = measured_minus(session, &problem, &compensation, expected);
+    let after = measured_minus(session, &problem, &compensation, |i| full.get(i));
     let outlier = suspects(&problem, &after);
     Spread::of(&left.length_mm, |i| problem.usable[i], |i| outlier[i])
 }

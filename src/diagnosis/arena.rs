@@ -76,8 +76,6 @@ pub(super) struct Arena<'a> {
     /// Squared norms of the columns of `white`.
     norms: Vec<f64>,
     pub(super) base: Model,
-    /// Samples that count in the whole session; the rows may be a part of them.
-    pub(super) all_samples: usize,
     pub(super) seed: u64,
     pub(super) familywise: RefCell<Familywise>,
 }
@@ -92,7 +90,6 @@ impl<'a> Arena<'a> {
         seed: u64,
     ) -> Self {
         let white = noise.whitened(&rows, &table.raw);
-        let rows_all = problem.fit.iter().filter(|f| **f).count();
         let norms = white.column_iter().map(|c| c.norm_squared()).collect();
         Self {
             problem,
@@ -102,10 +99,17 @@ impl<'a> Arena<'a> {
             white,
             norms,
             base,
-            all_samples: rows_all,
             seed,
             familywise: RefCell::new(Familywise::default()),
         }
+    }
+
+    /// The same noise on other samples, with nothing to search for.
+    pub(super) fn on(&self, problem: Problem<'a>) -> Self {
+        let rows = Rows::of(&problem);
+        let table = self.table.emptied(&rows);
+        let (noise, base) = (self.noise.clone(), self.base.clone());
+        Self::new(problem, rows, noise, table, base, self.seed)
     }
 
     /// Number of rows.
@@ -137,13 +141,7 @@ impl<'a> Arena<'a> {
             let step = basis.solve(&residual);
             let left = basis.reject(&residual);
             let moved = (&jacobian * step.rows(0, own)).norm_squared();
-            let coefficients = model.coefficients();
-            let stepped: Vec<f64> = coefficients
-                .iter()
-                .zip(step.iter())
-                .map(|(c, s)| c + s)
-                .collect();
-            model = model.with_coefficients(&stepped);
+            model = model.stepped(&step.as_slice()[..own]);
             let mut at = own;
             for shape in &mut shapes {
                 let size = shape.white.ncols();

@@ -3,13 +3,16 @@
 use serde::Serialize;
 
 use crate::identification::Estimate;
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
 use super::anonymous::Where;
 use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
 use super::next_poses::NextPose;
+
+mod correction;
+mod start;
 
 /// The document.
 #[derive(Debug, Serialize)]
@@ -31,6 +34,8 @@ pub struct Document {
     outliers: Vec<Outlier>,
     next_poses: Vec<Pose>,
     noise: Noise,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start: Option<start::Start>,
 }
 
 #[derive(Debug, Serialize)]
@@ -126,6 +131,12 @@ struct Unexplained {
     place: Option<Place>,
     resembles: Vec<&'static str>,
     says: String,
+    /// Only where it was asked for; null where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    correction: Option<correction::Answer>,
+    /// Why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_correction_because: Option<String>,
 }
 
 #[derive(Debug, Serialize)]
@@ -231,6 +242,11 @@ impl Document {
                 place: d.unexplained.place.clone().map(place),
                 resembles: d.unexplained.resembles.clone(),
                 says: d.unexplained.says.clone(),
+                correction: correction::Answer::of(&d.unexplained, session),
+                no_correction_because: match &d.unexplained.correction {
+                    Some(Err(because)) => Some(because.clone()),
+                    _ => None,
+                },
             },
             not_testable: d
                 .not_testable
@@ -262,19 +278,20 @@ impl Document {
                     deviation_mm: o.deviation_mm,
                 })
                 .collect(),
-            next_poses: poses(&d.next_poses, session),
+            next_poses: poses(&d.next_poses, &session.robot),
             noise: Noise {
                 sigma_mm: d.noise.sigma_mm,
                 axes_differ: d.noise.unequal,
                 correlation_in_time: d.noise.rho,
             },
+            start: None,
         }
     }
 }
 
 /// Poses in the units of the file.
-pub fn poses(poses: &[NextPose], session: &Session) -> Vec<Pose> {
-    let unit = |(joint, v): (usize, &f64)| match session.robot.joints[joint].kind {
+pub fn poses(poses: &[NextPose], robot: &Robot) -> Vec<Pose> {
+    let unit = |(joint, v): (usize, &f64)| match robot.joints[joint].kind {
         JointKind::Revolute => deg_from_rad(*v),
         JointKind::Prismatic => *v,
     };

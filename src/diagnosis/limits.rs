@@ -73,6 +73,9 @@ pub(super) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
                     .enumerate()
                     .map(|(i, q)| (q.name, size / energy(i).sqrt() / q.inner))
                     .collect(),
+                Form::Fading(quantity) => {
+                    vec![(quantity.name, size / energy(0).sqrt() / quantity.inner)]
+                }
                 Form::Harmonic(quantity) => {
                     // The phase that is hardest to see: the smaller eigenvalue of the 2 × 2.
                     let (a, d) = (energy(0), energy(1));

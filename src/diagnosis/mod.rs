@@ -8,8 +8,12 @@
 //! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
 //! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
-//! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can.
+//! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can;
+//!    [`unlock`]: poses that show what could not be seen; [`plan`]: both, and first measurements.
 //! 7. [`limits`]: what would have been seen, had it been there.
+//! 8. [`smooth`]: what no name explains, as a correction without a name.
+//!
+//! [`regional_start`](mod@regional_start) holds the paper's regional model against the answer.
 //!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
@@ -25,28 +29,55 @@ pub mod anonymous;
 pub mod answer;
 pub mod blunders;
 pub mod candidates;
+pub mod duel;
 pub mod evidence;
 pub mod familywise;
+pub mod foresight;
 pub mod format_v1;
 pub mod limits;
 pub mod measuring_list;
 pub mod next_poses;
+pub mod plan;
+pub mod plan_v1;
+pub mod regional_start;
+pub mod smooth;
+pub mod unlock;
 
 mod arena;
+mod classes;
+mod conclude;
+mod contest;
+mod first_measurement;
+mod floor;
+mod ground;
 mod held_out;
+mod incomplete;
+mod leftover;
 mod linear;
+mod mending;
+mod offer;
 mod prepare;
 mod search;
+mod shapes;
 mod significance;
+mod steps;
+mod testable;
+mod unseen;
+mod values;
 
 pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
 pub use candidates::Allowed;
 pub use measuring_list::measuring_list;
+pub use mending::Mend;
+pub use regional_start::{RegionalStart, regional_start};
+pub use smooth::Correction;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;
+use blunders::Mended;
+use prepare::Prepared;
 
 /// What to look for, and how.
 #[derive(Debug, Clone, Default)]
@@ -61,19 +92,21 @@ pub struct Options {
     pub seed: u64,
     /// Joint values to start from.
     pub joint_values: JointValues,
+    /// Whether what no name explains is to be corrected by a smooth curve.
+    pub correct_unexplained: bool,
 }
 
 /// How far the diagnosis is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Progress {
     /// Looking for blunders.
     Checking,
     /// Fitting the base, preparing the candidates.
     Preparing,
-    /// Searching; so many terms were found so far.
+    /// Searching; what was found so far may still be exchanged for something likelier.
     Searching {
-        /// Number of terms so far.
-        found: usize,
+        /// Names of the effects so far, in the order in which they act.
+        found: Vec<&'static str>,
     },
     /// Comparing with other explanations.
     Comparing,
@@ -123,23 +156,42 @@ pub fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
-    let tell = |progress: Progress| {
-        if watch(&progress) {
-            Ok(())
-        } else {
-            Err(Cancelled)
-        }
-    };
-    tell(Progress::Checking)?;
-    let mended = blunders::mend(session, options);
-    tell(Progress::Preparing)?;
-    let mut prepared = prepare::Prepared::new(&mended.session, options)?;
+    let mended = checked(session, options, watch)?;
+    let (prepared, found) = searched(&mended.session, options, watch)?;
+    conclude::answer(&mended, &prepared, &found, watch)
+}
+
+fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {
+    if watch(progress) {
+        Ok(())
+    } else {
+        Err(Cancelled)
+    }
+}
+
+/// The session without its blunders.
+fn checked<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<Mended<'a>, Cancelled> {
+    tell(watch, &Progress::Checking)?;
+    Ok(blunders::mend(session, options))
+}
+
+/// The search, done again once with the names known: outliers and correlation look different then.
+fn searched<'a>(
+    session: &'a Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
+    tell(watch, &Progress::Preparing)?;
+    let mut prepared = Prepared::new(session, options)?;
     let mut found = prepared.search(options, watch)?;
-    // With the names known, outliers and correlation are judged again, once.
     if prepared.reconsider(&found) {
         found = prepared.search(options, watch)?;
     }
-    answer::answer(&mended, &prepared, &found, watch)
+    Ok((prepared, found))
 }
 
 impl Options {

@@ -4,7 +4,7 @@
 //! practice (0.3 of the noise, root mean square, λ = 45 in 500 samples) can well hide from them; values and
 //! gaps then come from all of them.
 
-use crate::effects::{JointValues, Survey, Term, find};
+use crate::effects::{Survey, Term, find};
 use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::robust::suspects;
@@ -13,9 +13,11 @@ use crate::model::Model;
 use crate::sessions::Session;
 
 use super::arena::{Arena, Fit};
+use super::blunders::DataProblem;
 use super::candidates::Table;
 use super::evidence::{Noise, Rows};
 use super::held_out::Folds;
+use super::incomplete;
 use super::search::{Found, Search};
 use super::{DiagnoseError, Options, Watch};
 
@@ -33,6 +35,8 @@ pub(super) struct Prepared<'a> {
     pub(super) folds: Folds,
     /// Samples that `--held-out` locks away.
     pub(super) locked: Vec<bool>,
+    /// What was said of samples that lack a condition.
+    pub(super) incomplete: Option<DataProblem>,
     options: Options,
 }
 
@@ -42,6 +46,7 @@ impl<'a> Prepared<'a> {
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
         }
+        let incomplete = incomplete::leave_out(&mut problem);
         let locked = locked(&problem, options.held_out);
         for (fit, locked) in problem.fit.iter_mut().zip(&locked) {
             *fit &= !locked;
@@ -62,6 +67,7 @@ impl<'a> Prepared<'a> {
             arena,
             folds,
             locked,
+            incomplete,
             options: options.clone(),
         })
     }
@@ -233,6 +239,7 @@ fn keep_clusters(problem: &mut Problem) {
     if count < RUN {
         return;
     }
+    super::classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
@@ -257,8 +264,3 @@ fn keep_clusters(problem: &mut Problem) {
 }
 
 const RUN: usize = 3;
-
-/// The joint values that a diagnosis starts from.
-pub(super) fn values(options: &Options) -> JointValues {
-    options.joint_values
-}

@@ -64,7 +64,8 @@ pub enum Setting {
     },
     /// The time of a step, s.
     Time,
-    /// The travel after a reversal over which an effect fades, rad; the user reads degrees.
+    /// The travel after a reversal over which an effect fades, rad; the user reads degrees. It is
+    /// scanned coarsely and solved for from there ([`Form::Fading`]).
     Fade,
     /// Which measuring frame (counted from 0); not a parameter of the robot.
     Setup,
@@ -78,14 +79,26 @@ pub enum Form {
     Plain(&'static [Quantity]),
     /// An amplitude A ≥ 0 and a phase φ in [0°, 360°): the coefficients are A·cos φ and A·sin φ.
     Harmonic(Quantity),
+    /// A size, and how far the fade lies from the term's setting f₀: fade = f₀ eᵘ. The coefficients
+    /// are the size and u. Where the size is zero the samples do not depend on u.
+    Fading(Quantity),
 }
 
 impl Form {
+    /// Number of coefficients on which the samples depend where the effect is absent: the first
+    /// ones. Where it has no size, where it fades does not matter.
+    pub fn coefficients_at_zero(&self) -> usize {
+        match self {
+            Self::Fading(_) => 1,
+            form => form.coefficients(),
+        }
+    }
+
     /// Number of coefficients.
     pub fn coefficients(&self) -> usize {
         match self {
             Self::Plain(quantities) => quantities.len(),
-            Self::Harmonic(_) => 2,
+            Self::Harmonic(_) | Self::Fading(_) => 2,
         }
     }
 }

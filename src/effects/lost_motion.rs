@@ -6,6 +6,7 @@
 use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
 use super::backlash::both_sides_needed;
 use super::block::{Block, Turned};
+use super::term::fade;
 use super::{Effect, Placed, Survey};
 
 /// See the module.
@@ -16,10 +17,10 @@ const ABOUT: About = About {
     title: "Lost motion",
     stage: Stage::Joint,
     per_joint: true,
-    form: Form::Plain(&[Quantity {
+    form: Form::Fading(Quantity {
         name: "width_deg",
         inner: DEGREE,
-    }]),
+    }),
     setting: Setting::Fade,
     equation: "θ = q − s·(width/2)(1 − 2 e^(−Δ/fade)), Δ travel since the reversal",
     source: "hysteresis loop of a reducer with friction, exponential build-up",
@@ -41,14 +42,21 @@ impl Effect for LostMotion {
     fn act(&self, me: &Placed, block: &mut Block) {
         let width = me.coefficients[0];
         // A fade of zero is the limit, backlash; 0/0 at a travel of zero must not arise.
-        let per_fade = 1.0 / me.setting.max(1e-12);
+        let per_fade = 1.0 / fade(me.setting, me.coefficients[1]).max(1e-12);
         block.turn(me, |theta, at| {
-            let built_up = 1.0 - 2.0 * (-at.travel * per_fade).exp();
-            let lag = -0.5 * at.dir * built_up;
+            let fades = at.travel * per_fade;
+            let left = (-fades).exp();
+            let lag = -0.5 * at.dir * (1.0 - 2.0 * left);
+            // ∂lag/∂u with fade = f₀ eᵘ; nothing is left after a long way (∞·0 must not arise).
+            let by_u = if left > 0.0 {
+                at.dir * left * fades
+            } else {
+                0.0
+            };
             Turned {
                 to: theta + lag * width,
                 carry: 1.0,
-                by: [lag],
+                by: [lag, by_u * width],
             }
         });
     }

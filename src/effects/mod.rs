@@ -15,6 +15,7 @@
 
 pub mod about;
 pub mod block;
+pub mod curve;
 pub mod inputs;
 pub mod survey;
 pub mod term;
@@ -41,12 +42,15 @@ mod thermal_growth;
 mod thermal_zero_drift;
 mod tool_lateral_offset;
 mod tracking_lag;
+mod unexplained;
 
 pub use about::{About, Form, Quantity, Setting, Stage};
+pub use curve::Curve;
 pub use inputs::{Inputs, JointValues};
 pub use measuring_frame::MeasuringFrame;
 pub use survey::Survey;
 pub use term::{Parameter, Placed, Term, TermError};
+pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
 
 /// One physical effect.
 pub trait Effect: Sync {
@@ -85,10 +89,10 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &frame_drift::FrameDrift,
 ];
 
-/// The effect of this name.
+/// The effect of this name; also what models carry beside the catalogue's effects.
 pub fn find(id: &str) -> Option<&'static dyn Effect> {
-    let hidden: &'static dyn Effect = &MeasuringFrame;
-    let all = CATALOGUE.iter().copied().chain([hidden]);
+    let hidden: [&'static dyn Effect; 2] = [&MeasuringFrame, &Unexplained];
+    let all = CATALOGUE.iter().copied().chain(hidden);
     all.into_iter().find(|effect| effect.about().id == id)
 }
 

@@ -1,10 +1,13 @@
 //! An effect in a model: which joint, which setting, how large.
 
+use std::sync::Arc;
+
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
 use super::about::{DEGREE, Form, Quantity, Setting};
-use super::{Effect, find};
+use super::curve::Curve;
+use super::{Effect, UNEXPLAINED, find};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
 /// absent.
@@ -18,6 +21,8 @@ pub struct Term {
     pub setting: f64,
     /// What identification solves for.
     pub coefficients: Vec<f64>,
+    /// The curve of an unexplained correction, which no identification changes.
+    pub curve: Option<Arc<Curve>>,
 }
 
 /// One named value as the user reads it.
@@ -83,6 +88,7 @@ impl Term {
             joint,
             setting,
             coefficients: vec![0.0; effect.about().form.coefficients()],
+            curve: None,
         }
     }
 
@@ -102,6 +108,10 @@ impl Term {
         let about = effect.about();
         if joint == 0 || joint > joints {
             return Err(TermError::NoSuchJoint { joint, joints });
+        }
+        if id == UNEXPLAINED {
+            let (effect, name) = (about.id, "curve");
+            return Err(TermError::Missing { effect, name });
         }
         let known = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(effect, k));
         let is_known = |name: &str| known.iter().any(|names| names.contains(&name));
@@ -143,6 +153,9 @@ impl Term {
                 let phase = crate::units::rad_from_deg(value("phase_deg").unwrap_or(0.0));
                 term.coefficients = vec![amplitude * phase.cos(), amplitude * phase.sin()];
             }
+            Form::Fading(quantity) => {
+                term.coefficients[0] = inner_value(quantity).unwrap_or(0.0);
+            }
         }
         Ok(term)
     }
@@ -158,7 +171,7 @@ impl Term {
         let mut parameters = Vec::new();
         if let Some(quantity) = setting_quantity(about.setting) {
             let Quantity { name, inner } = quantity.on(kind);
-            let value = self.setting / inner;
+            let value = self.scanned() / inner;
             parameters.push(Parameter { name, value });
         }
         match about.form {
@@ -182,8 +195,47 @@ impl Term {
                     value: crate::units::deg_from_rad(wrapped_positive(b.atan2(a))),
                 });
             }
+            Form::Fading(quantity) => {
+                let quantity = quantity.on(kind);
+                parameters.push(Parameter {
+                    name: quantity.name,
+                    value: self.coefficients[0] / quantity.inner,
+                });
+            }
         }
         parameters
+    }
+
+    /// The scanned parameter with what was solved for beside it, inner units.
+    fn scanned(&self) -> f64 {
+        match self.effect.about().form {
+            Form::Fading(_) => fade(self.setting, self.coefficients[1]),
+            Form::Plain(_) | Form::Harmonic(_) => self.setting,
+        }
+    }
+
+    /// The same effect, bit by bit, with the fade that was solved for as its setting.
+    #[must_use]
+    pub fn settled(&self) -> Self {
+        let mut settled = self.clone();
+        settled.setting = self.scanned();
+        if let Form::Fading(_) = self.effect.about().form {
+            settled.coefficients[1] = 0.0;
+        }
+        settled
+    }
+
+    /// The coefficients after a step, which moves no fade by more than a factor [`e^½`](fade) at
+    /// once: far from the solution a linear step means nothing for it.
+    pub(crate) fn step(&mut self, by: &[f64]) {
+        for (coefficient, by) in self.coefficients.iter_mut().zip(by) {
+            *coefficient += by;
+        }
+        if let (Form::Fading(_), Some(by)) = (self.effect.about().form, by.get(1)) {
+            let before = self.coefficients[1] - by;
+            let moved = before + by.clamp(-LONGEST_STEP, LONGEST_STEP);
+            self.coefficients[1] = moved.clamp(-FARTHEST, FARTHEST);
+        }
     }
 
     /// Whether two terms are the same effect on the same joint at the same setting.
@@ -201,14 +253,27 @@ impl std::fmt::Debug for Term {
             .field("joint", &(self.joint + 1))
             .field("setting", &self.setting)
             .field("coefficients", &self.coefficients)
+            .field("curve", &self.curve)
             .finish()
     }
 }
 
 impl PartialEq for Term {
     fn eq(&self, other: &Self) -> bool {
-        self.same_column(other) && self.coefficients == other.coefficients
+        self.same_column(other)
+            && self.coefficients == other.coefficients
+            && self.curve == other.curve
     }
+}
+
+/// How far a fade moves in one step, and from its setting, as logarithms.
+const LONGEST_STEP: f64 = 0.5;
+const FARTHEST: f64 = 3.0;
+
+/// The fade of a setting and its coefficient u: f₀ eᵘ.
+pub(super) fn fade(setting: f64, u: f64) -> f64 {
+    // Times one is exact, so a settled term acts like the one it came from, bit by bit.
+    setting * u.exp()
 }
 
 /// Name and inner size of the scanned parameter, where the user sees one.
@@ -235,6 +300,22 @@ pub fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
     match about.form {
         Form::Plain(quantities) => names.extend(quantities.iter().map(|q| q.on(kind).name)),
         Form::Harmonic(quantity) => names.extend([quantity.name, "phase_deg"]),
+        Form::Fading(quantity) => names.push(quantity.on(kind).name),
+    }
+    names
+}
+
+/// Names of what identification solves for, one for each coefficient; an amplitude and its phase
+/// stand for their two parts.
+pub fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
+    let mut names = names_on(effect, kind);
+    match effect.about().form {
+        // The fade is shown first and solved for last.
+        Form::Fading(_) => names.reverse(),
+        form => {
+            let settings = names.len().saturating_sub(form.coefficients());
+            names.drain(..settings);
+        }
     }
     names
 }
@@ -329,6 +410,8 @@ pub struct Placed {
     pub setting: f64,
     /// Coefficients in inner units.
     pub coefficients: Vec<f64>,
+    /// The curve of an unexplained correction.
+    pub curve: Option<Arc<Curve>>,
     /// Where its columns begin among the model's.
     pub first_column: usize,
     /// The joint's frame.

@@ -5,56 +5,49 @@
 
 use std::fmt::Write;
 
-use super::sidecar::{Rules, Sidecar};
-use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack};
-use crate::compensation::JointTable;
+use super::rules::{Directions, Rules, Says, Spacing};
+use super::sheet::Sheet;
+use super::table_file::{Columns, TableFile, number};
+use super::{ExportError, Format, Job};
 
-/// See the module.
-pub(super) struct CHeader;
+const RULES: Rules = Rules {
+    format: "c-header",
+    says: Says::Correction,
+    resolution: None,
+    units: ["deg", "mm"],
+    per_outer: 1.0,
+    spacing: Spacing::Equal,
+    widest_step: 1.0,
+    most_entries: usize::MAX,
+    limit_because: "it has no limit",
+    directions: Directions::Both,
+    repeats: false,
+    interpolation: "linear between two entries",
+    outside: "the first or the last entry is held",
+    direction: "a direction above 0 takes the forward entries, one below 0 the reverse ones, 0 the \
+                mean of both",
+    full_turn: "the table does not repeat: what is beyond its ends gets the end's value",
+    label: None,
+};
 
 pub(super) const FORMAT: Format = Format {
     id: "c-header",
     title: "C99 header with a lookup function",
     extension: "h",
-    exporter: &CHeader,
+    rules: Some(&RULES),
+    exporter: &TableFile {
+        rules: &RULES,
+        write,
+        read,
+        enter: |_, _| Vec::new(),
+    },
 };
 
 /// Numbers in a row of the arrays.
 const PER_ROW: usize = 4;
 
-impl Exporter for CHeader {
-    fn export(&self, job: &Job) -> Result<Export, ExportError> {
-        let table = job.table()?;
-        let rules = Rules {
-            format: "c-header",
-            interpolation: "linear between two entries",
-            outside: "the first or the last entry is held",
-            direction: "a direction above 0 takes the forward entries, one below 0 the reverse \
-                        ones, 0 the mean of both",
-        };
-        let sidecar = Sidecar::new(job, &table, &rules);
-        let notes = sidecar.notes();
-        let text = write(job, &table, &notes);
-        let reads_as = read(&table, &text)?;
-        Ok(Export {
-            documents: vec![
-                Document {
-                    name: job.file_name.to_owned(),
-                    bytes: text.into_bytes(),
-                },
-                Document {
-                    name: format!("{}.meta.json", job.file_name),
-                    bytes: sidecar.to_json(),
-                },
-            ],
-            reads_as: Some(reads_as),
-            notes,
-        })
-    }
-}
-
 /// `truepose_pan` for a joint called "Pan".
-fn prefix(table: &JointTable) -> String {
+fn prefix(table: &Sheet) -> String {
     let safe = |c: char| {
         if c.is_ascii_alphanumeric() {
             c.to_ascii_lowercase()
@@ -70,12 +63,10 @@ fn prefix(table: &JointTable) -> String {
     }
 }
 
-fn write(job: &Job, table: &JointTable, notes: &[String]) -> String {
+fn write(job: &Job, table: &Sheet, notes: &[String]) -> String {
     let (name, unit) = (prefix(table), table.unit());
     let guard = format!("{}_H", name.to_ascii_uppercase());
-    let last = table.commanded_outer.len() - 1;
-    let outer =
-        |values: &[f64]| -> Vec<f64> { values.iter().map(|v| table.outer(*v) + 0.0).collect() };
+    let last = table.places.len() - 1;
     let mut text = String::new();
     // A comment must not end early, and not go on after its line.
     let comment = |line: &str| {
@@ -103,8 +94,8 @@ fn write(job: &Job, table: &JointTable, notes: &[String]) -> String {
         job.calibration.samples_hash
     )));
     text.push_str(" */\n");
-    let from = table.commanded_outer[0];
-    let step = table.step_outer;
+    let [from, to] = table.ends();
+    let step = table.step.unwrap_or((to - from) / last as f64);
     let _ = write!(
         text,
         "#ifndef {guard}\n#define {guard}\n\n\
@@ -112,16 +103,8 @@ fn write(job: &Job, table: &JointTable, notes: &[String]) -> String {
         macro_name = name.to_ascii_uppercase(),
         entries = last + 1,
     );
-    array(
-        &mut text,
-        &format!("{name}_forward_{unit}"),
-        &outer(&table.forward),
-    );
-    array(
-        &mut text,
-        &format!("{name}_reverse_{unit}"),
-        &outer(&table.reverse),
-    );
+    array(&mut text, &format!("{name}_forward_{unit}"), &table.forward);
+    array(&mut text, &format!("{name}_reverse_{unit}"), &table.reverse);
     let _ = write!(
         text,
         "/* Correction at one side's entries. */\n\
@@ -172,8 +155,9 @@ fn array(text: &mut String, name: &str, values: &[f64]) {
     text.push_str("};\n\n");
 }
 
-/// Reads the arrays back.
-fn read(table: &JointTable, text: &str) -> Result<ReadBack, ExportError> {
+/// Reads the arrays back, and where their entries stand from the line that looks them up.
+fn read(table: &Sheet, text: &str) -> Result<Columns, ExportError> {
+    let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
     let values = |side: &str| -> Result<Vec<f64>, ExportError> {
         let wrong = || ExportError::ReadBack(format!("the {side} entries"));
         let start = format!("{}_{side}_{}[", prefix(table), table.unit());
@@ -183,18 +167,23 @@ fn read(table: &JointTable, text: &str) -> Result<ReadBack, ExportError> {
             .and_then(|(_, rest)| rest.split_once('}'));
         let cells = inside.ok_or_else(wrong)?.0.split(',').map(str::trim);
         let cells = cells.filter(|cell| !cell.is_empty());
-        let values: Option<Vec<f64>> = cells.map(|cell| cell.parse().ok()).collect();
-        values
-            .filter(|v| v.iter().all(|v| v.is_finite()))
-            .ok_or_else(wrong)
+        let values: Option<Vec<f64>> = cells.map(number).collect();
+        values.ok_or_else(wrong)
     };
-    let (forward, reverse) = (values("forward")?, values("reverse")?);
-    ReadBack::new(
-        table.joint,
-        table.kind,
-        &table.commanded_outer,
+    let place = format!("double place = (commanded_{} - (", table.unit());
+    let grid = text.split_once(&place).and_then(|(_, rest)| {
+        let (from, rest) = rest.split_once(")) * ")?;
+        let (per_step, _) = rest.split_once(';')?;
+        Some((number(from)?, number(per_step)?))
+    });
+    let (from, per_step) = grid.ok_or_else(|| wrong("the line of the lookup"))?;
+    let forward = values("forward")?;
+    Ok(Columns {
+        places: (0..forward.len())
+            .map(|k| from + k as f64 / per_step)
+            .collect(),
+        reverse: values("reverse")?,
         forward,
-        reverse,
-    )
-    .ok_or_else(|| ExportError::ReadBack("another number of entries".to_owned()))
+        repeats: false,
+    })
 }

@@ -5,58 +5,50 @@
 
 use std::fmt::Write;
 
-use super::sidecar::{Rules, Sidecar};
-use super::{Document, Export, ExportError, Exporter, Format, Job, ReadBack};
-use crate::compensation::JointTable;
+use super::rules::{Directions, Rules, Says, Spacing};
+use super::sheet::Sheet;
+use super::table_file::{Columns, TableFile, number};
+use super::{ExportError, Format, Job};
 
-/// See the module.
-pub(super) struct Csv;
+const RULES: Rules = Rules {
+    format: "csv",
+    says: Says::Correction,
+    resolution: None,
+    units: ["deg", "mm"],
+    per_outer: 1.0,
+    spacing: Spacing::Equal,
+    widest_step: 1.0,
+    most_entries: usize::MAX,
+    limit_because: "it has no limit",
+    directions: Directions::Both,
+    repeats: false,
+    interpolation: "linear between two rows",
+    outside: "the first or the last row is held",
+    direction: "the forward column while the joint moves to larger values, the reverse column while \
+                it moves to smaller ones; at rest the one of the last move",
+    full_turn: "the table does not repeat: what is beyond its ends gets the end's value",
+    label: None,
+};
 
 pub(super) const FORMAT: Format = Format {
     id: "csv",
     title: "CSV table with JSON metadata",
     extension: "csv",
-    exporter: &Csv,
+    rules: Some(&RULES),
+    exporter: &TableFile {
+        rules: &RULES,
+        write,
+        read,
+        enter: |_, _| Vec::new(),
+    },
 };
 
-impl Exporter for Csv {
-    fn export(&self, job: &Job) -> Result<Export, ExportError> {
-        let table = job.table()?;
-        let text = write(&table);
-        let reads_as = read(&table, &text)?;
-        let rules = Rules {
-            format: "csv",
-            interpolation: "linear between two rows",
-            outside: "the first or the last row is held",
-            direction: "the forward column while the joint moves to larger values, the reverse \
-                        column while it moves to smaller ones; at rest the one of the last move",
-        };
-        let sidecar = Sidecar::new(job, &table, &rules);
-        let notes = sidecar.notes();
-        Ok(Export {
-            documents: vec![
-                Document {
-                    name: job.file_name.to_owned(),
-                    bytes: text.into_bytes(),
-                },
-                Document {
-                    name: format!("{}.meta.json", job.file_name),
-                    bytes: sidecar.to_json(),
-                },
-            ],
-            reads_as: Some(reads_as),
-            notes,
-        })
-    }
-}
-
-fn write(table: &JointTable) -> String {
-    let unit = table.unit();
+fn write(_: &Job, sheet: &Sheet, _: &[String]) -> String {
+    let unit = sheet.unit();
     let mut text =
         format!("commanded_{unit},correction_forward_{unit},correction_reverse_{unit}\n");
-    let columns = table.forward.iter().zip(&table.reverse);
-    for (commanded, (forward, reverse)) in table.commanded_outer.iter().zip(columns) {
-        let (forward, reverse) = (table.outer(*forward) + 0.0, table.outer(*reverse) + 0.0);
+    let columns = sheet.forward.iter().zip(&sheet.reverse);
+    for (commanded, (forward, reverse)) in sheet.places.iter().zip(columns) {
         // Rust writes a number with the fewest digits that read back as the same one.
         writeln!(text, "{commanded},{forward},{reverse}").expect("writing to memory does not fail");
     }
@@ -64,18 +56,22 @@ fn write(table: &JointTable) -> String {
 }
 
 /// Reads the text back as its readers will.
-fn read(table: &JointTable, text: &str) -> Result<ReadBack, ExportError> {
+fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
     let wrong = |line: usize| ExportError::ReadBack(format!("line {} is no row", line + 1));
     let mut columns: [Vec<f64>; 3] = Default::default();
     for (index, line) in text.lines().enumerate().skip(1) {
-        let cells: Option<Vec<f64>> = line.split(',').map(|cell| cell.parse().ok()).collect();
-        let cells = cells.filter(|c| c.len() == 3 && c.iter().all(|v| v.is_finite()));
+        let cells: Option<Vec<f64>> = line.split(',').map(number).collect();
+        let cells = cells.filter(|c| c.len() == 3);
         let cells = cells.ok_or_else(|| wrong(index))?;
         for (column, cell) in columns.iter_mut().zip(cells) {
             column.push(cell);
         }
     }
-    let [commanded, forward, reverse] = columns;
-    ReadBack::new(table.joint, table.kind, &commanded, forward, reverse)
-        .ok_or_else(|| ExportError::ReadBack("the rows do not ascend".to_owned()))
+    let [places, forward, reverse] = columns;
+    Ok(Columns {
+        places,
+        forward,
+        reverse,
+        repeats: false,
+    })
 }

@@ -1,23 +1,44 @@
 //! Files that a controller, or a program around it, reads.
 //!
 //! # To add a format
-//! Write one file like its neighbours (a type with the trait [`Exporter`]) and add one line to
-//! [`EXPORTERS`]. The terminal, the window and the report find it there.
+//! Write one file like its neighbours and add one line to [`EXPORTERS`]; the terminal, the window
+//! and the report find it there. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
+//! directions, ends, turns) and brings a function that writes and one that reads; choosing the
+//! entries, checking, and saying what the controller leaves is the same for all. Anything else
+//! has the trait [`Exporter`] itself, as the URDF does.
 //!
 //! # Signs
 //! The trap of every compensation table is its sign. Here everything starts from the correction:
-//! what to add to the command. Each format says in its sidecar what its numbers mean, with one
-//! worked line. And each reads its own bytes back: [`Export::reads_as`] is what the controller will
-//! make of them, [`gap_left`] the gap that it leaves.
+//! what to add to the command. [`Rules::says`] turns it into the file's numbers and back, and
+//! nothing else does. Each format says in its sidecar what its numbers mean, with one worked line.
+//! And each reads its own bytes back: [`Export::reads_as`] is what the controller will make of them,
+//! [`gap_left`] the gap that it leaves on a session, [`Left`] what it leaves over the measured range.
 
 mod c_header;
+mod corrected;
 mod csv;
+mod grid;
+mod knots;
+mod left;
+mod linuxcnc;
 mod read_back;
+mod rules;
+mod sheet;
 pub(crate) mod sidecar;
+mod sinumerik;
+mod table_file;
+mod twincat_cnc;
+mod twincat_nc;
+mod urdf;
 
-pub use read_back::{ReadBack, gap_left};
+pub use left::{Allowance, Left};
+pub use read_back::{ReadBack, gap_left, gap_to};
+pub use rules::{Directions, Rules, Says, Spacing};
+pub use sheet::Sheet;
 
 use crate::compensation::{Conditions, JointTable, TableError};
+use crate::identification::gap::Spread;
+use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::sessions::Session;
 
@@ -39,20 +60,27 @@ pub struct Format {
     pub title: &'static str,
     /// The usual ending of its files.
     pub extension: &'static str,
+    /// What it is, where it is a table.
+    pub rules: Option<&'static Rules>,
     /// What makes it.
     pub exporter: &'static dyn Exporter,
 }
 
 /// Every format.
-pub const EXPORTERS: &[Format] = &[csv::FORMAT, c_header::FORMAT];
+pub const EXPORTERS: &[Format] = &[
+    csv::FORMAT,
+    c_header::FORMAT,
+    linuxcnc::FORMAT,
+    twincat_nc::FORMAT,
+    twincat_cnc::FORMAT,
+    sinumerik::FORMAT,
+    urdf::FORMAT,
+];
 
 /// The format of this name.
 pub fn find(id: &str) -> Option<&'static Format> {
     EXPORTERS.iter().find(|format| format.id == id)
 }
-
-/// Step of a table where nobody gives one, degrees or mm.
-pub const DEFAULT_STEP: f64 = 1.0;
 
 /// What is to be exported.
 #[derive(Debug, Clone, Copy)]
@@ -61,8 +89,8 @@ pub struct Job<'a> {
     pub calibration: &'a Calibration,
     /// Joint, counted from 0.
     pub joint: usize,
-    /// Step of the table, degrees or mm.
-    pub step: f64,
+    /// Step of the table, degrees or mm; `None`: what the format needs.
+    pub step: Option<f64>,
     /// Conditions that the table is made for.
     pub conditions: Conditions,
     /// Name of the file to be written, without its folder.
@@ -70,23 +98,23 @@ pub struct Job<'a> {
 }
 
 impl<'a> Job<'a> {
-    /// The first joint in steps of [`DEFAULT_STEP`] under the reference conditions.
+    /// The first joint under the reference conditions, in the steps that it needs.
     pub fn new(calibration: &'a Calibration, file_name: &'a str) -> Self {
         Self {
             calibration,
             joint: 0,
-            step: DEFAULT_STEP,
+            step: None,
             conditions: Conditions::default(),
             file_name,
         }
     }
 
-    /// The joint's table.
+    /// The joint's exact correction in this step, degrees or mm.
     ///
     /// # Errors
     /// See [`TableError`].
-    pub fn table(&self) -> Result<JointTable, TableError> {
-        JointTable::new(self.calibration, self.joint, self.step, self.conditions)
+    pub fn table(&self, step: f64) -> Result<JointTable, TableError> {
+        JointTable::new(self.calibration, self.joint, step, self.conditions)
     }
 }
 
@@ -107,6 +135,10 @@ pub struct Export {
     pub documents: Vec<Document>,
     /// What the first document says when it is read back; `None` for formats without a table.
     pub reads_as: Option<ReadBack>,
+    /// The robot that the first document describes, where it describes one.
+    pub robot: Option<Robot>,
+    /// What the controller leaves over the measured range; `None` for formats without a table.
+    pub left: Option<Left>,
     /// What the user should know.
     pub notes: Vec<String>,
 }
@@ -125,13 +157,17 @@ pub enum ExportError {
     ReadBack(String),
 }
 
-/// The gap of a session under an export's table, if it has one: see [`gap_left`].
+/// The gap of a session under an export: with its table (see [`gap_left`]), or to its robot.
 pub fn gap_after_export(
     calibration: &Calibration,
     session: &Session,
     export: &Export,
-) -> Option<crate::identification::gap::Spread> {
-    gap_left(calibration, session, export.reads_as.as_ref()?)
+) -> Option<Spread> {
+    match (&export.reads_as, &export.robot) {
+        (Some(table), _) => gap_left(calibration, session, table),
+        (None, Some(robot)) => gap_to(calibration, session, robot),
+        (None, None) => None,
+    }
 }
 
 #[cfg(test)]

@@ -1,15 +1,16 @@
 //! What a written table says when it is read again, and the gap that it leaves.
 
+use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;
-use crate::compensation::verification::gap_with_table;
+use crate::compensation::verification::{gap_to_robot, gap_with_table};
 use crate::identification::gap::Spread;
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::model::Calibration;
 use crate::sessions::Session;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// A table as its reader has it: in the user's unit (degrees or mm), one column for each side,
-/// linear between the entries, the end values held outside.
+/// linear between the entries, the end values held outside or the whole repeated after a turn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReadBack {
     /// Joint, counted from 0.
@@ -20,6 +21,8 @@ pub struct ReadBack {
     pub forward: SortedTable,
     /// Correction while moving to smaller values.
     pub reverse: SortedTable,
+    /// Where it begins anew: first place and length of a period, in the user's unit.
+    pub period: Option<[f64; 2]>,
 }
 
 impl ReadBack {
@@ -36,12 +39,31 @@ impl ReadBack {
             kind,
             forward: SortedTable::new(commanded.to_vec(), forward)?,
             reverse: SortedTable::new(commanded.to_vec(), reverse)?,
+            period: None,
         })
+    }
+
+    /// The sheet as a reader without rounding would have it.
+    pub(super) fn of_sheet(sheet: &Sheet) -> Option<Self> {
+        let (forward, reverse) = (sheet.forward.clone(), sheet.reverse.clone());
+        let read = Self::new(sheet.joint, sheet.kind, &sheet.places, forward, reverse)?;
+        Some(read.repeating(sheet.repeats))
+    }
+
+    /// The same, beginning anew after a turn.
+    pub(super) fn repeating(mut self, repeats: bool) -> Self {
+        let first = self.forward.places().first();
+        self.period = first.filter(|_| repeats).map(|from| [*from, TURN]);
+        self
     }
 
     /// What is added to a command in the user's unit; the mean of both columns where the side (+1,
     /// −1) is unknown (0).
     pub fn correction_outer(&self, commanded: f64, side: f64) -> f64 {
+        let commanded = match self.period {
+            Some([from, length]) => from + (commanded - from).rem_euclid(length),
+            None => commanded,
+        };
         if side > 0.0 {
             self.forward.at(commanded)
         } else if side < 0.0 {
@@ -71,4 +93,14 @@ pub fn gap_left(calibration: &Calibration, session: &Session, table: &ReadBack) 
     }
     let correction = |q: f64, side: f64| table.correction(q, side);
     gap_with_table(calibration, session, table.joint, correction)
+}
+
+/// The gap between a session and another description of the robot, mm: what a simulation or a
+/// controller with this geometry would leave. `None` as for [`gap_left`].
+pub fn gap_to(calibration: &Calibration, session: &Session, robot: &Robot) -> Option<Spread> {
+    let same = session.robot.joints.len() == robot.joints.len();
+    if !same || session.compensated_by.is_some() {
+        return None;
+    }
+    gap_to_robot(calibration, session, robot)
 }

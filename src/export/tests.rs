@@ -27,7 +27,7 @@ fn calibration(session: &Session, effects: &[&str]) -> Calibration {
 
 fn export(calibration: &Calibration, id: &str, name: &str, step: f64) -> Export {
     let job = Job {
-        step,
+        step: Some(step),
         ..Job::new(calibration, name)
     };
     find(id).unwrap().exporter.export(&job).unwrap()
@@ -102,7 +102,7 @@ fn a_finer_table_leaves_no_more_than_a_coarse_one_and_the_sides_differ_by_the_ba
     };
     let (coarse, fine) = (gap(60.0), gap(1.0));
     assert!(fine < coarse, "{fine} {coarse}");
-    let table = Job::new(&calibration, "t").table().unwrap();
+    let table = Job::new(&calibration, "t").table(1.0).unwrap();
     assert_eq!(table.commanded_outer.len(), 301);
     for (forward, reverse) in table.forward.iter().zip(&table.reverse) {
         let width = crate::units::deg_from_rad(forward - reverse);
@@ -124,12 +124,7 @@ fn outside_the_measured_range_the_end_is_held_and_that_is_said() {
         said.contains("outside, the correction at the end of that range is held"),
         "{said}"
     );
-    let table = Job {
-        step: 10.0,
-        ..Job::new(&calibration, "t")
-    }
-    .table()
-    .unwrap();
+    let table = Job::new(&calibration, "t").table(10.0).unwrap();
     assert_eq!(table.forward[0], table.forward[1]);
     assert_ne!(table.forward[10], table.forward[15]);
 }
@@ -140,7 +135,7 @@ fn a_step_that_makes_no_sense_is_refused() {
     let calibration = calibration(&session, &["joint-zero-offset"]);
     let job = |step, joint| Job {
         joint,
-        step,
+        step: Some(step),
         ..Job::new(&calibration, "t")
     };
     for (job, says) in [
@@ -256,12 +251,7 @@ int main(void)
     let ran = Command::new(folder.path().join("main")).output().unwrap();
     let printed = String::from_utf8(ran.stdout).unwrap();
 
-    let table = Job {
-        step: 2.5,
-        ..Job::new(&calibration, "t")
-    }
-    .table()
-    .unwrap();
+    let table = Job::new(&calibration, "t").table(2.5).unwrap();
     let own = |values: &[f64]| {
         let outer: Vec<f64> = values.iter().map(|v| table.outer(*v)).collect();
         UniformTable::new(table.commanded_outer[0], table.step_outer, &outer)

@@ -2,20 +2,33 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
+use egui::style::NumberFormatter;
 use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use super::commands::{Command, Workbench};
+use super::keeping::watcher;
+use super::pictures::Plot;
+use super::preferences::Preferences;
+use super::reporting::About;
 use super::tasks::{Runner, Tasks, What};
 use super::tokens::{self, Palette, space};
+use super::units::write_numbers;
 use super::view::{Canvas, Sheet};
 use super::{files, layers, panels};
+
+/// So long after a change what is not saved is kept: a gesture is over by then.
+const RECOVERY_AFTER_S: f64 = 2.0;
 
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
-    theme: egui::ThemePreference,
+    shown: Preferences,
     title: String,
+    /// When recovery is written next, and when the disk is looked at, in the window's seconds.
+    recovery_due: Option<f64>,
+    look_due: f64,
 }
 
 impl App {
@@ -30,8 +43,10 @@ impl App {
         }
         Self {
             workbench,
-            theme: egui::ThemePreference::System,
+            shown: Preferences::default(),
             title: String::new(),
+            recovery_due: None,
+            look_due: 0.0,
         }
     }
 
@@ -55,16 +70,28 @@ impl App {
         self
     }
 
+    /// Keeps preferences, recent files and what is not saved in this folder, and offers what it
+    /// holds from before. Without a folder nothing outlives the window.
+    #[must_use]
+    pub fn at_home(mut self, folder: Option<PathBuf>) -> Self {
+        if let Some(folder) = folder {
+            self.workbench.at_home(folder);
+        }
+        self
+    }
+
     /// Shows everything and does what was asked for.
     pub fn show(&mut self, ui: &mut Ui) {
         self.workbench.receive();
+        self.keep_preferences(ui.ctx());
+        self.keep_time(ui.ctx());
         let mut commands = panels::shortcuts::read(ui.ctx(), &self.workbench);
         self.lay_out(ui, &mut commands);
         let any = !commands.is_empty();
         for command in commands {
             self.workbench.execute(command);
         }
-        self.keep_theme_and_title(ui.ctx());
+        self.keep_title(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
@@ -80,6 +107,23 @@ impl App {
     /// The same for the list of poses to measure next.
     pub fn type_list_path(&mut self, path: &Path) {
         self.type_path(What::Poses, path);
+    }
+
+    /// The same for the report of the session.
+    pub fn type_report_path(&mut self, path: &Path) {
+        self.type_path(What::Report(About::Session), path);
+    }
+
+    /// The same for the report of the model.
+    pub fn type_model_report_path(&mut self, path: &Path) {
+        self.type_path(What::Report(About::Model), path);
+    }
+
+    /// The same for the picture of a plot: `workspace`, `deviation` or `gap by step`.
+    pub fn type_picture_path(&mut self, plot: &str, path: &Path) {
+        if let Some(plot) = Plot::ALL.into_iter().find(|p| p.name() == plot) {
+            self.type_path(What::Picture(plot), path);
+        }
     }
 
     fn type_path(&mut self, what: What, path: &Path) {
@@ -133,19 +177,74 @@ impl App {
 
     fn ask_before_leaving(&mut self, ctx: &Context) {
         if self.workbench.view().leaving {
+            self.workbench.tidy();
             ctx.send_viewport_cmd(ViewportCommand::Close);
-        } else if ctx.input(|i| i.viewport().close_requested()) && self.workbench.unsaved() {
-            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.workbench.execute(Command::Sheet(Some(Sheet::Leave)));
+        } else if ctx.input(|i| i.viewport().close_requested()) {
+            if self.workbench.at_risk().any() {
+                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+                self.workbench.execute(Command::Leave);
+            } else {
+                self.workbench.tidy();
+            }
         }
     }
 
-    fn keep_theme_and_title(&mut self, ctx: &Context) {
-        let theme = self.workbench.view().theme;
-        if self.theme != theme {
-            ctx.set_theme(theme);
-            self.theme = theme;
+    /// Shows numbers, colours and text as the user wants them, and notices where egui's own keys
+    /// have changed the size of text.
+    fn keep_preferences(&mut self, ctx: &Context) {
+        let wanted = self.workbench.view().preferences;
+        write_numbers(wanted.notation());
+        let zoom = ctx.zoom_factor();
+        if wanted.zoom == self.shown.zoom && (zoom - wanted.zoom).abs() > 1e-3 {
+            let preferences = Preferences { zoom, ..wanted }.sound();
+            self.shown.zoom = preferences.zoom;
+            self.workbench.execute(Command::Prefer(preferences));
+            return;
         }
+        if wanted == self.shown {
+            return;
+        }
+        if wanted.zoom != self.shown.zoom {
+            ctx.set_zoom_factor(wanted.zoom);
+        }
+        if wanted.theme != self.shown.theme {
+            ctx.set_theme(wanted.theme.preference());
+        }
+        if wanted.decimal_comma != self.shown.decimal_comma {
+            let comma = wanted.decimal_comma;
+            ctx.all_styles_mut(|style| {
+                style.number_formatter = NumberFormatter::new(move |value, decimals| {
+                    let text = egui::emath::format_with_decimals_in_range(value, decimals);
+                    if comma { text.replace('.', ",") } else { text }
+                });
+            });
+        }
+        self.shown = wanted;
+    }
+
+    /// What is done from time to time: recovery a moment after a change, and a look at the disk
+    /// where no thread does it.
+    fn keep_time(&mut self, ctx: &Context) {
+        let now = ctx.input(|i| i.time);
+        if self.workbench.recovery_lags() {
+            let due = *self.recovery_due.get_or_insert(now + RECOVERY_AFTER_S);
+            if now >= due {
+                self.recovery_due = None;
+                self.workbench.execute(Command::KeepRecovery);
+            } else {
+                ctx.request_repaint_after(Duration::from_secs_f64(due - now));
+            }
+        } else {
+            self.recovery_due = None;
+        }
+        if self.workbench.tasks().wants_looking() && now >= self.look_due {
+            self.look_due = now + watcher::EVERY.as_secs_f64();
+            self.workbench.execute(Command::LookAtDisk);
+            self.workbench.receive();
+        }
+    }
+
+    fn keep_title(&mut self, ctx: &Context) {
         let title = panels::menu::window_title(&self.workbench);
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));

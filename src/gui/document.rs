@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::effects::Term;
-use crate::export::{DEFAULT_STEP, EXPORTERS, find};
-use crate::identification::DEFAULT_EFFECTS;
+use crate::export::{EXPORTERS, find};
 use crate::identification::regions::RegionChoice;
+use crate::identification::{DEFAULT_EFFECTS, Live};
 use crate::model::RegionalCorrection;
 use crate::sessions::{Region, Session};
 
@@ -29,8 +29,8 @@ pub(crate) struct ExportChoice {
     pub(crate) format: &'static str,
     /// Joint, counted from 0.
     pub(crate) joint: usize,
-    /// Step of the table, degrees or mm.
-    pub(crate) step: f64,
+    /// Step of the table, degrees or mm; `None`: what the format needs.
+    pub(crate) step: Option<f64>,
 }
 
 impl Default for ExportChoice {
@@ -38,7 +38,7 @@ impl Default for ExportChoice {
         Self {
             format: EXPORTERS[0].id,
             joint: 0,
-            step: DEFAULT_STEP,
+            step: None,
         }
     }
 }
@@ -46,8 +46,13 @@ impl Default for ExportChoice {
 impl ExportChoice {
     /// What the file is called unless the user says otherwise.
     pub(crate) fn file_name(&self, session: &str) -> String {
-        let extension = find(self.format).map_or("txt", |format| format.extension);
-        format!("{}-joint-{}.{extension}", plain(session), self.joint + 1)
+        let (session, format) = (plain(session), find(self.format));
+        let extension = format.map_or("txt", |format| format.extension);
+        if format.is_some_and(|format| format.rules.is_none()) {
+            // It is about the whole robot.
+            return format!("{session}.{extension}");
+        }
+        format!("{session}-joint-{}.{extension}", self.joint + 1)
     }
 }
 
@@ -179,6 +184,8 @@ impl Document {
                 },
                 (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
             },
+            live: false,
+            before: None,
         })
     }
 }
@@ -190,6 +197,10 @@ pub(crate) struct Question {
     pub(crate) subject: Arc<Subject>,
     /// What.
     pub(crate) asks: Asks,
+    /// Whether more samples are to come.
+    pub(crate) live: bool,
+    /// What the answer left when there were fewer samples.
+    pub(crate) before: Option<Arc<Live>>,
 }
 
 /// The part of a [`Question`] beside the session.

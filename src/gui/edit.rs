@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use crate::diagnosis::Mend;
 use crate::effects::{CATALOGUE, Term};
 use crate::identification::regions::RegionChoice;
 
 use super::boundaries;
 use super::document::{Added, Document, ExportChoice, Method};
 use super::given::Given;
+use super::keeping::recovery::Kept;
+use super::setup::SetupForm;
 use super::subject::Subject;
 
 /// One change.
@@ -46,6 +49,12 @@ pub(crate) enum Edit {
     Add(Vec<Term>),
     /// Switch an added effect (counted in the order in which they were added) on or off.
     Switch(usize, bool),
+    /// Another description of the robot, its reflectors and the instrument.
+    Setup(Box<SetupForm>),
+    /// Take mistakes of setting up back, one after the other.
+    Mend(Vec<Mend>),
+    /// What a window that is gone has left behind.
+    Recover(Arc<Subject>, Box<Kept>),
     /// Identify from now on, as it is chosen.
     Identify,
     /// Identify from now on, by this method.
@@ -71,6 +80,9 @@ impl Edit {
             Self::Add(_) => "add to model",
             Self::Switch(_, true) => "switch effect on",
             Self::Switch(_, false) => "switch effect off",
+            Self::Setup(_) => "edit robot and instrument",
+            Self::Mend(_) => "mend data",
+            Self::Recover(..) => "restore",
             Self::Identify | Self::IdentifyBy(_) => "identify",
         }
     }
@@ -85,6 +97,8 @@ impl Edit {
                 | Self::Rename(..)
                 | Self::Tolerance(_)
                 | Self::Export(_)
+                | Self::Setup(_)
+                | Self::Recover(..)
         )
     }
 
@@ -161,7 +175,10 @@ impl Edit {
             }
             Self::Export(choice) => {
                 let joints = document.subject.session.robot.joints.len();
-                if !(choice.step.is_finite() && choice.step > 0.0) || choice.joint >= joints {
+                let usable = choice
+                    .step
+                    .is_none_or(|step| step.is_finite() && step > 0.0);
+                if !usable || choice.joint >= joints {
                     return Err("a table needs a joint of the robot and a step above 0".to_owned());
                 }
                 next.export = *choice;
@@ -172,6 +189,9 @@ impl Edit {
                 added.get_mut(*index).ok_or("there is no such effect")?.on = *on;
                 exactly_with(&mut next, added);
             }
+            Self::Setup(form) => set_up(&mut next, form)?,
+            Self::Mend(mends) => mend(&mut next, mends)?,
+            Self::Recover(subject, kept) => return Ok(recovered(document, subject, kept)),
             Self::Identify => next.identified = true,
             Self::IdentifyBy(method) => {
                 next.method = *method;
@@ -190,6 +210,74 @@ fn opened(document: &Document, subject: &Arc<Subject>) -> Document {
         Some(given) => opened.with_model(Arc::clone(given)),
         None => opened,
     }
+}
+
+/// What is filled in, where that makes a robot.
+fn set_up(document: &mut Document, form: &SetupForm) -> Result<(), String> {
+    let session = &document.subject.session;
+    // Compared as it is filled in: missing cells are never equal.
+    if *form == SetupForm::of(session) {
+        return Ok(());
+    }
+    let next = form.session(session);
+    let next = next.map_err(|problems| problems[0].1.clone())?;
+    with_session(document, next);
+    Ok(())
+}
+
+/// Takes mistakes back, one after the other.
+fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
+    let mut session = document.subject.session.clone();
+    for mend in mends {
+        mend.apply(&mut session);
+    }
+    let left = session.samples.len();
+    if session.samples.incomplete().len() == left {
+        return Err("no sample would be left".to_owned());
+    }
+    let same_rows = left == document.subject.len();
+    with_session(document, session);
+    if !same_rows {
+        let mut subject = Subject::clone(&document.subject);
+        // Samples have other numbers now.
+        for finding in &mut subject.findings {
+            finding.samples.clear();
+        }
+        document.subject = Arc::new(subject);
+    }
+    Ok(())
+}
+
+/// The same document with another description of the robot, or other samples.
+fn with_session(document: &mut Document, session: crate::sessions::Session) {
+    let subject = Subject::with(&document.subject, session);
+    if document
+        .given
+        .as_ref()
+        .is_some_and(|g| !g.is_of(&subject.session))
+    {
+        document.given = None;
+    }
+    if !subject.single_revolute() {
+        document.regions = Arc::from([]);
+        document.method = Method::Exact;
+    }
+    document.subject = Arc::new(subject);
+}
+
+/// What was left behind, with the choices that were made.
+fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Kept) -> Document {
+    let mut next = opened(document, subject);
+    next.given = None;
+    next.identified = kept.identified;
+    if subject.single_revolute() {
+        next.method = kept.method;
+    }
+    let all = CATALOGUE.iter().map(|effect| effect.about().id);
+    next.effects = all
+        .filter(|id| kept.effects.iter().any(|e| e == id))
+        .collect();
+    next
 }
 
 /// A model beside the open session, or by itself.

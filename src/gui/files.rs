@@ -1,17 +1,21 @@
 //! Reading and writing, as the background tasks do it: through the library, like the terminal.
 
+use std::io::ErrorKind;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::atomic::{WriteError, write_atomically};
+use crate::atomic::{WriteError, refuse_to_replace_inputs, write_atomically};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::export::{Document, Job, find};
+pub(crate) use crate::model::format_v1::is_model;
 use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
+use super::foreign::{self, Foreign};
 use super::given::Given;
+use super::keeping::disk::{Fate, Print};
 use super::preview::{Preview, Wanted};
 use super::simulate::Form;
 use super::subject::{Origin, Subject};
@@ -26,6 +30,13 @@ pub(crate) struct Example {
     pub(crate) what: &'static str,
     document: &'static [u8],
     samples: &'static [u8],
+}
+
+impl Example {
+    /// Document and samples.
+    pub(crate) fn files(&self) -> (&'static [u8], &'static [u8]) {
+        (self.document, self.samples)
+    }
 }
 
 /// Every session that comes with the program; the window opens on the first.
@@ -73,11 +84,14 @@ pub(crate) fn open_example(index: usize) -> Report {
 
 fn opened(loaded: Result<Loaded, Rejected>, origin: Origin, name: &str) -> Report {
     Report::Opened(match loaded {
-        Ok(loaded) => Ok(Arc::new(Subject::new(
-            loaded.session,
-            loaded.findings,
-            origin,
-        ))),
+        Ok(loaded) => {
+            let in_a_file = !loaded.session.samples.line.is_empty();
+            let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
+            let mut subject = Subject::new(loaded.session, loaded.findings, origin);
+            subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
+            subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+            Ok(Arc::new(subject))
+        }
         Err(rejected) => Err(Message {
             wrong: true,
             title: format!("{name} could not be opened; nothing was changed"),
@@ -101,28 +115,18 @@ pub(crate) fn open(path: &Path) -> Report {
             }),
         });
     }
+    if foreign::is_foreign(path) {
+        return match Foreign::read(path) {
+            Ok(foreign) => Report::Foreign(Box::new(foreign)),
+            Err(rejected) => Report::Opened(Err(Message {
+                wrong: true,
+                title: format!("{} could not be read", path.display()),
+                details: listed(&rejected.diagnostics),
+            })),
+        };
+    }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
-}
-
-/// What every version of the model's format begins with.
-const MODEL: &str = "truepose-model/";
-
-/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
-/// which says why.
-pub(crate) fn is_model(path: &Path) -> bool {
-    #[derive(serde::Deserialize)]
-    struct Tag {
-        format: String,
-    }
-    let Ok(bytes) = sessions::files::read_document(path) else {
-        return false;
-    };
-    match serde_json::from_slice::<Tag>(&bytes) {
-        Ok(tag) => tag.format.starts_with(MODEL),
-        // Broken, but it may still say what it was meant to be.
-        Err(_) => memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some(),
-    }
 }
 
 /// Findings as lines, no more than can be read.
@@ -162,39 +166,121 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Report {
     })
 }
 
-/// Writes a session: the document, and its samples beside it.
-pub(crate) fn save(session: &Session, path: &Path, replace: bool) -> Report {
+/// What saving may replace.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Replace {
+    /// Nothing.
+    Nothing,
+    /// What has that name: the user was asked. But not what changed since it was read.
+    Named,
+    /// The files that the session came from, and no others.
+    Own,
+    /// Whatever is there: the user was asked about that as well.
+    Whatever,
+}
+
+/// How saving went.
+#[derive(Debug)]
+pub(crate) struct Saved {
+    /// The document that was saved.
+    pub(crate) document: Arc<crate::gui::document::Document>,
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// The files as they look now, the document first; or why there are none.
+    pub(crate) result: Result<Vec<Print>, NotSaved>,
+}
+
+/// Why a session was not saved.
+#[derive(Debug)]
+pub(crate) enum NotSaved {
+    /// This file changed since it was read.
+    Changed(PathBuf),
+    /// Something else.
+    Because(Message),
+}
+
+/// Writes a session: the document, and its samples beside it. `known` are the files that it came
+/// from, as they looked then: what changed since is replaced only where that was asked for.
+pub(crate) fn save(
+    document: Arc<crate::gui::document::Document>,
+    path: &Path,
+    replace: Replace,
+    mut known: Vec<Print>,
+) -> Report {
     let path = if path.extension().is_none() {
         path.with_extension("json")
     } else {
         path.to_path_buf()
     };
-    let replacing = Replacing {
-        force: replace,
-        inputs: &[],
+    let outputs = [path.clone(), sessions::samples_path(&path)];
+    let changed = outputs.iter().find(|output| {
+        let print = known.iter_mut().find(|k| same_file(&k.path, output));
+        print.is_some_and(|print| print.look() == Some(Fate::Changed))
+    });
+    let result = if let (Some(changed), true) = (changed, replace != Replace::Whatever) {
+        Err(NotSaved::Changed(changed.clone()))
+    } else {
+        let is_own = |output: &PathBuf| known.iter().any(|k| same_file(&k.path, output));
+        let force = match replace {
+            Replace::Nothing => false,
+            Replace::Named | Replace::Whatever => true,
+            Replace::Own => outputs.iter().all(|o| is_own(o) || !o.exists()),
+        };
+        let replacing = Replacing { force, inputs: &[] };
+        match sessions::save(&document.session_to_save(), &path, replacing) {
+            Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
+            Err(error) => Err(NotSaved::Because(Message {
+                wrong: true,
+                title: format!("{} could not be saved", path.display()),
+                details: vec![
+                    advice(&error),
+                    "What was there before is there still".to_owned(),
+                ],
+            })),
+        }
     };
-    Report::Saved(match sessions::save(session, &path, replacing) {
-        Ok(_) => Ok(path),
-        Err(error) => Err(Message {
-            wrong: true,
-            title: format!("{} could not be saved", path.display()),
-            details: vec![
-                if matches!(error, WriteError::Exists(_)) {
-                    "it exists already; allow replacing it, or choose another name".to_owned()
-                } else {
-                    error.to_string()
-                },
-                "What was there before is there still".to_owned(),
-            ],
-        }),
-    })
+    Report::Saved(Box::new(Saved {
+        document,
+        path,
+        result,
+    }))
+}
+
+fn same_file(a: &Path, b: &Path) -> bool {
+    a == b || matches!((a.canonicalize(), b.canonicalize()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// What the system says, and what to do about it.
+fn advice(error: &WriteError) -> String {
+    let WriteError::Io { source, .. } = error else {
+        return if let WriteError::Exists(path) = error {
+            format!(
+                "{} exists already; allow replacing it, or choose another name",
+                path.display()
+            )
+        } else {
+            error.to_string()
+        };
+    };
+    let what_to_do = match source.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            "the disk is full: make room on it, or save to another disk"
+        }
+        ErrorKind::ReadOnlyFilesystem => "the disk can only be read: save to another disk",
+        ErrorKind::PermissionDenied => "nothing may be written there: save to another folder",
+        ErrorKind::NotFound => "the folder is not there: choose another, or make it first",
+        _ => return error.to_string(),
+    };
+    format!("{what_to_do} ({source})")
 }
 
 /// Asks the user for a session file.
 pub(crate) fn choose_to_open() -> Report {
     let dialog = rfd::FileDialog::new()
-        .set_title("Open session or model")
-        .add_filter("Sessions and models", &["json"]);
+        .set_title("Open session, model or measurements")
+        .add_filter("Sessions and models", &["json"])
+        .add_filter("Measurements", &["csv", "txt", "tsv", "dat", "asc"])
+        .add_filter("All files", &["*"]);
     Report::ChosenToOpen(dialog.pick_file())
 }
 
@@ -213,8 +299,17 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
         What::Table => "Save table",
         What::Model => "Save model",
         What::Poses => "Save measuring list",
+        What::Report(_) => "Save report",
+        What::Picture(_) => "Save picture",
     };
     let dialog = rfd::FileDialog::new().set_title(title).set_file_name(name);
+    let dialog = match what {
+        What::Report(_) => dialog
+            .add_filter("HTML or PDF", &["html", "pdf"])
+            .add_filter("PDF", &["pdf"]),
+        What::Picture(_) => dialog.add_filter("SVG", &["svg"]),
+        _ => dialog,
+    };
     Report::ChosenToExport(what, dialog.save_file())
 }
 
@@ -224,11 +319,7 @@ pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> 
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
     Report::Exported(match written {
         Ok(()) => Ok(path.to_path_buf()),
-        Err(problem) => Err(Message {
-            wrong: true,
-            title: format!("{} was not written", path.display()),
-            details: vec![problem, "What was there before is there still".to_owned()],
-        }),
+        Err(problem) => Err(not_written(path, problem)),
     })
 }
 
@@ -240,12 +331,57 @@ pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Report {
     };
     Report::Listed(match write_all(&[document], path, replace) {
         Ok(()) => Ok(path.to_path_buf()),
-        Err(problem) => Err(Message {
-            wrong: true,
-            title: format!("{} was not written", path.display()),
-            details: vec![problem, "What was there before is there still".to_owned()],
-        }),
+        Err(problem) => Err(not_written(path, problem)),
     })
+}
+
+/// Says that a file was not written.
+pub(crate) fn not_written(path: &Path, problem: String) -> Message {
+    Message {
+        wrong: true,
+        title: format!("{} was not written", path.display()),
+        details: vec![problem, "What was there before is there still".to_owned()],
+    }
+}
+
+/// How a file's name ends, in small letters.
+pub(crate) fn ending(path: &Path) -> Option<String> {
+    let ending = path.extension()?.to_str()?;
+    Some(ending.to_ascii_lowercase())
+}
+
+/// Whether a file may stand there: told before the work that it takes is begun.
+pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
+    let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
+    refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
+    if path.exists() && !replace {
+        return Err(advice(&WriteError::Exists(path.to_path_buf())));
+    }
+    let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
+    match folder {
+        Some(folder) if !folder.is_dir() => {
+            Err("the folder is not there: choose another, or make it first".to_owned())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Writes one file, unless it was cancelled meanwhile.
+pub(crate) fn write_one(
+    path: &Path,
+    replace: bool,
+    bytes: &[u8],
+    watch: &Watch,
+) -> Result<(), String> {
+    let written = write_atomically(path, replace, |file| {
+        file.write_all(bytes)?;
+        // Until here nothing stands under its name; what was written goes away again.
+        if watch.stopped() {
+            return Err(ErrorKind::Interrupted.into());
+        }
+        Ok(())
+    });
+    written.map_err(|error| advice(&error))
 }
 
 fn documents(wanted: Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
@@ -289,7 +425,7 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
     }
     for (place, document) in places.iter().zip(documents) {
         write_atomically(place, replace, |file| file.write_all(&document.bytes))
-            .map_err(|error| error.to_string())?;
+            .map_err(|error| advice(&error))?;
     }
     Ok(())
 }

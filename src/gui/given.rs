@@ -108,6 +108,7 @@ impl Given {
                 after_mm: Default::default(),
                 lengths_mm: Vec::new(),
                 suspected: Vec::new(),
+                live: None,
             });
         }
         let verification = verify(&calibration, &subject.session).map_err(|e| e.to_string())?;
@@ -125,6 +126,7 @@ impl Given {
             after_mm: after.axes_mm,
             lengths_mm: after.length_mm,
             suspected,
+            live: None,
         })
     }
 

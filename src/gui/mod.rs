@@ -11,7 +11,12 @@
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
 //! - `search`: what a diagnosis found, ready to be added.
-//! - `preview`: an export as it would be written.
+//! - `setup`: robot and instrument as they are filled in.
+//! - `preferences`: units, digits, colours; `help`: what the words mean.
+//! - `keeping`: what outlives the window (recent files, what is not saved), and what changes under it.
+//! - `preview`: an export as it would be written; `reporting`, `pictures`: a report, a plot as a file;
+//!   `figures`: the standards' figures.
+//! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
@@ -22,15 +27,23 @@ mod boundaries;
 mod commands;
 mod document;
 mod edit;
+mod figures;
 mod files;
+mod foreign;
 mod given;
+mod help;
+mod keeping;
 mod layers;
 mod outcome;
 mod overview;
 mod panels;
+mod pictures;
 mod plots;
+mod preferences;
 mod preview;
+mod reporting;
 mod search;
+mod setup;
 mod simulate;
 mod subject;
 mod tasks;
@@ -89,7 +102,8 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         options,
         Box::new(move |cc| {
             let app = App::new(&cc.egui_ctx, path, Runner::Threads);
-            Ok(Box::new(app.drawn_by(cc.wgpu_render_state.as_ref())))
+            let app = app.drawn_by(cc.wgpu_render_state.as_ref());
+            Ok(Box::new(app.at_home(keeping::home())))
         }),
     )
     .map_err(|error| {

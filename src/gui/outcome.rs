@@ -1,5 +1,6 @@
 //! What an identification answers, made ready for drawing.
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use crate::compensation::Verification;
@@ -8,13 +9,16 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::regions::{Assignment, RegionChoice};
-use crate::identification::{Identification, identify_regional, identify_with};
+use crate::identification::{
+    Identification, Live, identify_live, identify_regional, identify_watched,
+};
 use crate::model::{Calibration, GapStep};
 
 use super::document::{Asks, Question};
 use super::layers::Remainder;
 use super::overview::{Lengths, readable};
 use super::subject::Subject;
+use super::tasks::Watch;
 
 /// An answer to a question.
 #[derive(Debug, Clone)]
@@ -64,6 +68,8 @@ pub(crate) struct Answer {
     pub(crate) lengths_mm: Vec<f64>,
     /// Suspected outliers.
     pub(crate) suspected: Vec<bool>,
+    /// What brings the answer along when samples are added.
+    pub(crate) live: Option<Arc<Live>>,
 }
 
 /// What there is to say about a model that was read from a file.
@@ -84,8 +90,8 @@ impl Answer {
 
 impl Outcome {
     /// Works the answer out. Takes its time with many samples.
-    pub(crate) fn of(question: Question) -> Self {
-        let answer = answer(&question);
+    pub(crate) fn of(question: Question, watch: &Watch) -> Self {
+        let answer = answer(&question, watch);
         let after = answer.as_ref().ok();
         let after = after.map(|answer| After::new(&question.subject, answer));
         Self {
@@ -96,16 +102,32 @@ impl Outcome {
     }
 }
 
-fn answer(question: &Question) -> Result<Answer, String> {
+fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     let subject = &*question.subject;
     let session = &subject.session;
     let values = JointValues::Commanded;
     let mut steps = vec![];
+    let mut live = None;
     let (identification, after_mm) = match &question.asks {
         Asks::Exact { effects, with } => {
             let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
-            let first = |n: usize| identify_with(session, &effects, &with[..n], values);
-            let identification = first(with.len()).map_err(|e| e.to_string())?;
+            // How many passes there will be nobody knows; each takes a part of what is left.
+            let left = Cell::new(1.0_f64);
+            let go_on = || {
+                left.set(left.get() * 0.85);
+                watch.done(1.0 - left.get());
+                !watch.stopped()
+            };
+            let first = |n: usize| identify_watched(session, &effects, &with[..n], values, &go_on);
+            let identification = if question.live {
+                let before = question.before.as_deref();
+                let (found, next) = identify_live(session, &effects, with, values, before, &go_on)
+                    .map_err(|e| e.to_string())?;
+                live = Some(Arc::new(next));
+                found
+            } else {
+                first(with.len()).map_err(|e| e.to_string())?
+            };
             for n in 0..with.len() {
                 let before = first(n).map_err(|e| e.to_string())?;
                 steps.push(before.gap.after.rms_mm);
@@ -144,6 +166,7 @@ fn answer(question: &Question) -> Result<Answer, String> {
         after_mm,
         lengths_mm,
         suspected,
+        live,
     })
 }
 

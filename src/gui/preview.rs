@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::compensation::{JointTable, Remainder};
+use crate::compensation::Remainder;
 use crate::effects::{Inputs, JointValues};
 use crate::export::sidecar::measured_poses;
 use crate::export::{Document, Export, Job, find, gap_after_export};
@@ -41,14 +41,16 @@ pub(crate) struct Preview {
 pub(crate) struct Made {
     /// The model behind it.
     pub(crate) calibration: Calibration,
-    /// The table, in inner units.
-    pub(crate) table: JointTable,
+    /// Name of the joint whose table it is.
+    pub(crate) joint: String,
     /// The documents.
     pub(crate) export: Export,
     /// The sign convention in words, as the sidecar has it.
     pub(crate) sign: Option<String>,
     /// A worked line, as the sidecar has it.
     pub(crate) example: Option<String>,
+    /// What else the sidecar says: what to enter, how sure it is, notes.
+    pub(crate) said: Vec<String>,
     /// What no joint can remove.
     pub(crate) remainder: Remainder,
     /// The gap that this table leaves, with the controller's own interpolation.
@@ -83,7 +85,6 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
         Inputs::new(session, JointValues::Commanded)
     };
     let format = find(choice.format).ok_or("there is no such format")?;
-    let table = job.table().map_err(|e| e.to_string())?;
     let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
     let sidecar = export.documents.iter().find(|d| d.name.ends_with(SIDECAR));
     let said: Option<serde_json::Value> =
@@ -97,8 +98,27 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
         example: text("/example/says"),
         remainder: Remainder::new(&calibration, &inputs),
         gap: gap_after_export(&calibration, session, &export),
-        table,
+        joint: session.robot.joints[choice.joint].name.clone(),
+        said: lines(said.as_ref()),
         export,
         calibration,
     })
+}
+
+/// The sidecar's lines that are neither its sign nor its example nor what no joint removes.
+fn lines(said: Option<&serde_json::Value>) -> Vec<String> {
+    let mut lines = Vec::new();
+    for key in ["in_the_controller", "tried", "left_out", "notes"] {
+        match said.and_then(|said| said.get(key)) {
+            Some(serde_json::Value::String(line)) => lines.push(line.clone()),
+            Some(serde_json::Value::Array(some)) => {
+                lines.extend(
+                    some.iter()
+                        .filter_map(|line| line.as_str().map(str::to_owned)),
+                );
+            }
+            _ => {}
+        }
+    }
+    lines
 }

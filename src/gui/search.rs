@@ -27,30 +27,48 @@ pub(crate) const STAGES: [&str; 5] = [
     "poses to measure next",
 ];
 
+/// The stage in which names are found.
+pub(crate) const SEARCHING: usize = 2;
+
 /// Part of the whole that is done when a stage begins.
 const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
 
 impl Search {
     /// Searches. Takes its time.
     pub(crate) fn of(subject: Arc<Subject>, watch: &Watch) -> Self {
-        let told = |progress: &Progress| {
-            let (stage, found) = match progress {
-                Progress::Checking => (0, 0),
-                Progress::Preparing => (1, 0),
-                Progress::Searching { found } => (2, *found),
-                Progress::Comparing => (3, 0),
-                Progress::Planning => (4, 0),
-            };
-            watch.done(BEGUN[stage]);
-            watch.reached(stage, found);
-            !watch.stopped()
-        };
-        let answer = diagnose(&subject.session, &Options::default(), &told);
+        let answer = diagnose(&subject.session, &options(), &told(watch));
         let answer = answer.map_err(|error| match error {
             DiagnoseError::Cancelled => "the search was cancelled".to_owned(),
             other => other.to_string(),
         });
         Self { subject, answer }
+    }
+}
+
+/// How the window searches.
+pub(crate) fn options() -> Options {
+    Options {
+        correct_unexplained: true,
+        ..Options::default()
+    }
+}
+
+/// Passes on how far a search is, and whether it was cancelled.
+pub(crate) fn told(watch: &Watch) -> impl Fn(&Progress) -> bool {
+    |progress| {
+        let stage = match progress {
+            Progress::Checking => 0,
+            Progress::Preparing => 1,
+            Progress::Searching { found } => {
+                watch.found(found);
+                SEARCHING
+            }
+            Progress::Comparing => 3,
+            Progress::Planning => 4,
+        };
+        watch.done(BEGUN[stage]);
+        watch.reached(stage);
+        !watch.stopped()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
@@ -13,6 +14,7 @@ use crate::kinematics::{JointKind, Range};
 use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
+use super::keeping::disk::Print;
 use super::layers::Cloud;
 use super::overview::Overview;
 
@@ -27,6 +29,10 @@ pub(crate) enum Origin {
     Simulated,
     /// There is none: a model was read from this file, and nothing was measured.
     Model(PathBuf),
+    /// It was made of a file that an instrument wrote, and is in none of its own.
+    Imported(PathBuf),
+    /// It was kept when a window ended without warning; opened from this file, if from any.
+    Recovered(Option<PathBuf>),
 }
 
 /// An effect that this session cannot show, and why.
@@ -89,6 +95,8 @@ impl Component {
     }
 }
 
+static OPENINGS: AtomicU64 = AtomicU64::new(1);
+
 /// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
@@ -118,6 +126,12 @@ pub(crate) struct Subject {
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
+    /// The same for everything that came from one opening, however it was changed since.
+    pub(crate) lineage: u64,
+    /// The files that it was read from, as they looked then: the document first.
+    pub(crate) files: Vec<Print>,
+    /// The file with the samples, where they are in one.
+    pub(crate) samples_file: Option<PathBuf>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
     pub(crate) measured_range: Option<Range>,
 }
@@ -156,10 +170,33 @@ impl Subject {
             session,
             findings,
             origin,
+            lineage: OPENINGS.fetch_add(1, Ordering::Relaxed),
+            files: Vec::new(),
+            samples_file: None,
             measured_range: None,
         };
         subject.cloud = Arc::new(Cloud::new(&subject));
         subject
+    }
+
+    /// The same opening with another session: what was found while it was read stays.
+    pub(crate) fn with(&self, session: Session) -> Self {
+        Self {
+            lineage: self.lineage,
+            files: self.files.clone(),
+            samples_file: self.samples_file.clone(),
+            ..Self::new(session, self.findings.clone(), self.origin.clone())
+        }
+    }
+
+    /// The same with other samples: what was found said something about those before.
+    pub(crate) fn with_samples(&self, session: Session) -> Self {
+        let mut next = self.with(session);
+        let n = next.len();
+        for finding in &mut next.findings {
+            finding.samples.retain(|sample| *sample < n);
+        }
+        next
     }
 
     /// Number of samples.

@@ -7,15 +7,22 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex};
 
 use super::backdrop::{Backdrop, Scenery};
 use super::document::Question;
+use super::figures::Figures;
+use super::files::Saved;
+use super::foreign::Foreign;
 use super::given::Given;
+use super::keeping::recovery::LeftBehind;
+use super::keeping::watcher::{Order, Seen, Watched};
 use super::outcome::Outcome;
+use super::pictures::Plot;
 use super::preview::{Preview, Wanted};
+use super::reporting::About;
 use super::search::Search;
 use super::subject::Subject;
 use super::view::Message;
@@ -25,14 +32,24 @@ use super::view::Message;
 pub(crate) enum Report {
     /// A session was read or made.
     Opened(Result<Arc<Subject>, Message>),
+    /// A file that an instrument wrote was looked at.
+    Foreign(Box<Foreign>),
     /// A model was read.
     OpenedModel(Result<Arc<Given>, Message>),
     /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.
     ChosenToOpen(Option<PathBuf>),
     /// A path was chosen to save to.
     ChosenToSave(Option<PathBuf>),
-    /// A file was written.
-    Saved(Result<PathBuf, Message>),
+    /// A session was written, or not.
+    Saved(Box<Saved>),
+    /// Preferences, recent files or what is not saved were kept, or not.
+    Kept(Result<(), String>),
+    /// What windows that are gone have left behind.
+    LeftBehind(Vec<LeftBehind>),
+    /// Something was seen on the disk.
+    Seen(Seen),
+    /// A session has grown.
+    Extended(Box<Extended>),
     /// A question was answered.
     Answered(Box<Outcome>),
     /// A session was searched.
@@ -45,10 +62,25 @@ pub(crate) enum Report {
     Exported(Result<PathBuf, Message>),
     /// A measuring list was written.
     Listed(Result<PathBuf, Message>),
+    /// A report or a picture was written, or not.
+    Written(Message),
+    /// The standards' figures were worked out.
+    Figured(Box<Figures>),
     /// A path was chosen to export to.
     ChosenToExport(What, Option<PathBuf>),
     /// The task itself failed: a bug.
     Broken,
+}
+
+/// A session that has grown, with the answer to what was asked of it.
+#[derive(Debug)]
+pub(crate) struct Extended {
+    /// Before.
+    pub(crate) from: Arc<Subject>,
+    /// After.
+    pub(crate) to: Arc<Subject>,
+    /// The answer, where something was asked.
+    pub(crate) outcome: Option<Outcome>,
 }
 
 /// What is exported.
@@ -60,6 +92,10 @@ pub(crate) enum What {
     Model,
     /// Poses to measure next.
     Poses,
+    /// The calibration report.
+    Report(About),
+    /// A plot.
+    Picture(Plot),
 }
 
 /// Between a task and the window: how far it is, and whether anybody still wants it.
@@ -67,7 +103,7 @@ pub(crate) enum What {
 pub(crate) struct Watch {
     permille: AtomicU32,
     stage: AtomicUsize,
-    found: AtomicUsize,
+    found: Mutex<Vec<&'static str>>,
     stopped: AtomicBool,
 }
 
@@ -83,10 +119,30 @@ impl Watch {
         self.permille.store(permille, Ordering::Relaxed);
     }
 
-    /// Which stage has begun, and how much was found so far.
-    pub(crate) fn reached(&self, stage: usize, found: usize) {
+    /// Which stage has begun.
+    pub(crate) fn reached(&self, stage: usize) {
         self.stage.store(stage, Ordering::Relaxed);
-        self.found.fetch_max(found, Ordering::Relaxed);
+    }
+
+    /// What a search has found so far, if it is more than before: it starts again from nothing
+    /// now and then, to see whether it ends elsewhere.
+    pub(crate) fn found(&self, names: &[&'static str]) {
+        if let Ok(mut found) = self.found.lock()
+            && names.len() >= found.len()
+        {
+            *found = names.to_vec();
+        }
+    }
+
+    /// Whether something is done already.
+    #[cfg(test)]
+    pub(crate) fn begun(&self) -> bool {
+        self.permille.load(Ordering::Relaxed) > 0
+    }
+
+    /// Nobody wants the task any more.
+    pub(crate) fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
     }
 
     /// Whether the task was cancelled.
@@ -116,10 +172,17 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// The stage that has begun, and how much was found so far.
-    pub(crate) fn stage(&self) -> (usize, usize) {
-        let Watch { stage, found, .. } = &*self.watch;
-        (stage.load(Ordering::Relaxed), found.load(Ordering::Relaxed))
+    /// The stage that has begun.
+    pub(crate) fn stage(&self) -> usize {
+        self.watch.stage.load(Ordering::Relaxed)
+    }
+
+    /// Names of the effects that a search has found so far.
+    pub(crate) fn found(&self) -> Vec<&'static str> {
+        self.watch
+            .found
+            .lock()
+            .map_or_else(|_| Vec::new(), |f| f.clone())
     }
 
     /// Which part is done, where the task says so.
@@ -135,7 +198,17 @@ enum Kind {
     Identifies,
     Prepares,
     Searches,
+    /// What is only drawn: it passes without a word.
     Draws,
+    /// Nobody has to know.
+    Quiet,
+}
+
+impl Kind {
+    /// Whether the status bar names it, and can cancel it.
+    fn has_a_name(self) -> bool {
+        !matches!(self, Self::Draws | Self::Quiet)
+    }
 }
 
 /// One question at a time, and the latest one after it.
@@ -181,6 +254,25 @@ impl<Q: PartialEq + Clone> Latest<Q> {
     }
 }
 
+/// Begins to look at the disk.
+fn watch(runner: Runner, sender: &Sender<(u64, Report)>, wake: &Wake) -> Watching {
+    if runner == Runner::AtOnce {
+        return Watching::Here(Watched::default());
+    }
+    let (orders, taken) = channel();
+    let (sender, wake) = (sender.clone(), Arc::clone(wake));
+    let look = move || {
+        Watched::default().keep_looking(&taken, |seen| {
+            let _ = sender.send((WATCHER, Report::Seen(seen)));
+            wake();
+        });
+    };
+    let thread = std::thread::Builder::new().name("truepose watcher".to_owned());
+    // Without it the window goes on, and notices a change when it saves.
+    let _ = thread.spawn(look);
+    Watching::Thread(orders)
+}
+
 /// Wakes the window when something has arrived.
 pub(crate) type Wake = Arc<dyn Fn() + Send + Sync>;
 
@@ -195,12 +287,25 @@ pub(crate) struct Tasks {
     questions: Latest<Question>,
     previews: Latest<Wanted>,
     sceneries: Latest<Scenery>,
+    watching: Watching,
 }
+
+/// Who looks at the disk.
+enum Watching {
+    /// Whoever asks.
+    Here(Watched),
+    /// A thread of its own; it ends with this.
+    Thread(Sender<Order>),
+}
+
+/// What the watcher says has no task.
+const WATCHER: u64 = 0;
 
 impl Tasks {
     /// No task yet.
     pub(crate) fn new(runner: Runner, wake: Wake) -> Self {
         let (sender, receiver) = channel();
+        let watching = watch(runner, &sender, &wake);
         Self {
             runner,
             wake,
@@ -211,12 +316,45 @@ impl Tasks {
             questions: Latest::default(),
             previews: Latest::default(),
             sceneries: Latest::default(),
+            watching,
         }
     }
 
-    /// The task that the status bar names: the newest. What is only drawn passes without a word.
+    /// Looks at something else on the disk from now on.
+    pub(crate) fn order(&mut self, order: Order) {
+        match &mut self.watching {
+            Watching::Here(watched) => {
+                if let Some(seen) = watched.order(order) {
+                    let _ = self.sender.send((WATCHER, Report::Seen(seen)));
+                }
+            }
+            // A thread that could not be started looks at nothing.
+            Watching::Thread(orders) => drop(orders.send(order)),
+        }
+    }
+
+    /// Looks at the disk now, where no thread does.
+    pub(crate) fn look_at_disk(&mut self) {
+        if let Watching::Here(watched) = &mut self.watching {
+            for seen in watched.look() {
+                let _ = self.sender.send((WATCHER, Report::Seen(seen)));
+            }
+        }
+    }
+
+    /// Whether somebody has to call [`Tasks::look_at_disk`] from time to time.
+    pub(crate) fn wants_looking(&self) -> bool {
+        matches!(self.watching, Watching::Here(_))
+    }
+
+    /// Starts a task that nobody has to know of, and that nobody can cancel.
+    pub(crate) fn quietly(&mut self, work: impl FnOnce() -> Report + Send + 'static) {
+        self.spawn(String::new(), Kind::Quiet, move |_| work());
+    }
+
+    /// The task that the status bar names: the newest.
     pub(crate) fn newest(&self) -> Option<&Running> {
-        self.running.iter().rfind(|r| r.kind != Kind::Draws)
+        self.running.iter().rfind(|r| r.kind.has_a_name())
     }
 
     /// Starts a task.
@@ -242,8 +380,8 @@ impl Tasks {
 
     fn answer(&mut self, question: Question) {
         let what = format!("identifying, {} samples", question.subject.len());
-        self.spawn(what, Kind::Identifies, move |_| {
-            Report::Answered(Box::new(Outcome::of(question)))
+        self.spawn(what, Kind::Identifies, move |watch| {
+            Report::Answered(Box::new(Outcome::of(question, watch)))
         });
     }
 
@@ -334,9 +472,10 @@ impl Tasks {
         }
     }
 
-    /// Cancels the newest task: its report will not be taken.
-    pub(crate) fn cancel_newest(&mut self) {
-        self.cancel(|kind| kind != Kind::Draws);
+    /// Cancels the newest task: its report will not be taken. The question that is not answered
+    /// then, if it was one.
+    pub(crate) fn cancel_newest(&mut self) -> Option<Question> {
+        self.cancel(Kind::has_a_name)
     }
 
     /// Cancels the search, whatever else is under way.
@@ -344,29 +483,35 @@ impl Tasks {
         self.cancel(|kind| kind == Kind::Searches);
     }
 
-    fn cancel(&mut self, meant: impl Fn(Kind) -> bool) {
-        let Some(place) = self.running.iter().rposition(|r| meant(r.kind)) else {
-            return;
-        };
+    fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Question> {
+        let place = self.running.iter().rposition(|r| meant(r.kind))?;
         let cancelled = self.running.remove(place);
-        cancelled.watch.stopped.store(true, Ordering::Relaxed);
+        cancelled.watch.stop();
         match cancelled.kind {
-            Kind::Once | Kind::Searches | Kind::Draws => {}
-            Kind::Identifies => self.questions = Latest::default(),
+            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws => {}
+            Kind::Identifies => {
+                let Latest { asked, waiting } = std::mem::take(&mut self.questions);
+                return waiting.or(asked);
+            }
             Kind::Prepares => self.previews = Latest::default(),
         }
+        None
     }
 
     /// Everything that has arrived.
     pub(crate) fn reports(&mut self) -> Vec<Report> {
         let mut reports = Vec::new();
         while let Ok((id, report)) = self.receiver.try_recv() {
+            if id == WATCHER {
+                reports.push(report);
+                continue;
+            }
             let Some(place) = self.running.iter().position(|r| r.id == id) else {
                 continue;
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Searches => {}
+                Kind::Once | Kind::Searches | Kind::Quiet => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

@@ -1,6 +1,8 @@
 //! Numbers as the screen shows them: in the units that the user chose, with a real minus sign,
 //! and with no more digits than can be read.
 
+use std::cell::Cell;
+
 use crate::units::deg_from_rad;
 
 use super::view::{AngleUnit, LengthUnit};
@@ -12,6 +14,39 @@ pub(crate) struct Units {
     pub(crate) length: LengthUnit,
     /// Of angles.
     pub(crate) angle: AngleUnit,
+}
+
+/// How numbers are written everywhere on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Notation {
+    /// Decimals of lengths; `None`: as many as can be read.
+    pub(crate) decimals: Option<u8>,
+    /// Whether decimals follow a comma.
+    pub(crate) comma: bool,
+}
+
+thread_local! {
+    /// The window is drawn by one thread; it sets this once a frame and nobody else does.
+    static NOTATION: Cell<Notation> = const { Cell::new(Notation { decimals: None, comma: false }) };
+}
+
+/// Writes numbers like this from now on, on this thread.
+pub(crate) fn write_numbers(notation: Notation) {
+    NOTATION.set(notation);
+}
+
+/// A number as it was typed: with a point or a comma, and any minus sign.
+pub(crate) fn typed(text: &str) -> Option<f64> {
+    let text: String = text
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .map(|c| match c {
+            '−' => '-',
+            ',' => '.',
+            other => other,
+        })
+        .collect();
+    text.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// What is left of rounding.
@@ -55,11 +90,18 @@ impl Units {
 
     /// `−1.234 mm`.
     pub(crate) fn length(self, mm: f64) -> String {
-        format!(
-            "{} {}",
-            significant(self.length_value(mm), 3),
-            self.length_name()
-        )
+        format!("{} {}", self.length_number(mm), self.length_name())
+    }
+
+    /// The same without the unit.
+    pub(crate) fn length_number(self, mm: f64) -> String {
+        let value = self.length_value(mm);
+        match NOTATION.get().decimals {
+            Some(decimals) if value.is_finite() => {
+                with_minus(&format!("{value:.*}", usize::from(decimals)))
+            }
+            _ => significant(value, 3),
+        }
     }
 
     /// `36.0°`.
@@ -136,8 +178,40 @@ fn raised(exponent: &str) -> String {
     exponent.chars().map(raise).collect()
 }
 
+/// A number for a spreadsheet: every digit, an ASCII minus sign, the decimal sign that the user
+/// chose; nothing where it is not finite.
+pub(crate) fn plain_number(value: f64) -> String {
+    if !value.is_finite() {
+        return String::new();
+    }
+    let text = format!("{value}");
+    if NOTATION.get().comma {
+        text.replace('.', ",")
+    } else {
+        text
+    }
+}
+
+/// A user's text as one cell of a table with tabs; a spreadsheet must not take it for a formula.
+pub(crate) fn cell(text: &str) -> String {
+    let text: String = text
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
+    if text.starts_with(['=', '+', '-', '@']) {
+        format!("'{text}")
+    } else {
+        text
+    }
+}
+
 fn with_minus(text: &str) -> String {
-    text.replace('-', "−")
+    let text = text.replace('-', "−");
+    if NOTATION.get().comma {
+        text.replace('.', ",")
+    } else {
+        text
+    }
 }
 
 #[cfg(test)]
@@ -161,6 +235,29 @@ mod tests {
         let (value, half) = with_interval(-3.01234567, Some([-3.026, -2.998]));
         assert_eq!((value.as_str(), half.as_str()), ("−3.012", "± 0.014"));
         assert_eq!(with_interval(1.5, None).1, "open");
+    }
+
+    #[test]
+    fn numbers_are_written_as_the_user_wants_them() {
+        let units = Units::default();
+        write_numbers(Notation {
+            decimals: Some(4),
+            comma: true,
+        });
+        assert_eq!(units.length(-0.05234), "−0,0523 mm");
+        assert_eq!(units.length(13.0), "13,0000 mm");
+        assert_eq!(significant(13.8436, 3), "13,8");
+        write_numbers(Notation::default());
+        assert_eq!(units.length(-0.05234), "−0.0523 mm");
+    }
+
+    #[test]
+    fn a_number_may_be_typed_with_a_point_or_a_comma() {
+        assert_eq!(typed(" −1,5 "), Some(-1.5));
+        assert_eq!(typed("2.25"), Some(2.25));
+        for no in ["", "1.2.3", "nan", "inf", "1e999", "a"] {
+            assert_eq!(typed(no), None, "{no}");
+        }
     }
 
     #[test]

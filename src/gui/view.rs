@@ -1,8 +1,14 @@
 //! How the window looks at the document. Nothing here changes what is saved, and nothing here can
 //! be undone.
 
-use egui::ThemePreference;
+use std::path::PathBuf;
 
+use serde::{Deserialize, Serialize};
+
+use super::foreign::Foreign;
+use super::keeping::disk::Fate;
+use super::preferences::Preferences;
+use super::setup::SetupForm;
 use super::simulate::Form;
 use super::subject::Component;
 use super::tasks::What;
@@ -96,7 +102,8 @@ impl Plane {
 }
 
 /// Unit of lengths on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum LengthUnit {
     /// Millimetres.
     #[default]
@@ -108,7 +115,8 @@ pub(crate) enum LengthUnit {
 }
 
 /// Unit of angles on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub(crate) enum AngleUnit {
     /// Degrees.
     #[default]
@@ -222,10 +230,42 @@ pub(crate) enum Sheet {
     Simulate(Form),
     /// The keyboard.
     Shortcuts,
-    /// Whether to leave without saving.
-    Leave,
+    /// What is lost if this is done now.
+    Unsaved(Then),
+    /// This file is not what it was when it was read: whether to replace it all the same.
+    Overwrite(PathBuf),
+    /// What windows that are gone have left behind.
+    Recover,
+    /// A file that an instrument wrote.
+    Import(Box<Foreign>),
+    /// Units, digits, colours, size of text.
+    Preferences,
+    /// What the words mean.
+    Words,
     /// What this program is.
     About,
+}
+
+/// What is done next, when nothing is in the way any more.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Then {
+    /// Close the window.
+    Leave,
+    /// Open this file.
+    Open(PathBuf),
+    /// Open this example.
+    Example(usize),
+    /// Make a session.
+    Simulate(Form),
+}
+
+/// A file that is open and is not on the disk as it was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct OnDisk {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// What became of it.
+    pub(crate) fate: Fate,
 }
 
 /// Something that the user has to know.
@@ -264,22 +304,24 @@ pub(crate) struct ViewState {
     pub(crate) hovered: Option<usize>,
     /// The chosen sample.
     pub(crate) selected: Option<usize>,
+    /// Samples that a finding is about, in ascending order.
+    pub(crate) marked: Vec<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
     /// The lower plot of the step that finds the gap.
     pub(crate) lower: Lower,
-    /// Unit of lengths.
-    pub(crate) length: LengthUnit,
-    /// Unit of angles.
-    pub(crate) angle: AngleUnit,
+    /// Units, digits, colours, size of text.
+    pub(crate) preferences: Preferences,
+    /// Robot and instrument as they are being typed, while that makes no robot.
+    pub(crate) setup: Option<Box<SetupForm>>,
+    /// An open file that is not what it was.
+    pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
     pub(crate) sheet: Option<Sheet>,
     /// Whether the window may close although something is not saved.
     pub(crate) leaving: bool,
     /// What the user has to know.
     pub(crate) message: Option<Message>,
-    /// Light, dark, or as the system has it.
-    pub(crate) theme: ThemePreference,
     /// Counts up when the plots are to show everything again.
     pub(crate) fitted: u64,
 }
@@ -298,14 +340,15 @@ impl Default for ViewState {
             only_after: false,
             hovered: None,
             selected: None,
+            marked: Vec::new(),
             side: Side::default(),
             lower: Lower::default(),
-            length: LengthUnit::default(),
-            angle: AngleUnit::default(),
+            preferences: Preferences::default(),
+            setup: None,
+            on_disk: None,
             sheet: None,
             leaving: false,
             message: None,
-            theme: ThemePreference::System,
             fitted: 0,
         }
     }

@@ -5,7 +5,9 @@ use egui::{
     Role, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
+use super::help::{self, Word};
 use super::tokens::{Palette, size, space, strong};
+use super::units::typed;
 
 /// What a panel is about.
 pub(crate) fn heading(ui: &mut Ui, text: &str) {
@@ -41,6 +43,21 @@ pub(crate) fn fine(ui: &mut Ui, width: f32) {
 pub(crate) fn hint(ui: &mut Ui, text: impl Into<String>) {
     let muted = Palette::of(ui).muted;
     ui.add(egui::Label::new(RichText::new(text).size(size::SMALL + 0.5).color(muted)).wrap());
+}
+
+/// A sentence that explains, with a word in it that can be explained in turn.
+pub(crate) fn hint_about(ui: &mut Ui, text: impl Into<String>, word: Word) {
+    let muted = Palette::of(ui).muted;
+    let text = RichText::new(text).size(size::SMALL + 0.5).color(muted);
+    let response = ui.add(egui::Label::new(text).wrap());
+    explained(response, word);
+}
+
+/// What is wrong with the field above.
+pub(crate) fn wrong(ui: &mut Ui, text: &str) {
+    let color = Palette::of(ui).outside;
+    let text = RichText::new(text).size(size::SMALL + 0.5).color(color);
+    ui.add(egui::Label::new(text).wrap());
 }
 
 /// The one thing to do next, as wide as the panel.
@@ -210,12 +227,38 @@ pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
         ui.spacing_mut().interact_size.y = 16.0;
         ui.spacing_mut().item_spacing.y = 4.0;
         ui.horizontal(|ui| {
-            ui.label(RichText::new(name).color(palette.muted));
+            let label = ui.label(RichText::new(name).color(palette.muted));
+            if let Some(word) = help::about(name) {
+                explained(label, word);
+            }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.add(egui::Label::new(value.into()).truncate());
             });
         });
     });
+}
+
+/// Says what a word means when the pointer rests on it.
+pub(crate) fn explained(response: Response, word: Word) -> Response {
+    response.on_hover_ui(|ui| {
+        ui.set_max_width(280.0);
+        ui.label(RichText::new(word.name).font(strong(size::BODY)));
+        ui.label(word.means);
+    })
+}
+
+/// A question mark that says what a word means.
+pub(crate) fn question(ui: &mut Ui, word: Word) {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
+    let says = format!("what {} means", word.name.to_lowercase());
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
+    let painter = ui.painter();
+    painter.circle_stroke(rect.center(), 6.5, Stroke::new(1.0, palette.nominal));
+    let font = egui::FontId::proportional(10.0);
+    let centre = egui::Align2::CENTER_CENTER;
+    painter.text(rect.center(), centre, "?", font, palette.muted);
+    explained(response, word);
 }
 
 /// Rows of text stand close together; rows of controls need room.
@@ -244,13 +287,18 @@ pub(crate) fn sample_card(ui: &mut Ui, (title, lines): &(String, Vec<(String, St
         });
 }
 
+/// A field that takes a number when it is complete, with a point or a comma.
+fn typing(field: DragValue<'_>) -> DragValue<'_> {
+    field.update_while_editing(false).custom_parser(typed)
+}
+
 /// A number with its name before it.
 pub(crate) fn number(ui: &mut Ui, name: &str, field: DragValue<'_>) -> Response {
     let muted = Palette::of(ui).muted;
     let row = ui.horizontal(|ui| {
         let label = ui.label(RichText::new(name).color(muted));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add_sized([96.0, space::CONTROL], field.update_while_editing(false))
+            ui.add_sized([96.0, space::CONTROL], typing(field))
                 .labelled_by(label.id)
         })
         .inner
@@ -258,9 +306,23 @@ pub(crate) fn number(ui: &mut Ui, name: &str, field: DragValue<'_>) -> Response 
     row.inner
 }
 
+/// A row of a form on a sheet: its name, as wide as all the others, and what is chosen.
+pub(crate) fn form_row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
+    const NAMES: f32 = 136.0;
+    let muted = Palette::of(ui).muted;
+    ui.horizontal(|ui| {
+        let room = vec2(NAMES, space::CONTROL);
+        ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(NAMES);
+            ui.label(RichText::new(name).color(muted));
+        });
+        control(ui);
+    });
+}
+
 /// A field for a number as a table has it: no wider than it must be.
 pub(crate) fn cell_number(ui: &mut Ui, name: &str, width: f32, field: DragValue<'_>) -> Response {
-    let response = ui.add_sized([width, 24.0], field.update_while_editing(false));
+    let response = ui.add_sized([width, 24.0], typing(field));
     let name = name.to_owned();
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label(name));
@@ -298,6 +360,33 @@ pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str
     let head = vec![at(-5.0, 5.0), at(-8.6, 0.2), at(-1.4, 0.2)];
     painter.add(egui::Shape::convex_polygon(head, color, Stroke::NONE));
     response.on_hover_text(says)
+}
+
+/// An arrow into a tray: saves what stands beside it.
+pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+    let painter = ui.painter();
+    let lit = response.hovered() || response.has_focus();
+    if lit {
+        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
+    }
+    let color = if lit { palette.text } else { palette.muted };
+    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
+    let line = |points: Vec<egui::Pos2>| {
+        painter.line(points, Stroke::new(1.5, color));
+    };
+    line(vec![at(0.0, -6.5), at(0.0, 2.0)]);
+    line(vec![at(-3.5, -1.5), at(0.0, 2.0), at(3.5, -1.5)]);
+    line(vec![
+        at(-6.5, 2.5),
+        at(-6.5, 6.0),
+        at(6.5, 6.0),
+        at(6.5, 2.5),
+    ]);
+    response.on_hover_text(name)
 }
 
 /// Part of a whole as a bar: before above, after below.

@@ -15,7 +15,7 @@ use crate::sessions::{Session, Sigma};
 use super::IdentifyError;
 use super::gap::{Deviations, Spread, deviations};
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
-use super::problem::{Problem, unusable};
+use super::problem::{Problem, Watch, unusable};
 use super::robust::suspects;
 use super::solver::{Solution, Stopped, solve};
 use super::uncertainty::{estimates, half_width_factor};
@@ -52,7 +52,61 @@ pub fn identify_with(
     known: &[Term],
     values: JointValues,
 ) -> Result<Identification, IdentifyError> {
+    identify_watched(session, effects, known, values, &|| true)
+}
+
+/// Like [`identify_with`], asking before every pass over the samples whether to go on.
+///
+/// # Errors
+/// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `go_on` said no.
+pub fn identify_watched(
+    session: &Session,
+    effects: &[String],
+    known: &[Term],
+    values: JointValues,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Identification, IdentifyError> {
+    let Prepared {
+        mut problem,
+        start,
+        nominal,
+        not_identifiable,
+    } = prepare(session, effects, known, values, go_on)?;
+    let fitted = fit_without_outliers(&mut problem, &start);
+    if fitted.stopped == Stopped::Cancelled || !go_on() {
+        return Err(IdentifyError::Cancelled);
+    }
+    Ok(report(
+        session,
+        &problem,
+        fitted,
+        &nominal,
+        not_identifiable,
+    ))
+}
+
+/// What a fit begins with.
+pub(super) struct Prepared<'a> {
+    /// The samples.
+    pub(super) problem: Problem<'a>,
+    /// The terms to fit, with their best settings.
+    pub(super) start: Model,
+    /// The robot without them.
+    pub(super) nominal: Model,
+    /// What was asked for and cannot be fitted.
+    pub(super) not_identifiable: Vec<NotIdentifiable>,
+}
+
+/// Looks which of the effects the session can show, and scans those with a setting.
+pub(super) fn prepare<'a>(
+    session: &'a Session,
+    effects: &[String],
+    known: &[Term],
+    values: JointValues,
+    go_on: &'a dyn Fn() -> bool,
+) -> Result<Prepared<'a>, IdentifyError> {
     let mut problem = Problem::new(session, values);
+    problem.watch = Watch::by(go_on);
     if problem.samples() == 0 {
         return Err(IdentifyError::NothingToFit);
     }
@@ -87,14 +141,12 @@ pub fn identify_with(
     let start = known
         .iter()
         .fold(start, |model, term| model.with_term(term.clone()));
-    let fitted = fit_without_outliers(&mut problem, &start);
-    Ok(report(
-        session,
-        &problem,
-        fitted,
-        &nominal,
+    Ok(Prepared {
+        problem,
+        start,
+        nominal,
         not_identifiable,
-    ))
+    })
 }
 
 /// The answer for a model that was fitted elsewhere (the diagnosis does), on a problem whose
@@ -161,6 +213,9 @@ pub fn report(
 pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     let mut solution = solve(problem, start);
     for round in 0..MOST_ROUNDS {
+        if solution.stopped == Stopped::Cancelled {
+            break;
+        }
         let after = deviations(problem, &solution.model);
         let suspected = suspects(problem, &after);
         let used: Vec<bool> = problem
@@ -180,6 +235,7 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
         }
         solution = solve(problem, &solution.model);
     }
+    solution.model = solution.model.settled();
     solution
 }
 

@@ -5,6 +5,7 @@ pub mod alignment;
 pub mod gap;
 pub mod normal;
 pub mod problem;
+pub mod recursive;
 pub mod regions;
 pub mod robust;
 pub mod scan;
@@ -13,6 +14,7 @@ pub mod uncertainty;
 
 mod adaptive;
 mod exact;
+mod live;
 mod outcome;
 mod plane;
 mod regional;
@@ -20,8 +22,10 @@ mod unidentifiable;
 
 pub(crate) use exact::free_frames;
 pub use exact::{
-    DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_with, report, testable_effects,
+    DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_watched, identify_with, report,
+    testable_effects,
 };
+pub use live::{Live, identify_live};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
 };
@@ -45,4 +49,7 @@ pub enum IdentifyError {
     /// The regions make no sense.
     #[error("{0}")]
     Regions(#[from] regions::RegionError),
+    /// Whoever asked does not want the answer any more.
+    #[error("the identification was cancelled")]
+    Cancelled,
 }

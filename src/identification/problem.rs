@@ -21,6 +21,34 @@ pub struct Problem<'a> {
     pub used: Vec<bool>,
     /// 1/σ² of each axis, or 1; 0 for an axis that was not measured.
     pub axis_weights: [f64; 3],
+    /// Whether anybody still wants the answer.
+    pub watch: Watch<'a>,
+}
+
+/// Asked before every pass over the samples whether to go on.
+#[derive(Clone, Copy, Default)]
+pub struct Watch<'a>(Option<&'a dyn Fn() -> bool>);
+
+impl<'a> Watch<'a> {
+    /// Goes on while `go_on` says so.
+    pub fn by(go_on: &'a dyn Fn() -> bool) -> Self {
+        Self(Some(go_on))
+    }
+
+    /// Whether to go on.
+    pub fn goes_on(self) -> bool {
+        self.0.is_none_or(|go_on| go_on())
+    }
+}
+
+impl std::fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(if self.0.is_some() {
+            "Watch"
+        } else {
+            "Unwatched"
+        })
+    }
 }
 
 /// Why a sample cannot take part at all.
@@ -71,6 +99,7 @@ impl<'a> Problem<'a> {
             session,
             inputs,
             axis_weights,
+            watch: Watch::default(),
         }
     }
 

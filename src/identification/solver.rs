@@ -30,6 +30,8 @@ pub enum Stopped {
     TooManySteps,
     /// No step, however short, made the fit better.
     NoDescent,
+    /// Nobody wants the answer any more.
+    Cancelled,
 }
 
 impl Stopped {
@@ -41,6 +43,7 @@ impl Stopped {
             Self::TooManySteps => {
                 "stopped after the largest number of steps: the result may be rough"
             }
+            Self::Cancelled => "cancelled",
             Self::NoDescent => "stopped where no step made the fit better: the result may be rough",
         }
     }
@@ -75,6 +78,14 @@ impl Spectrum {
         let scaled = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| {
             gram[(i, j)] * inverse[i] * inverse[j]
         });
+        if gram.is_empty() {
+            // Nothing to take apart; the decomposition takes no empty matrix.
+            return Self {
+                scale,
+                values: DVector::zeros(0),
+                vectors: DMatrix::zeros(0, 0),
+            };
+        }
         let eigen = SymmetricEigen::new(scaled);
         Self {
             scale,
@@ -202,6 +213,9 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
     let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
     let coarse: Vec<usize> = (0..COARSE_BLOCKS).map(spaced).collect();
     let near = descend(problem, start, &coarse);
+    if near.stopped == Stopped::Cancelled {
+        return near;
+    }
     polish(problem, &near.model, &blocks, near.passes)
 }
 
@@ -218,6 +232,9 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
         }
         if passes > MOST_STEPS {
             break Stopped::TooManySteps;
+        }
+        if !problem.watch.goes_on() {
+            break Stopped::Cancelled;
         }
         let step = spectrum.step(&normal.gradient, damping);
         let trial = moved(&model, &step);
@@ -284,13 +301,7 @@ fn sum(problem: &Problem, model: &Model, blocks: &[usize], sums: Sums) -> Normal
 }
 
 fn moved(model: &Model, step: &DVector<f64>) -> Model {
-    let coefficients = model.coefficients();
-    let moved: Vec<f64> = coefficients
-        .iter()
-        .zip(step.iter())
-        .map(|(c, s)| c + s)
-        .collect();
-    model.with_coefficients(&moved)
+    model.stepped(step.as_slice())
 }
 
 /// How far a step moves the samples, root mean square, in the units of the weighted residual.

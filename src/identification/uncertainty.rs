@@ -35,7 +35,10 @@ pub fn estimates(
     let about = term.effect.about();
     let values = term.parameters_on(kind);
     let half_widths = half_widths(term, covariance, factor, undetermined, kind);
-    let settings = usize::from(setting_quantity(about.setting).is_some());
+    // A fade is shown first and solved for last, as a logarithm; other settings are chosen, not
+    // estimated, and whoever scans them says how sure that is.
+    let fading = matches!(about.form, Form::Fading(_));
+    let settings = usize::from(!fading && setting_quantity(about.setting).is_some());
     values
         .into_iter()
         .enumerate()
@@ -43,7 +46,6 @@ pub fn estimates(
             let half = k.checked_sub(settings).map(|k| half_widths[k]);
             let value = parameter.value;
             let ci95 = match half {
-                // A setting is chosen, not estimated; whoever scans it says how sure it is.
                 None => Some([value, value]),
                 Some(half) => half
                     .filter(|h| h.is_finite())
@@ -85,6 +87,17 @@ fn half_widths(
                     .then(|| factor * covariance[(k, k)].sqrt() / quantity.on(kind).inner)
             })
             .collect(),
+        Form::Fading(quantity) => {
+            let quantity = quantity.on(kind);
+            let fade = setting_quantity(term.effect.about().setting).map_or(1.0, |setting| {
+                term.settled().setting / setting.on(kind).inner
+            });
+            let deviation = |k: usize| factor * covariance[(k, k)].sqrt();
+            // An uncertainty beyond a factor of e is none that an interval could tell.
+            let of_fade = (!undetermined[1] && deviation(1) < 1.0).then(|| fade * deviation(1));
+            let of_size = (!undetermined[0]).then(|| deviation(0) / quantity.inner);
+            vec![of_fade, of_size]
+        }
         Form::Harmonic(quantity) => {
             if undetermined.contains(&true) {
                 return vec![None, None];

@@ -1,7 +1,7 @@
 //! What the samples do not determine, in words: the directions of the coefficients' space along
 //! which nothing changes, each as the parameters that can be exchanged for one another.
 
-use crate::effects::term::names_on;
+use crate::effects::term::coefficient_names_on;
 use crate::effects::{Effect, Setting};
 use crate::model::Model;
 use crate::sessions::Session;
@@ -38,11 +38,8 @@ fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
             }
             _ => name_on_joint(term.effect, term.joint, session),
         };
-        let names = names_on(term.effect, model.robot.joints[term.joint].kind);
-        let skip = names.len().saturating_sub(term.coefficients.len());
-        names
+        coefficient_names_on(term.effect, model.robot.joints[term.joint].kind)
             .into_iter()
-            .skip(skip)
             .map(move |name| format!("{place}: {name}"))
             .collect::<Vec<_>>()
     });

@@ -97,6 +97,27 @@ impl Model {
         model
     }
 
+    /// The same model after a step of its coefficients; one of a fade is cut to what it may do
+    /// at once.
+    #[must_use]
+    pub(crate) fn stepped(&self, step: &[f64]) -> Self {
+        let mut model = self.clone();
+        let mut rest = step;
+        for term in &mut model.terms {
+            let (own, others) = rest.split_at(term.coefficients.len());
+            term.step(own);
+            rest = others;
+        }
+        model
+    }
+
+    /// The same model, bit by bit, with every fade that was solved for as its term's setting.
+    #[must_use]
+    pub fn settled(&self) -> Self {
+        let terms = self.terms.iter().map(Term::settled).collect();
+        Self::new(self.robot.clone(), terms)
+    }
+
     /// The same model with one effect more.
     #[must_use]
     pub fn with_term(&self, term: Term) -> Self {
@@ -183,6 +204,7 @@ impl Model {
                 joint: term.joint,
                 setting: term.setting,
                 coefficients: term.coefficients.clone(),
+                curve: term.curve.clone(),
                 first_column,
                 frame: JointFrame::new(&self.robot, term.joint),
                 down,

@@ -244,7 +244,7 @@ fn unknown_column(place: Place, name: &str, hint: Option<&str>) -> Diagnostic {
 }
 
 /// The joint exists and the unit suits its kind.
-fn check_joint(
+pub(crate) fn check_joint(
     quantity: Quantity,
     unit: Unit,
     kinds: &[JointKind],

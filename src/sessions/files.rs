@@ -45,8 +45,11 @@ fn reason(error: &io::Error) -> String {
     }
 }
 
-/// The whole of a document that the user named.
-pub(crate) fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
+/// The whole of a file that the user named; nothing but a regular file is opened.
+///
+/// # Errors
+/// [`Rejected`] when it is no regular file, or cannot be read.
+pub fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
     let refused = |(found, expected): Refusal| {
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     };

@@ -10,23 +10,27 @@
 //! inner units) → `validation` (what spans fields). The types that the program thinks in are in
 //! `domain`; they know nothing of files.
 
-mod assemble;
-mod columns;
+pub(crate) mod assemble;
+pub(crate) mod columns;
 mod csv;
 mod domain;
 pub(crate) mod files;
 pub(crate) mod format_v1;
+mod growing;
 mod hash;
 pub(crate) mod json;
 mod lines;
 mod load;
 pub(crate) mod number;
+mod rows;
 mod save;
 mod saved_columns;
-mod table;
+pub(crate) mod table;
 pub(crate) mod validation;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
+pub use files::read_document as read_whole;
+pub use growing::{Growing, Growth};
 pub use hash::hash_of_samples;
 pub use lines::Lines;
 pub use load::{Loaded, LoadedRobot, load, load_robot, parse, parse_robot, parse_with_csv};

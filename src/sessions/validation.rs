@@ -149,7 +149,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
             incomplete.len(),
             which(samples, &incomplete)
         );
-        findings.push(Diagnostic::warning(file.clone(), found, ""));
+        findings.push(Diagnostic::warning(file.clone(), found, "").about(&incomplete));
     }
     match &samples.z_mm {
         None => {
@@ -163,7 +163,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
                 lacking.len(),
                 which(samples, &lacking)
             );
-            findings.push(Diagnostic::note(file.clone(), found));
+            findings.push(Diagnostic::note(file.clone(), found).about(&lacking));
         }
         Some(_) => {}
     }
@@ -190,7 +190,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
                 which(samples, &off)
             );
             let place = file.clone().in_field("qw, qx, qy, qz");
-            findings.push(Diagnostic::warning(place, found, "unit quaternions"));
+            findings.push(Diagnostic::warning(place, found, "unit quaternions").about(&off));
         }
     }
 }
@@ -216,11 +216,10 @@ fn limits(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
                 index + 1,
                 which(&session.samples, &beyond)
             );
-            findings.push(Diagnostic::warning(
-                file.clone(),
-                found,
-                "commands within the limits",
-            ));
+            findings.push(
+                Diagnostic::warning(file.clone(), found, "commands within the limits")
+                    .about(&beyond),
+            );
         }
     }
 }
@@ -229,11 +228,8 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
     let mut warn = |field: &str, wrong: Vec<usize>, what: &str, expected: &str| {
         if !wrong.is_empty() {
             let found = format!("{what}: {}", which(samples, &wrong));
-            findings.push(Diagnostic::warning(
-                file.clone().in_field(field),
-                found,
-                expected,
-            ));
+            let place = file.clone().in_field(field);
+            findings.push(Diagnostic::warning(place, found, expected).about(&wrong));
         }
     };
     let negative_load = rows_where(samples.load_kg.as_deref(), |kg| kg < 0.0);
@@ -254,7 +250,8 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
                 "the time does not increase at {}; file order is taken as measuring order",
                 which(samples, &back)
             );
-            findings.push(Diagnostic::note(file.clone().in_field("time_s"), found));
+            let place = file.clone().in_field("time_s");
+            findings.push(Diagnostic::note(place, found).about(&back));
         }
     }
     if let Some(setups) = &samples.setups
@@ -273,11 +270,8 @@ fn conditions(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>) {
             lost.len(),
             which(samples, &lost)
         );
-        findings.push(Diagnostic::warning(
-            file.clone(),
-            found,
-            "they are left out",
-        ));
+        let warning = Diagnostic::warning(file.clone(), found, "they are left out");
+        findings.push(warning.about(&lost));
     }
 }
 

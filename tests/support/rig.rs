@@ -122,6 +122,39 @@ impl Hidden {
         }
     }
 
+    /// Its parameters as the contract names them.
+    pub fn parameters(&self) -> Vec<(&'static str, f64)> {
+        let wave = |amplitude: &'static str, a: f64, p: f64| {
+            vec![(amplitude, a), ("phase_deg", p.to_degrees())]
+        };
+        let three = |names: [&'static str; 3], v: &[f64; 3], unit: f64| {
+            (0..3).map(|k| (names[k], v[k] * unit)).collect()
+        };
+        match self {
+            Self::Scale(k) | Self::InstrumentScale(k) => vec![("scale_ppm", k * 1e6)],
+            Self::Eccentricity(a, p) | Self::TwoCycle(a, p) | Self::Gear(_, a, p) => {
+                wave("amplitude_deg", a.to_degrees(), *p)
+            }
+            Self::Backlash(w) | Self::LostMotion(w, _) => vec![("width_deg", w.to_degrees())],
+            Self::Lag(d) => vec![("delay_s", *d)],
+            Self::ThermalZero(k) => vec![("deg_per_degc", k.to_degrees())],
+            Self::Compliance(c) => vec![("compliance_urad_per_nm", c * 1e6)],
+            Self::ThermalGrowth(a) => vec![("ppm_per_degc", a * 1e6)],
+            Self::Runout(_, a, p) => wave("amplitude_mm", *a, *p),
+            Self::Wobble(_, a, p) => wave("amplitude_mrad", a * 1e3, *p),
+            Self::Droop(d) => vec![("mm_per_kg", *d)],
+            Self::Tilt(x, y) => vec![("about_x_mrad", x * 1e3), ("about_y_mrad", y * 1e3)],
+            Self::BaseOffset(v) => three(["x_mm", "y_mm", "z_mm"], v, 1.0),
+            Self::Shift(t, v) => {
+                let mut all: Vec<_> = three(["x_mm", "y_mm", "z_mm"], v, 1.0);
+                all.push(("time_s", *t));
+                all
+            }
+            Self::Drift(v) => three(["x_mm_per_h", "y_mm_per_h", "z_mm_per_h"], v, 3600.0),
+            Self::Bump(..) | Self::Sawtooth(..) | Self::Plateau(..) => Vec::new(),
+        }
+    }
+
     /// One of the catalogue at random, of some size.
     pub fn random(id: &str, random: &mut Random, design: &Design) -> Self {
         let phase = random.between(0.0, std::f64::consts::TAU);
@@ -196,6 +229,10 @@ pub enum Kind {
     Unequal,
     Outliers,
     Quantised,
+    /// Correlated in time, ρ = 0.8.
+    Sluggish,
+    /// Heavy tails, correlation, unequal axes and outliers at once.
+    Mixed,
 }
 
 /// How a session is measured.
@@ -256,6 +293,10 @@ pub struct Rig {
     pub length: f64,
     pub hidden: Vec<Hidden>,
     pub measured: Vec<[f64; 3]>,
+    /// Which shots the session marks as held out; those beyond its end are not.
+    pub held_out: Vec<bool>,
+    /// By how much what is read back lags the command, s; `None`: there is no such column.
+    pub read_back_lag_s: Option<f64>,
 }
 
 impl Rig {
@@ -334,6 +375,8 @@ impl Rig {
             length: random.between(-1.8, 1.8),
             hidden: Vec::new(),
             measured: Vec::new(),
+            held_out: Vec::new(),
+            read_back_lag_s: None,
         }
     }
 
@@ -488,30 +531,33 @@ impl Rig {
         let mut measured = Vec::new();
         for (k, shot) in self.shots.iter().enumerate() {
             let mut p = self.point(shot, &hidden);
+            let kind = self.design.kind;
             for (axis, value) in p.iter_mut().enumerate() {
-                let e = match self.design.kind {
-                    Kind::Gauss | Kind::Outliers | Kind::Quantised => random.normal(),
-                    Kind::Tails => {
+                let own = match kind {
+                    Kind::Tails | Kind::Mixed => {
                         let chi: f64 = (0..4).map(|_| random.normal().powi(2)).sum();
                         random.normal() / (chi / 4.0).sqrt() / 2.0_f64.sqrt()
                     }
-                    Kind::Correlated => {
-                        let own = random.normal();
-                        if k == 0 {
-                            own
-                        } else {
-                            0.5 * before[axis] + 0.75_f64.sqrt() * own
-                        }
-                    }
-                    Kind::Unequal => random.normal() * [0.5, 1.0, 1.33][axis],
+                    _ => random.normal(),
                 };
+                let rho: f64 = match kind {
+                    Kind::Correlated | Kind::Mixed if k > 0 => 0.5,
+                    Kind::Sluggish if k > 0 => 0.8,
+                    _ => 0.0,
+                };
+                let e = rho * before[axis] + (1.0 - rho * rho).sqrt() * own;
                 before[axis] = e;
-                *value += sigma * e;
-                if self.design.kind == Kind::Quantised {
+                let share = match kind {
+                    Kind::Unequal | Kind::Mixed => [0.5, 1.0, 1.33][axis],
+                    _ => 1.0,
+                };
+                *value += sigma * share * e;
+                if kind == Kind::Quantised {
                     *value = (*value / 0.02).round() * 0.02;
                 }
             }
-            if self.design.kind == Kind::Outliers && random.unit() < 0.02 {
+            let with_outliers = matches!(kind, Kind::Outliers | Kind::Mixed);
+            if with_outliers && random.unit() < 0.02 {
                 let v = [random.normal(), random.normal(), random.normal()];
                 let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
                 for axis in 0..3 {
@@ -530,6 +576,14 @@ impl Rig {
         more.measure(random);
         self.shots.extend(more.shots);
         self.measured.extend(more.measured);
+    }
+
+    /// Measures as many shots again, of the same design, that the session marks as held out.
+    pub fn measure_unseen(&mut self, random: &mut Random) {
+        let unseen = Self::new(&self.design, random).shots;
+        self.held_out = vec![false; self.shots.len()];
+        self.held_out.resize(self.shots.len() + unseen.len(), true);
+        self.measure_more(unseen, random);
     }
 
     /// The session as a document with inline samples.
@@ -551,6 +605,17 @@ impl Rig {
             columns.push(("speed1_deg_s", number(&|s| s.speed.to_degrees())));
             columns.push(("load_kg", number(&|s| s.load)));
             columns.push(("temperature_c", number(&|s| s.warmth + 20.0)));
+        }
+        if let Some(lag) = self.read_back_lag_s {
+            columns.push((
+                "q1_read_deg",
+                number(&|s| (s.q - lag * s.speed).to_degrees()),
+            ));
+        }
+        if self.held_out.contains(&true) {
+            let of = |i: usize| self.held_out.get(i).is_some_and(|h| *h);
+            let cell = |i| if of(i) { "\"held-out\"" } else { "\"fit\"" };
+            columns.push(("use", column(&|i| cell(i).to_owned())));
         }
         if self.targets.len() > 1 {
             columns.push((

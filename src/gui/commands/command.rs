@@ -3,10 +3,13 @@
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
+use crate::gui::foreign::Foreign;
+use crate::gui::preferences::Preferences;
+use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{AngleUnit, Canvas, Colouring, LengthUnit, Lower, Plane, Sheet, Side, Step};
+use crate::gui::view::{Canvas, Colouring, Lower, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -25,8 +28,36 @@ pub(crate) enum Command {
     ChooseFile,
     /// Read this file.
     OpenFile(PathBuf),
+    /// Look at a foreign file again, with what was said since.
+    Inspect(Box<Foreign>),
+    /// Make a session of a foreign file.
+    Import(Box<Foreign>),
     /// Open a session that comes with the program.
     OpenExample(usize),
+    /// Do it, whatever is lost.
+    Do(Then),
+    /// Save what would be lost, then do it.
+    SaveThen(Then),
+    /// Write the session to its own file; ask for one where it has none.
+    Save,
+    /// The same, although the file changed since it was read.
+    SaveDespite,
+    /// Read the session's file again.
+    Reload,
+    /// Go on with what is here, whatever is on the disk.
+    KeepMine,
+    /// Follow the samples file as it grows, or stop.
+    Follow(bool),
+    /// Take a file out of the recent ones.
+    Forget(PathBuf),
+    /// Bring back what a window that is gone has left behind.
+    Restore(usize),
+    /// Throw it away.
+    DiscardLeft(usize),
+    /// Keep what is not saved against a crash.
+    KeepRecovery,
+    /// Look whether open files are what they were.
+    LookAtDisk,
     /// Ask for a file to save to.
     ChooseWhereToSave,
     /// Write the session to this file.
@@ -75,21 +106,21 @@ pub(crate) enum Command {
     Hover(Option<usize>),
     /// Choose this sample.
     Select(Option<usize>),
+    /// Choose these samples: a finding is about them.
+    Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
     /// Show this below the workspace in the step that finds the gap.
     Lower(Lower),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
-    /// Show lengths in this unit.
-    Length(LengthUnit),
-    /// Show angles in this unit.
-    Angle(AngleUnit),
-    /// Light, dark, or as the system has it.
-    Theme(egui::ThemePreference),
+    /// Show numbers, colours and text like this.
+    Prefer(Preferences),
+    /// Robot and instrument as they are being typed, while that makes no robot.
+    Draft(Option<Box<SetupForm>>),
     /// Open, change or close a sheet.
     Sheet(Option<Sheet>),
-    /// Close the window, saved or not.
+    /// Close the window.
     Leave,
     /// The message was read.
     Dismiss,

@@ -4,45 +4,61 @@
 //! only function that changes anything.
 
 mod command;
+mod desk;
+mod follow;
+mod papers;
 mod reports;
 #[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub(crate) use command::Command;
 
+use desk::Desk;
+
 use crate::diagnosis::{Diagnosis, measuring_list};
 use crate::gui::backdrop::{Backdrop, Scenery};
-use crate::gui::document::{Document, Method};
+use crate::gui::document::{Document, Method, Question};
 use crate::gui::edit::Edit;
-use crate::gui::files;
+use crate::gui::figures::Figures;
+use crate::gui::files::{self, Replace};
 use crate::gui::given::Given;
+use crate::gui::keeping::settings::Recent;
 use crate::gui::layers::{Heat, Nearest};
 use crate::gui::outcome::{After, Answer, Outcome};
 use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Preview, Wanted};
+use crate::gui::reporting::About;
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
-use crate::gui::tasks::{Tasks, What};
+use crate::gui::tasks::{Report, Tasks, What};
 use crate::gui::undo::History;
 use crate::gui::units::Units;
-use crate::gui::view::{Message, Plane, Step, ViewState};
+use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::sessions::Samples;
 
 /// Document, view, answer and tasks.
 pub(crate) struct Workbench {
     history: History<Document>,
     /// The session that nobody opened: the window began with it.
     first: Arc<Subject>,
-    /// The document as it was last saved or opened.
-    saved: Arc<Document>,
+    desk: Desk,
+    /// A question that was cancelled: it is not asked again by itself.
+    declined: Option<Question>,
+    /// Whether samples are being put behind those that are there.
+    extending: bool,
+    /// Samples that came meanwhile, and whether they take the place of all others.
+    waiting_samples: Option<(Samples, bool)>,
     view: ViewState,
     outcome: Option<Arc<Outcome>>,
     searched: Option<Arc<Search>>,
     preview: Option<Preview>,
-    exported: Option<PathBuf>,
     backdrop: Option<Arc<Backdrop>>,
+    /// Files that were exported from this session, the newest last.
+    exported: Vec<PathBuf>,
+    figures: Option<Figures>,
     tasks: Tasks,
 }
 
@@ -53,16 +69,21 @@ impl Workbench {
         let history = History::new(Document::new(subject));
         let mut workbench = Self {
             first,
-            saved: Arc::clone(history.present()),
+            desk: Desk::default(),
+            declined: None,
+            extending: false,
+            waiting_samples: None,
             history,
             view: ViewState::default(),
             outcome: None,
             searched: None,
             preview: None,
-            exported: None,
             backdrop: None,
+            exported: Vec::new(),
+            figures: None,
             tasks,
         };
+        workbench.remember_on_file(Arc::clone(workbench.history.present()));
         workbench.look_along_the_axis();
         workbench
     }
@@ -85,8 +106,8 @@ impl Workbench {
     /// The chosen units.
     pub(crate) fn units(&self) -> Units {
         Units {
-            length: self.view.length,
-            angle: self.view.angle,
+            length: self.view.preferences.length,
+            angle: self.view.preferences.angle,
         }
     }
 
@@ -103,17 +124,6 @@ impl Workbench {
     /// What redo brings back.
     pub(crate) fn redoes(&self) -> Option<&'static str> {
         self.history.redoes()
-    }
-
-    /// Whether something would be lost that a file can hold.
-    pub(crate) fn unsaved(&self) -> bool {
-        let (now, saved) = (self.document(), &*self.saved);
-        if now.subject.is_empty() {
-            return false;
-        }
-        now.regions != saved.regions
-            || now.tolerance_mm != saved.tolerance_mm
-            || !Arc::ptr_eq(&now.subject, &saved.subject)
     }
 
     /// Whether a model can be held against the open session: both are of the same robot. The
@@ -189,7 +199,12 @@ impl Workbench {
 
     /// The file that was exported last, of this session.
     pub(crate) fn exported(&self) -> Option<&PathBuf> {
-        self.exported.as_ref()
+        self.exported.last()
+    }
+
+    /// Whether the identification was cancelled: nobody asks again by himself.
+    pub(crate) fn is_declined(&self) -> bool {
+        self.declined.is_some() && self.document().question() == self.declined
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
@@ -208,29 +223,21 @@ impl Workbench {
             Command::Edit(edit) => self.edit(&edit, false),
             Command::Drag(edit) => self.edit(&edit, true),
             Command::EndDrag => self.history.finish_gesture(),
-            Command::Undo => {
-                self.history.undo();
-                self.after_travel();
-            }
-            Command::Redo => {
-                self.history.redo();
-                self.after_travel();
-            }
+            Command::Undo => self.travel(History::undo),
+            Command::Redo => self.travel(History::redo),
             Command::ChooseFile => {
                 self.tasks.start("waiting for a file to be chosen", |_| {
                     files::choose_to_open()
                 });
             }
-            Command::OpenFile(path) => {
-                self.view.sheet = None;
-                let what = format!("reading {}", path.display());
-                self.tasks.start(what, move |_| files::open(&path));
-            }
-            Command::OpenExample(index) => {
-                self.tasks
-                    .start("reading an example", move |_| files::open_example(index));
-            }
-            Command::ChooseWhereToSave | Command::SaveAs { .. } if self.subject().is_empty() => {
+            Command::OpenFile(path) => self.ask_then(Then::Open(path)),
+            Command::OpenExample(index) => self.ask_then(Then::Example(index)),
+            Command::Leave => self.ask_then(Then::Leave),
+            Command::Do(then) => self.go(then),
+            Command::SaveThen(then) => self.save_then(then),
+            Command::Save | Command::ChooseWhereToSave | Command::SaveAs { .. }
+                if self.subject().is_empty() =>
+            {
                 self.complain(
                     "There is no session to save",
                     vec!["A model by itself is saved in the Export step".to_owned()],
@@ -242,14 +249,41 @@ impl Workbench {
                     files::choose_to_save(&name)
                 });
             }
-            Command::SaveAs { path, replace } => {
-                self.view.sheet = None;
-                let document = self.document().clone();
-                let what = format!("saving {}", path.display());
-                self.tasks.start(what, move |_| {
-                    files::save(&document.session_to_save(), &path, replace)
+            Command::Inspect(foreign) => {
+                // What was typed meanwhile is not lost while it is looked at.
+                self.view.sheet = Some(Sheet::Import(foreign.clone()));
+                self.tasks.start("looking at the file", move |_| {
+                    Report::Foreign(Box::new(foreign.looked_at()))
                 });
             }
+            Command::Import(foreign) => {
+                self.tasks
+                    .start("importing", move |_| match foreign.import() {
+                        Ok(subject) => Report::Opened(Ok(Arc::new(subject))),
+                        Err(refused) => Report::Foreign(refused),
+                    });
+            }
+            Command::Save => self.save_here(),
+            Command::SaveAs { path, replace } => {
+                let replace = if replace {
+                    Replace::Named
+                } else {
+                    Replace::Nothing
+                };
+                self.save_to(&path, replace);
+            }
+            Command::SaveDespite => {
+                if let Some(path) = self.file().map(Path::to_path_buf) {
+                    self.save_to(&path, Replace::Whatever);
+                }
+            }
+            Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
+            Command::Restore(index) => self.restore(index),
+            Command::DiscardLeft(index) => self.discard_left(index),
+            Command::Reload => self.reload(),
+            Command::Follow(on) => self.follow(on),
+            Command::KeepRecovery => self.keep_recovery(),
+            Command::LookAtDisk => self.tasks.look_at_disk(),
             Command::ChooseWhereToExport(what) => {
                 let name = self.name_of(what);
                 self.tasks.start("waiting for a file name", move |_| {
@@ -268,14 +302,16 @@ impl Workbench {
                 if let Some(problem) = form.problem() {
                     self.complain("The simulation needs other numbers", vec![problem]);
                 } else {
-                    self.view.sheet = None;
-                    self.tasks
-                        .start("simulating", move |watch| files::simulate(&form, watch));
+                    self.ask_then(Then::Simulate(form));
                 }
             }
             Command::Search => self.search(),
-            Command::Cancel => self.tasks.cancel_newest(),
             Command::StopSearch => self.tasks.cancel_search(),
+            Command::Cancel => {
+                if let Some(question) = self.tasks.cancel_newest() {
+                    self.declined = Some(question);
+                }
+            }
             other => self.look(other),
         }
         self.keep_asking();
@@ -298,14 +334,41 @@ impl Workbench {
             Command::Component(component) => view.component = component,
             Command::OnlyAfter(only) => view.only_after = only,
             Command::Hover(sample) => view.hovered = sample,
-            Command::Select(sample) => view.selected = sample,
+            Command::Select(sample) => {
+                view.selected = sample;
+                view.marked.clear();
+            }
+            Command::Mark(samples) => {
+                view.selected = samples.first().copied();
+                view.marked = samples;
+                view.side = Side::Samples;
+            }
             Command::Side(side) => view.side = side,
             Command::Lower(lower) => view.lower = lower,
-            Command::Length(unit) => view.length = unit,
-            Command::Angle(unit) => view.angle = unit,
-            Command::Theme(theme) => view.theme = theme,
-            Command::Sheet(sheet) => view.sheet = sheet,
-            Command::Leave => view.leaving = true,
+            Command::Prefer(preferences) => {
+                view.preferences = preferences.sound();
+                self.keep_preferences();
+            }
+            Command::Draft(form) => view.setup = form,
+            Command::KeepMine => view.on_disk = None,
+            Command::Sheet(sheet) => {
+                if matches!(
+                    (&self.view.sheet, &sheet),
+                    (
+                        Some(
+                            Sheet::Unsaved(_)
+                                | Sheet::Overwrite(_)
+                                | Sheet::SavePath { .. }
+                                | Sheet::ExportPath { .. }
+                        ),
+                        None
+                    )
+                ) {
+                    // Whoever closes the question wants neither.
+                    self.stay();
+                }
+                self.view.sheet = sheet;
+            }
             Command::Dismiss => view.message = None,
             Command::Fit => view.fitted += 1,
             _ => {}
@@ -320,20 +383,38 @@ impl Workbench {
             Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
             Ok(next) => self.history.change(next, edit.what()),
         }
-        if matches!(edit, Edit::Open(_)) || !Arc::ptr_eq(&before, self.subject()) {
-            self.saved = Arc::clone(self.history.present());
-            self.exported = None;
-            self.after_travel();
+        self.view.setup = None;
+        if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
+            self.declined = None;
+        }
+        if !Arc::ptr_eq(&before, self.subject()) {
+            self.view.marked.clear();
+            self.after_travel(before.lineage);
+        }
+        if before.lineage != self.subject().lineage {
+            self.exported.clear();
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fitted += 1;
             self.view.message = None;
+            self.opened();
         }
     }
 
+    /// Back or forth in the history.
+    fn travel(&mut self, way: fn(&mut History<Document>) -> bool) {
+        let before = self.subject().lineage;
+        way(&mut self.history);
+        self.after_travel(before);
+    }
+
     /// After a change that may have brought another session.
-    fn after_travel(&mut self) {
+    fn after_travel(&mut self, lineage_before: u64) {
+        self.view.setup = None;
         self.forget_missing_samples();
+        if self.subject().lineage != lineage_before {
+            self.arrived();
+        }
     }
 
     fn forget_missing_samples(&mut self) {
@@ -341,6 +422,7 @@ impl Workbench {
         let there = |sample: &usize| *sample < samples;
         self.view.hovered = self.view.hovered.filter(there);
         self.view.selected = self.view.selected.filter(there);
+        self.view.marked.retain(there);
     }
 
     /// Looks at the workspace in the plane in which joint 1 turns.
@@ -369,6 +451,13 @@ impl Workbench {
             What::Table => document.export.file_name(session),
             What::Model => format!("{}.model.json", crate::gui::document::plain(session)),
             What::Poses => format!("{}-next-poses.csv", crate::gui::document::plain(session)),
+            What::Report(About::Session) => {
+                format!("{}-report.html", crate::gui::document::plain(session))
+            }
+            What::Report(About::Model) => {
+                format!("{}-model-report.html", crate::gui::document::plain(session))
+            }
+            What::Picture(plot) => plot.file_name(session),
         }
     }
 
@@ -401,6 +490,11 @@ impl Workbench {
     }
 
     fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        match what {
+            What::Report(about) => return self.write_report(about, path, replace),
+            What::Picture(plot) => return self.write_picture(plot, path, replace),
+            What::Table | What::Model | What::Poses => {}
+        }
         if what == What::Poses {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
@@ -431,6 +525,7 @@ impl Workbench {
 
     /// Asks for the preview that the export step shows.
     fn keep_preparing(&mut self) {
+        self.keep_figuring();
         // A model by itself has nothing to show but its table.
         let shown = self.view.step == Step::Export || self.subject().is_empty();
         if !shown || self.answer().is_none() {
@@ -472,8 +567,13 @@ impl Workbench {
             .outcome
             .as_ref()
             .is_some_and(|o| o.question == question);
-        if !answered && !self.tasks.is_asked(&question) {
-            self.tasks.ask(question);
+        let declined = self.declined.as_ref() == Some(&question);
+        if !answered && !declined && !self.tasks.is_asked(&question) {
+            self.declined = None;
+            self.tasks.ask(Question {
+                live: self.following().is_some(),
+                ..question
+            });
         }
     }
 }

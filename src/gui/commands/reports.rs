@@ -27,31 +27,31 @@ impl Workbench {
 
     fn take(&mut self, report: Report) {
         match report {
-            Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
+            Report::Opened(Ok(subject)) => {
+                if matches!(self.view.sheet, Some(Sheet::Import(_))) {
+                    self.view.sheet = None;
+                }
+                self.execute(Command::Edit(Edit::Open(subject)));
+            }
+            Report::Foreign(foreign) => self.view.sheet = Some(Sheet::Import(foreign)),
             Report::OpenedModel(Ok(given)) => {
                 let beside = self.has_a_session_for(&given);
                 self.execute(Command::Edit(Edit::OpenModel { given, beside }));
             }
             Report::Opened(Err(message))
             | Report::OpenedModel(Err(message))
-            | Report::Saved(Err(message))
             | Report::Listed(Err(message))
             | Report::Exported(Err(message)) => {
+                self.stay();
                 self.view.message = Some(message);
             }
+            Report::Saved(saved) => self.take_saved(*saved),
+            Report::Kept(kept) => self.take_kept(kept),
+            Report::LeftBehind(left) => self.take_left_behind(left),
+            Report::Seen(seen) => self.take_seen(seen),
+            Report::Extended(extended) => self.take_extended(*extended),
             Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
-            // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
-            Report::ChosenToOpen(None) => {
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: "No file was chosen".to_owned(),
-                    details: vec![
-                        "If no dialog appeared, drop the file on the window, or type its path \
-                         in the Session step"
-                            .to_owned(),
-                    ],
-                });
-            }
+            Report::ChosenToOpen(None) => self.no_file_was_chosen(),
             Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs {
                 path,
                 // The dialog has asked.
@@ -62,14 +62,6 @@ impl Workbench {
                 self.view.sheet = Some(Sheet::SavePath {
                     path: name,
                     replace: false,
-                });
-            }
-            Report::Saved(Ok(path)) => {
-                self.saved = Arc::clone(self.history.present());
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: format!("Saved {}", path.display()),
-                    details: Vec::new(),
                 });
             }
             Report::Answered(outcome) => {
@@ -94,6 +86,12 @@ impl Workbench {
                     replace: false,
                 });
             }
+            Report::Written(message) => self.view.message = Some(message),
+            Report::Figured(figures) => {
+                self.figures = Some(*figures);
+                // What is shown may be another answer by now.
+                self.keep_figuring();
+            }
             Report::Listed(Ok(path)) => {
                 self.view.message = Some(Message {
                     wrong: false,
@@ -102,20 +100,39 @@ impl Workbench {
                 });
             }
             Report::Exported(Ok(path)) => {
+                self.model_is_on_file();
                 self.view.message = Some(Message {
                     wrong: false,
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
-                self.exported = Some(path);
+                self.exported.retain(|other| *other != path);
+                self.exported.push(path);
+                self.go_on();
             }
-            Report::Broken => self.complain(
-                "Something went wrong inside the program",
-                vec![
-                    "Nothing was changed; save your work, and please report what you did last"
-                        .to_owned(),
-                ],
-            ),
+            Report::Broken => {
+                self.stop_figuring();
+                self.complain(
+                    "Something went wrong inside the program",
+                    vec![
+                        "Nothing was changed; save your work, and please report what you did last"
+                            .to_owned(),
+                    ],
+                );
+            }
         }
+    }
+
+    /// Cancelled, or there is no dialog on this system: nobody can tell the two apart.
+    fn no_file_was_chosen(&mut self) {
+        self.view.message = Some(Message {
+            wrong: false,
+            title: "No file was chosen".to_owned(),
+            details: vec![
+                "If no dialog appeared, drop the file on the window, or type its path in the \
+                 Session step"
+                    .to_owned(),
+            ],
+        });
     }
 }

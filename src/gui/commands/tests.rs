@@ -8,13 +8,20 @@ use rand_chacha::ChaCha8Rng;
 use super::{Command, Workbench};
 use crate::gui::boundaries::{NARROWEST_RAD, boundaries};
 
+use crate::diagnosis::Mend;
+use crate::diagnostic::{Place, Severity};
 use crate::effects::CATALOGUE;
 use crate::gui::document::{ExportChoice, Method};
 use crate::gui::edit::Edit;
+use crate::gui::preferences::Preferences;
+use crate::gui::setup::{SetupForm, SigmaForm};
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
+use crate::gui::subject::Subject;
+use crate::gui::tasks::{Runner, Tasks};
 use crate::gui::testing::workbench;
-use crate::gui::view::{Plane, Step};
+use crate::gui::view::{Plane, Step, Then};
+use crate::kinematics::JointKind;
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {
@@ -150,7 +157,8 @@ fn an_export_writes_the_table_and_what_it_means() {
     workbench.execute(Command::GoTo(Step::Export));
     workbench.receive();
     let made = workbench.export().expect("prepared").expect("possible");
-    let first = made.table.forward[0].to_degrees();
+    let table = made.export.reads_as.as_ref().expect("a table");
+    let first = table.forward.values()[0];
     assert!((first - 3.0).abs() < 0.05, "add what is missing: {first}");
     assert!(
         made.remainder.rms_mm > 4.5,
@@ -168,12 +176,54 @@ fn an_export_writes_the_table_and_what_it_means() {
     }
 }
 
+#[test]
+fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
+    let mut workbench = workbench();
+    let before = workbench
+        .subject()
+        .gap_before
+        .expect("there are samples")
+        .rms_mm;
+    let mut form = SetupForm::of(&workbench.subject().session);
+    for k in 1..=5 {
+        form.tool_mm[0] += f64::from(k);
+        workbench.execute(Command::Drag(Edit::Setup(Box::new(form.clone()))));
+        workbench.receive();
+    }
+    workbench.execute(Command::EndDrag);
+    let after = workbench
+        .subject()
+        .gap_before
+        .expect("there are samples")
+        .rms_mm;
+    assert!((after - before).abs() > 1.0);
+    assert!(workbench.unsaved());
+    assert_eq!(workbench.undoes(), Some("edit robot and instrument"));
+    workbench.execute(Command::Undo);
+    assert_eq!(workbench.undoes(), None);
+    assert!(!workbench.unsaved());
+}
+
+#[test]
+fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
+    let mut workbench = workbench();
+    workbench.tasks = Tasks::new(Runner::Threads, Arc::new(|| {}));
+    workbench.execute(Command::Edit(Edit::Identify));
+    workbench.execute(Command::Cancel);
+    assert!(workbench.is_declined());
+    workbench.execute(Command::GoTo(Step::Export));
+    assert!(workbench.tasks.newest().is_none(), "nobody asked again");
+    workbench.execute(Command::Edit(Edit::Identify));
+    assert!(workbench.tasks.newest().is_some());
+}
+
 /// What holds after every command.
 fn consistent(workbench: &Workbench) {
     let document = workbench.document();
     let samples = workbench.subject().len();
     let view = workbench.view();
-    for sample in [view.hovered, view.selected].into_iter().flatten() {
+    let samples_shown = [view.hovered, view.selected].into_iter().flatten();
+    for sample in samples_shown.chain(view.marked.iter().copied()) {
         assert!(sample < samples);
     }
     for region in document.regions.iter() {
@@ -193,13 +243,75 @@ fn consistent(workbench: &Workbench) {
         assert_eq!(answer.lengths_mm.len(), samples);
     }
     assert!((0.0..=1.0).contains(&view.blend));
+    assert!(view.preferences == view.preferences.sound());
+    let errors = workbench
+        .subject()
+        .session
+        .robot
+        .problems(&Place::default());
+    assert!(
+        errors.iter().all(|d| d.severity != Severity::Error),
+        "{errors:?}"
+    );
 }
 
-fn any_command(random: &mut ChaCha8Rng) -> Command {
+/// A robot that may make no sense.
+fn any_setup(random: &mut ChaCha8Rng, subject: &Subject) -> SetupForm {
+    let mut form = SetupForm::of(&subject.session);
+    let number = random.random_range(-300.0..300.0);
+    let axis = random.random_range(0..3);
+    match random.random_range(0..7) {
+        0 => form.joints[0].axis[axis] = number,
+        1 => form.joints[0].limits = Some([number, 90.0]),
+        2 => form.tool_mm[axis] = number,
+        3 => form.sigma = SigmaForm::One(number),
+        4 => form.joints[0].kind = JointKind::Prismatic,
+        5 => form.joints[0].axis = [0.0; 3],
+        _ => form.targets[0].position_mm[axis] = number,
+    }
+    form
+}
+
+fn any_mend(random: &mut ChaCha8Rng) -> Mend {
+    match random.random_range(0..5) {
+        0 => Mend::ScaleJoint {
+            joint: random.random_range(0..2),
+            factor: -1.0,
+        },
+        1 => Mend::Reorder([1, 2, 0]),
+        2 => Mend::FreeFrame,
+        3 => Mend::TurnHome {
+            joint: 0,
+            by_rad: 1.0,
+        },
+        _ => Mend::Remove((0..random.random_range(0..6)).collect()),
+    }
+}
+
+fn any_command(random: &mut ChaCha8Rng, subject: &Subject) -> Command {
     let effect = CATALOGUE[random.random_range(0..4)].about().id;
     let angle = rad_from_deg(random.random_range(-200.0..200.0));
     let boundary = random.random_range(0..9);
-    match random.random_range(0..26) {
+    match random.random_range(0..40) {
+        26 => Command::Edit(Edit::Setup(Box::new(any_setup(random, subject)))),
+        27 => Command::Drag(Edit::Setup(Box::new(any_setup(random, subject)))),
+        28 => Command::Edit(Edit::Mend(vec![any_mend(random)])),
+        29 => Command::Mark((0..random.random_range(0..50)).collect()),
+        30 => Command::Prefer(Preferences {
+            decimals: Some(random.random()),
+            zoom: random.random_range(-1.0..9.0),
+            decimal_comma: random.random(),
+            ..Preferences::default()
+        }),
+        31 => Command::Follow(random.random()),
+        32 => Command::Do(Then::Example(random.random_range(0..4))),
+        33 => Command::OpenExample(random.random_range(0..4)),
+        34 => Command::Sheet(None),
+        35 => Command::Reload,
+        36 => Command::LookAtDisk,
+        37 => Command::Cancel,
+        38 => Command::KeepMine,
+        39 => Command::Restore(random.random_range(0..2)),
         0 => Command::Edit(Edit::Divide(random.random_range(0..9))),
         1 => Command::Edit(Edit::MoveBoundary(boundary, angle)),
         2..=5 => Command::Drag(Edit::MoveBoundary(boundary, angle)),
@@ -224,7 +336,9 @@ fn any_command(random: &mut ChaCha8Rng) -> Command {
         22 => Command::Component(Component::ALL[random.random_range(0..7)]),
         23 => Command::Select(Some(random.random_range(0..40))),
         24 => Command::Edit(Edit::Export(ExportChoice {
-            step: random.random_range(-1.0..10.0),
+            step: random
+                .random::<bool>()
+                .then_some(random.random_range(-1.0..10.0)),
             joint: random.random_range(0..2),
             ..ExportChoice::default()
         })),
@@ -248,7 +362,8 @@ fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
         }));
         workbench.receive();
         for _ in 0..700 {
-            workbench.execute(any_command(&mut random));
+            let subject = Arc::clone(workbench.subject());
+            workbench.execute(any_command(&mut random, &subject));
             workbench.receive();
             consistent(&workbench);
         }

@@ -7,11 +7,15 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::ExportChoice;
 use crate::gui::edit::Edit;
 use crate::gui::preview::Made;
+use crate::gui::reporting::About;
 use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
+
+/// Where an own step begins, degrees or mm.
+const FIRST_STEP: f64 = 1.0;
 
 /// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -20,8 +24,45 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ui,
             "There is nothing to export yet: the table comes from the identified robot",
         );
+    } else {
+        export(ui, workbench, commands);
+    }
+    reports(ui, workbench, commands);
+}
+
+/// The report: of the session, and of the model that is exported.
+fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let measured = !workbench.subject().is_empty();
+    let identified = workbench.answer().is_some();
+    if !measured && !identified {
         return;
     }
+    widgets::section(ui, "Report");
+    let mut offer = |ui: &mut Ui, text: &str, about: About| {
+        if widgets::secondary(ui, text).clicked() {
+            commands.push(Command::ChooseWhereToExport(What::Report(about)));
+        }
+    };
+    if measured {
+        offer(ui, "Report…", About::Session);
+        let says = if workbench.diagnosis().is_some() {
+            "HTML or PDF: what was measured, what the search found, what stays open"
+        } else {
+            "HTML or PDF: the session is searched for it first, which takes a while"
+        };
+        widgets::hint(ui, says);
+    }
+    if identified {
+        let text = if measured {
+            "Report of the model…"
+        } else {
+            "Report…"
+        };
+        offer(ui, text, About::Model);
+    }
+}
+
+fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let choice = workbench.document().export;
     widgets::section(ui, "Format");
     for format in EXPORTERS {
@@ -33,8 +74,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             })));
         }
     }
-    widgets::section(ui, "Table");
-    joint_and_step(ui, workbench, choice, commands);
+    // A description of the robot is about all joints and has no steps.
+    if find(choice.format).is_some_and(|format| format.rules.is_some()) {
+        widgets::section(ui, "Table");
+        joint_and_step(ui, workbench, choice, commands);
+    }
     match workbench.export() {
         None => widgets::hint(ui, "The table is being prepared"),
         Some(Err(because)) => {
@@ -42,10 +86,17 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             ui.label(RichText::new(because).color(color));
         }
         Some(Ok(made)) => {
-            let entries = made.table.commanded_outer.len();
-            widgets::fact(ui, "entries", entries.to_string());
+            if let Some(table) = &made.export.reads_as {
+                let entries = table.forward.places().len();
+                widgets::fact(ui, "entries", entries.to_string());
+            }
             widgets::section(ui, "Also");
-            if widgets::secondary(ui, "Copy table").clicked() {
+            let what = if made.export.reads_as.is_some() {
+                "Copy table"
+            } else {
+                "Copy text"
+            };
+            if widgets::secondary(ui, what).clicked() {
                 ui.copy_text(text_of(made));
             }
             if widgets::secondary(ui, "Save model…").clicked() {
@@ -78,13 +129,21 @@ fn joint_and_step(
         JointKind::Revolute => "°",
         JointKind::Prismatic => " mm",
     };
-    let field = DragValue::new(&mut next.step)
-        .range(0.001..=90.0)
-        .speed(0.02)
-        .max_decimals(4)
-        .suffix(unit);
-    let response = widgets::number(ui, "step", field);
-    dragged |= response.dragged();
+    let mut own = choice.step.is_some();
+    if ui.checkbox(&mut own, "Own step").changed() {
+        next.step = own.then_some(FIRST_STEP);
+    }
+    let mut let_go = false;
+    if let Some(step) = &mut next.step {
+        let field = DragValue::new(step)
+            .range(0.001..=90.0)
+            .speed(0.02)
+            .max_decimals(4)
+            .suffix(unit);
+        let response = widgets::number(ui, "step", field);
+        dragged |= response.dragged();
+        let_go = response.drag_stopped();
+    }
     if next != choice {
         let edit = Edit::Export(next);
         commands.push(if dragged {
@@ -93,7 +152,7 @@ fn joint_and_step(
             Command::Edit(edit)
         });
     }
-    if response.drag_stopped() {
+    if let_go {
         commands.push(Command::EndDrag);
     }
 }
@@ -116,6 +175,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
         }
         None => widgets::hint(ui, "The table is being prepared"),
     }
+    super::standards::show(ui, workbench);
 }
 
 fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
@@ -128,6 +188,9 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         let measured = !workbench.subject().is_empty();
         let stays = units.length(made.remainder.rms_mm);
         let (says, left) = match made.gap {
+            Some(gap) if made.export.robot.is_some() => {
+                ("Gap to this robot", units.length(gap.rms_mm))
+            }
             Some(gap) => ("Gap that the table leaves", units.length(gap.rms_mm)),
             // Without samples there is only what the model itself says.
             None => ("What no joint can remove", stays.clone()),
@@ -156,7 +219,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         title(ui, "What the numbers mean");
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
-        for line in said.chain(&made.table.notes) {
+        for line in said.chain(&made.said) {
             widgets::hint(ui, line);
         }
     });
@@ -201,10 +264,16 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         return;
     }
-    let title = find(workbench.document().export.format).map_or("table", |f| f.extension);
+    let format = find(workbench.document().export.format);
+    let title = format.map_or("table", |f| f.extension);
+    let what = if format.is_some_and(|f| f.rules.is_none()) {
+        "robot"
+    } else {
+        "table"
+    };
     let ready = matches!(workbench.export(), Some(Ok(_)));
     let save = ui.add_enabled_ui(ready, |ui| {
-        widgets::primary(ui, &format!("Save table as .{title}…"))
+        widgets::primary(ui, &format!("Save {what} as .{title}…"))
     });
     if save.inner.clicked() {
         commands.push(Command::ChooseWhereToExport(What::Table));

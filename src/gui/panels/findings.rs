@@ -3,12 +3,12 @@
 
 use egui::{CollapsingHeader, Grid, RichText, ScrollArea, Ui};
 
-use crate::diagnosis::anonymous::Where;
 use crate::diagnosis::next_poses::NextPose;
-use crate::diagnosis::{Diagnosis, FloorFrom, Found, Verdict};
+use crate::diagnosis::{Diagnosis, FloorFrom, Found, Mend, Verdict};
 use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
+use crate::gui::help;
 use crate::gui::search::term_of;
 use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
@@ -19,6 +19,7 @@ use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
 use super::results::named;
+use super::unexplained;
 
 /// Shows the right-hand side of the step.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -43,12 +44,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
     verdict(ui, workbench, d);
-    data_problems(ui, d);
+    data_problems(ui, d, commands);
     for found in &d.found {
         widgets::card(ui, |ui| card(ui, workbench, d, found, commands));
     }
     equivalent(ui, d);
-    unexplained(ui, workbench, d);
+    unexplained::card(ui, workbench, d, commands);
     if !d.next_poses.is_empty() {
         widgets::card(ui, |ui| next_poses(ui, workbench, &d.next_poses, commands));
     }
@@ -71,7 +72,7 @@ fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) -> String {
     }
 }
 
-fn titles(ids: &[&str]) -> String {
+pub(super) fn titles(ids: &[&str]) -> String {
     let title = |id: &&str| find(id).map_or(*id, |e| e.about().title).to_lowercase();
     ids.iter().map(title).collect::<Vec<_>>().join(" and ")
 }
@@ -97,7 +98,7 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
             let also = "the samples also allow another explanation, see below";
             ui.label(RichText::new(also).color(palette.warning));
         }
-        let mm = |mm: f64| significant(units.length_value(mm), 3);
+        let mm = |mm: f64| units.length_number(mm);
         let gaps = format!(
             "{} → {} → {} {}",
             mm(d.gap.start_mm),
@@ -116,16 +117,54 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     });
 }
 
-fn data_problems(ui: &mut Ui, d: &Diagnosis) {
+fn data_problems(ui: &mut Ui, d: &Diagnosis, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
+    let mends: Vec<_> = d
+        .data_problems
+        .iter()
+        .filter_map(|p| p.mend.clone())
+        .collect();
     for problem in &d.data_problems {
         widgets::card(ui, |ui| {
             let text = RichText::new(&problem.what).font(strong(size::BODY));
             ui.label(text.color(palette.outside));
             widgets::hint(ui, &problem.evidence);
             ui.label(&problem.proposal);
+            if !problem.samples.is_empty() && ui.link("Show these samples").clicked() {
+                commands.push(Command::Mark(problem.samples.clone()));
+            }
+            let Some(mend) = &problem.mend else {
+                return;
+            };
+            if widgets::secondary(ui, &mend.says()).clicked() {
+                commands.push(Command::Edit(Edit::Mend(vec![mend.clone()])));
+            }
         });
     }
+    if mends.len() > 1 {
+        let text = format!("Mend all {}", mends.len());
+        if widgets::secondary(ui, &text).clicked() {
+            commands.push(Command::Edit(Edit::Mend(in_order(mends))));
+        }
+    }
+}
+
+/// Samples are removed last, all at once: until then they have their numbers.
+fn in_order(mends: Vec<Mend>) -> Vec<Mend> {
+    let mut rows = Vec::new();
+    let mut ordered = Vec::new();
+    for mend in mends {
+        match mend {
+            Mend::Remove(some) => rows.extend(some),
+            other => ordered.push(other),
+        }
+    }
+    rows.sort_unstable();
+    rows.dedup();
+    if !rows.is_empty() {
+        ordered.push(Mend::Remove(rows));
+    }
+    ordered
 }
 
 fn estimates(ui: &mut Ui, id: &str, parameters: &[Estimate]) {
@@ -165,9 +204,10 @@ fn card(
             ""
         };
         let sessions = (1.0 / found.p_family.p).round();
-        widgets::hint(
+        widgets::hint_about(
             ui,
             format!("Noise alone would look like this in {bound}1 of {sessions} sessions"),
+            help::P_FAMILY,
         );
         if let Some(next) = &found.next {
             let odds = if found.odds_over_next > 1000.0 {
@@ -177,10 +217,11 @@ fn card(
             };
             let next = find(next).map_or(next.as_str(), |e| e.about().title);
             let next = next.to_lowercase();
-            widgets::hint(ui, format!("{odds} : 1 over the next name, {next}"));
+            let text = format!("{odds} : 1 over the next name, {next}");
+            widgets::hint_about(ui, text, help::ODDS);
         }
     });
-    let mm = |mm: f64| significant(units.length_value(mm), 3);
+    let mm = |mm: f64| units.length_number(mm);
     let from_to = |[a, b]: [f64; 2]| format!("{} → {} {}", mm(a), mm(b), units.length_name());
     match found.held_out_mm {
         Some(gap) => widgets::fact(ui, "held-out gap", from_to(gap)),
@@ -228,42 +269,6 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
             ));
             let odds = significant(one.odds, 2);
             widgets::hint(ui, format!("{odds} : 1 against it. {}", one.separate_by));
-        }
-    });
-}
-
-fn unexplained(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
-    let left = &d.unexplained;
-    if !left.present {
-        return;
-    }
-    let warning = Palette::of(ui).warning;
-    widgets::card(ui, |ui| {
-        let text = RichText::new("Unexplained").font(strong(size::HEADING));
-        ui.label(text.color(warning));
-        widgets::fact(ui, "what is left", workbench.units().length(left.rms_mm));
-        let place = match &left.place {
-            None => None,
-            Some(Where::Range { variable, from, to }) => Some(format!(
-                "{variable} {} … {}",
-                trimmed(*from, 2),
-                trimmed(*to, 2)
-            )),
-            Some(Where::Cycles {
-                variable,
-                cycles_per_turn,
-            }) => Some(format!(
-                "{} per turn of {variable}",
-                trimmed(*cycles_per_turn, 2)
-            )),
-        };
-        if let Some(place) = place {
-            widgets::fact(ui, "where", place);
-        }
-        widgets::hint(ui, &left.says);
-        if !left.resembles.is_empty() {
-            let resembles = titles(&left.resembles);
-            widgets::hint(ui, format!("A part of it looks like {resembles}"));
         }
     });
 }

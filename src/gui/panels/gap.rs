@@ -6,7 +6,7 @@ use crate::diagnosis::Verdict;
 use crate::effects::Term;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
-use crate::gui::search::{STAGES, term_of};
+use crate::gui::search::{SEARCHING, STAGES, term_of};
 use crate::gui::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Progress};
@@ -49,25 +49,34 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
     };
     let palette = Palette::of(ui);
     widgets::section(ui, "Searching");
-    let (reached, found) = running.stage();
+    let (reached, found) = (running.stage(), running.found());
     for (k, stage) in STAGES.into_iter().enumerate() {
-        let text = match (k == 2, found) {
-            (true, 1) => format!("{stage}: one effect so far"),
-            (true, 2..) => format!("{stage}: {found} effects so far"),
-            _ => stage.to_owned(),
-        };
-        let text = RichText::new(text);
+        let text = RichText::new(stage);
         ui.label(match k.cmp(&reached) {
             std::cmp::Ordering::Less => text.color(palette.within),
             std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
             std::cmp::Ordering::Greater => text.color(palette.muted),
         });
+        if k == SEARCHING {
+            names_so_far(ui, &found);
+        }
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
     ui.add(bar.desired_height(8.0).fill(palette.accent));
     // The search tells how far it is; nobody else would wake the window for it.
     ui.ctx()
         .request_repaint_after(std::time::Duration::from_millis(100));
+}
+
+/// What was found so far; a later step may exchange it for something likelier.
+fn names_so_far(ui: &mut Ui, found: &[&str]) {
+    for id in found {
+        let title = crate::effects::find(id).map_or(*id, |effect| effect.about().title);
+        ui.indent(("found so far", id), |ui| ui.label(title));
+    }
+    if !found.is_empty() {
+        widgets::hint(ui, "so far; a likelier name may take the place of one");
+    }
 }
 
 /// What each effect is worth: switched off and on.

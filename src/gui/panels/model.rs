@@ -6,7 +6,7 @@ use crate::compensation::Verification;
 use crate::gui::commands::Workbench;
 use crate::gui::outcome::{Answer, Loaded};
 use crate::gui::tokens::{size, strong};
-use crate::gui::units::{Units, significant, trimmed};
+use crate::gui::units::{Units, trimmed};
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
@@ -60,7 +60,7 @@ fn history(ui: &mut Ui, units: Units, answer: &Answer) {
 
 /// What the model does on the session that is open.
 pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
-    let number = |mm: f64| significant(units.length_value(mm), 3);
+    let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         title(ui, "Held against this session");
         widgets::fact(ui, "samples", verification.samples.to_string());

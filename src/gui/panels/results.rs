@@ -7,13 +7,13 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::given;
 use crate::gui::outcome::Answer;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::{significant, trimmed, with_interval};
+use crate::gui::units::{trimmed, with_interval};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};
 use crate::units::deg_from_rad;
 
-use super::{model, samples};
+use super::{copies, model, samples};
 
 /// Shows the right-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -106,6 +106,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         let joints = workbench.subject().session.robot.joints.len();
         widgets::card(ui, |ui| parameters(ui, &found.parameters, joints));
     }
+    super::unexplained::in_the_model(ui, &answer.calibration.model);
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
     }
@@ -140,7 +141,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let found = &answer.identification;
-    let number = |mm: f64| significant(units.length_value(mm), 3);
+    let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         let method = match found.method {
             "regional" => "Gap, by region",
@@ -223,6 +224,7 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
         });
     }
     widgets::hint(ui, "± half the 95 % interval");
+    copies::button(ui, "parameters", || copies::parameters(estimates));
 }
 
 /// A parameter's name and its unit, as people write them.
@@ -294,7 +296,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                         ui.label(RichText::new(half).size(size::SMALL).color(palette.muted));
                     });
                 }
-                let mm = |mm: f64| significant(units.length_value(mm), 3);
+                let mm = |mm: f64| units.length_number(mm);
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.y = 0.0;
                     ui.label(mm(result.rms_after_mm));
@@ -312,6 +314,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
             "What to add, ± half the 95 % interval"
         },
     );
+    copies::button(ui, "regions", || copies::regions(results));
 }
 
 fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

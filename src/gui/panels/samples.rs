@@ -6,7 +6,7 @@ use egui_extras::{Column, TableBuilder};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::{significant, trimmed};
+use crate::gui::units::trimmed;
 
 const ROW: f32 = 22.0;
 
@@ -63,7 +63,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .body(|body| {
             body.rows(ROW, subject.len(), |mut row| {
                 let sample = row.index();
-                row.set_selected(view.selected == Some(sample));
+                let marked = view.marked.binary_search(&sample).is_ok();
+                row.set_selected(view.selected == Some(sample) || marked);
                 row.set_hovered(view.hovered == Some(sample));
                 let before = subject.before.length_mm[sample];
                 let after = answer.map(|a| a.lengths_mm[sample]);
@@ -73,7 +74,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 } else {
                     trimmed(units.length_value(q), 3)
                 };
-                let mm = |mm: f64| significant(units.length_value(mm), 3);
+                let mm = |mm: f64| units.length_number(mm);
                 row.col(|ui| {
                     let number = RichText::new((sample + 1).to_string());
                     ui.label(number.color(palette.muted));

@@ -10,6 +10,8 @@ use crate::gui::subject::Origin;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets;
+
+use super::setup;
 use crate::kinematics::JointKind;
 use crate::sessions::Sigma;
 
@@ -18,7 +20,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     widgets::section(ui, "Measured");
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
-    findings(ui, workbench);
+    follow(ui, workbench, commands);
+    findings(ui, workbench, commands);
     widgets::section(ui, "Another session or model");
     if widgets::secondary(ui, "Open…").clicked() {
         commands.push(Command::ChooseFile);
@@ -28,6 +31,39 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
     widgets::hint(ui, "A file can also be dropped on the window");
+    setup::show(ui, workbench, commands);
+    recent(ui, workbench, commands);
+}
+
+/// Files that were opened before, newest first.
+fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    const MOST: usize = 5;
+    let recent: Vec<_> = workbench.recent().take(MOST).collect();
+    if recent.is_empty() {
+        return;
+    }
+    let palette = Palette::of(ui);
+    widgets::section(ui, "Recent files");
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    for (path, there) in recent {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let name = name.to_string_lossy();
+        let whole = path.display().to_string();
+        if there {
+            let link = ui.link(name.as_ref()).on_hover_text(whole);
+            if link.clicked() {
+                commands.push(Command::OpenFile(path.to_path_buf()));
+            }
+            continue;
+        }
+        let says = format!("{name} is not there any more");
+        let says = RichText::new(says).size(size::SMALL + 0.5);
+        let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
+        says.on_hover_text(whole);
+        if ui.link(format!("Forget {name}")).clicked() {
+            commands.push(Command::Forget(path.to_path_buf()));
+        }
+    }
 }
 
 fn facts(ui: &mut Ui, workbench: &Workbench) {
@@ -108,7 +144,25 @@ fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
-fn findings(ui: &mut Ui, workbench: &Workbench) {
+/// The file goes on growing: follow it.
+fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.samples_file().is_none() {
+        return;
+    }
+    let following = workbench.following();
+    let mut on = following.is_some();
+    let says = "New lines are read as they are written, and the answer follows";
+    let response = ui.checkbox(&mut on, "Follow the file as it grows");
+    if response.on_hover_text(says).changed() {
+        commands.push(Command::Follow(on));
+    }
+    if let Some(came) = following {
+        let samples = if came == 1 { "sample" } else { "samples" };
+        widgets::hint(ui, format!("{came} {samples} came since"));
+    }
+}
+
+fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     const MOST: usize = 50;
     let findings = &workbench.subject().findings;
     if findings.is_empty() {
@@ -124,7 +178,12 @@ fn findings(ui: &mut Ui, workbench: &Workbench) {
         };
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-            ui.label(RichText::new(finding.to_string()).size(size::SMALL));
+            let text = RichText::new(finding.to_string()).size(size::SMALL);
+            if finding.samples.is_empty() {
+                ui.label(text);
+            } else if ui.link(text).on_hover_text("Show these samples").clicked() {
+                commands.push(Command::Mark(finding.samples.clone()));
+            }
         });
     }
     if findings.len() > MOST {

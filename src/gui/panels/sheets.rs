@@ -10,7 +10,7 @@ use crate::gui::tokens::{Palette, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 
-use super::{shortcuts, simulation};
+use super::{import, preferences, recovery, shortcuts, simulation, unsaved, words};
 
 /// Room around what a sheet says, points: half as much again as in a panel, which has the
 /// window's edge beside it.
@@ -44,7 +44,12 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 replace,
             } => export(ui, *what, path, *replace, commands),
             Sheet::Simulate(form) => simulation::show(ui, form, commands),
-            Sheet::Leave => leave(ui, workbench, commands),
+            Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
+            Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
+            Sheet::Recover => recovery::show(ui, workbench, commands),
+            Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
+            Sheet::Preferences => preferences::show(ui, workbench, commands),
+            Sheet::Words => words::show(ui),
             Sheet::Shortcuts => keys(ui),
             Sheet::About => about(ui),
         }
@@ -121,6 +126,11 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
             "Save measuring list",
             "A CSV table with the session's column names, to be measured next",
         ),
+        What::Report(_) => (
+            "Save report",
+            "A name that ends in .html or .pdf; a session that was not searched yet is searched first",
+        ),
+        What::Picture(_) => ("Save picture", "A name that ends in .svg"),
     };
     match path_form(ui, title, says, path, replace, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {
@@ -139,37 +149,39 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
     }
 }
 
-fn leave(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    ui.set_width(380.0);
-    widgets::heading(ui, "Leave without saving?");
-    let name = &workbench.subject().session.name;
-    ui.label(format!(
-        "The regions or the tolerance of {name} were changed and are not saved"
-    ));
-    if buttons(ui, "Leave", true, commands) {
-        commands.push(Command::Leave);
-    }
+fn keys(ui: &mut Ui) {
+    ui.set_width(600.0);
+    widgets::heading(ui, "Keyboard shortcuts");
+    let others: [(&str, &str); 6] = [
+        ("← →", "move the boundary that has the focus"),
+        ("Shift+← →", "move it further"),
+        ("Tab, Shift+Tab", "next control, the one before"),
+        ("Space or Enter", "press it"),
+        ("Ctrl++, Ctrl+−, Ctrl+0", "larger, smaller, usual text"),
+        ("Esc", "close a sheet"),
+    ];
+    let all = shortcuts::ALL.iter();
+    let all = all.map(|(_, keys, what)| (shortcuts::in_words(ui.ctx(), *keys), *what));
+    let others = others.map(|(keys, what)| (keys.to_owned(), what));
+    let all: Vec<_> = all.chain(others).collect();
+    let rows = all.len().div_ceil(2);
+    ui.columns(2, |columns| {
+        for (column, part) in columns.iter_mut().zip(all.chunks(rows)) {
+            key_rows(column, part);
+        }
+    });
 }
 
-fn keys(ui: &mut Ui) {
-    ui.set_width(360.0);
-    widgets::heading(ui, "Keyboard shortcuts");
+fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
     let muted = Palette::of(ui).muted;
-    Grid::new("shortcuts")
+    widgets::dense(ui);
+    Grid::new(("shortcuts", rows.len(), rows.first().map(|(keys, _)| keys)))
         .num_columns(2)
-        .spacing([32.0, 6.0])
+        .spacing([16.0, 6.0])
         .show(ui, |ui| {
-            let all = shortcuts::ALL.iter();
-            let all = all.map(|(_, keys, what)| (ui.ctx().format_shortcut(keys), *what));
-            let others = [
-                ("← →".to_owned(), "move the boundary that has the focus"),
-                ("Shift+← →".to_owned(), "move it further"),
-                ("Ctrl++ Ctrl+−".to_owned(), "larger and smaller text"),
-                ("Esc".to_owned(), "close a sheet"),
-            ];
-            for (keys, what) in all.chain(others).collect::<Vec<_>>() {
+            for (keys, what) in rows {
                 ui.label(RichText::new(keys).color(muted));
-                ui.label(what);
+                ui.label(*what);
                 ui.end_row();
             }
         });

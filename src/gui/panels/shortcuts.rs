@@ -4,102 +4,248 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
-use crate::gui::view::Step;
+use crate::gui::preferences::{Preferences, Theme};
+use crate::gui::simulate::Form;
+use crate::gui::tasks::What;
+use crate::gui::view::{AngleUnit, LengthUnit, Plane, Sheet, Step};
 
 /// Something that a key does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Action {
     /// Ask for a file to open.
     Open,
-    /// Ask for a file to save to.
+    /// Open the file that was open last.
+    OpenLatest,
+    /// Open a session that comes with the program.
+    Example(usize),
+    /// A session by simulation.
+    New,
+    /// Save to the session's own file.
     Save,
+    /// Ask for a file to save to.
+    SaveAs,
+    /// Type a path to save to.
+    SaveToPath,
+    /// Ask for a file for the model.
+    SaveModel,
+    /// Ask for a file for the table.
+    SaveTable,
+    /// Read the file again.
+    Reload,
+    /// Follow the file as it grows, or stop.
+    Follow,
+    /// Close the window.
+    Quit,
     /// Take back.
     Undo,
     /// Bring back.
     Redo,
     /// Identify.
     Identify,
+    /// Search for what is missing.
+    Search,
+    /// Drop what is running.
+    Cancel,
+    /// Units, digits, colours.
+    Preferences,
+    /// The next unit of lengths.
+    NextLength,
+    /// The other unit of angles.
+    NextAngle,
+    /// Light instead of dark, or the other way round.
+    OtherTheme,
     /// Show everything again.
     Fit,
     /// The first step, and so on.
     Step(Step),
+    /// The workspace from another side.
+    Look(Plane),
+    /// What the words mean.
+    Words,
+    /// The keyboard.
+    Keys,
+    /// What this program is.
+    About,
 }
 
 const fn with(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(modifiers, key)
 }
 
+const PLAIN: Modifiers = Modifiers::NONE;
+const COMMAND: Modifiers = Modifiers::COMMAND;
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 11] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 35] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
-    (Action::Undo, with(Modifiers::COMMAND, Key::Z), "undo"),
+    (Action::Undo, with(COMMAND, Key::Z), "undo"),
     (
-        Action::Open,
-        with(Modifiers::COMMAND, Key::O),
-        "open a session",
+        Action::OpenLatest,
+        with(SHIFTED, Key::O),
+        "open the last file again",
+    ),
+    (Action::Open, with(COMMAND, Key::O), "open a file"),
+    (Action::Example(0), with(PLAIN, Key::F2), "first example"),
+    (Action::Example(1), with(PLAIN, Key::F3), "second example"),
+    (Action::Example(2), with(PLAIN, Key::F4), "third example"),
+    (Action::New, with(COMMAND, Key::N), "new by simulation"),
+    (Action::SaveAs, with(SHIFTED, Key::S), "save session as"),
+    (Action::Save, with(COMMAND, Key::S), "save session"),
+    (
+        Action::SaveToPath,
+        with(SHIFTED, Key::P),
+        "save session to a path",
+    ),
+    (Action::SaveModel, with(COMMAND, Key::M), "save model"),
+    (Action::SaveTable, with(COMMAND, Key::T), "save table"),
+    (Action::Reload, with(COMMAND, Key::R), "read the file again"),
+    (
+        Action::Follow,
+        with(COMMAND, Key::L),
+        "follow the file, or stop",
+    ),
+    (Action::Quit, with(COMMAND, Key::Q), "quit"),
+    (Action::Identify, with(COMMAND, Key::I), "identify"),
+    (
+        Action::Search,
+        with(COMMAND, Key::G),
+        "search for what is missing",
+    ),
+    (Action::Cancel, with(COMMAND, Key::Period), "cancel"),
+    (
+        Action::Preferences,
+        with(COMMAND, Key::Comma),
+        "preferences",
     ),
     (
-        Action::Save,
-        with(Modifiers::COMMAND, Key::S),
-        "save the session",
+        Action::NextAngle,
+        with(SHIFTED, Key::U),
+        "other unit of angles",
     ),
     (
-        Action::Identify,
-        with(Modifiers::COMMAND, Key::I),
-        "identify",
+        Action::NextLength,
+        with(COMMAND, Key::U),
+        "next unit of lengths",
+    ),
+    (Action::OtherTheme, with(COMMAND, Key::D), "light or dark"),
+    (
+        Action::Look(Plane::Xy),
+        with(SHIFTED, Key::Num1),
+        "workspace from above",
+    ),
+    (
+        Action::Look(Plane::Xz),
+        with(SHIFTED, Key::Num2),
+        "workspace from the side",
+    ),
+    (
+        Action::Look(Plane::Yz),
+        with(SHIFTED, Key::Num3),
+        "workspace from the front",
     ),
     (
         Action::Fit,
-        with(Modifiers::COMMAND, Key::F),
+        with(COMMAND, Key::F),
         "show everything in the plots",
     ),
     (
         Action::Step(Step::Session),
-        with(Modifiers::COMMAND, Key::Num1),
+        with(COMMAND, Key::Num1),
         "step 1, session",
     ),
     (
         Action::Step(Step::Regions),
-        with(Modifiers::COMMAND, Key::Num2),
+        with(COMMAND, Key::Num2),
         "step 2, regions",
     ),
     (
         Action::Step(Step::Identify),
-        with(Modifiers::COMMAND, Key::Num3),
+        with(COMMAND, Key::Num3),
         "step 3, identify",
     ),
     (
         Action::Step(Step::Gap),
-        with(Modifiers::COMMAND, Key::Num4),
+        with(COMMAND, Key::Num4),
         "step 4, find the gap",
     ),
     (
         Action::Step(Step::Export),
-        with(Modifiers::COMMAND, Key::Num5),
+        with(COMMAND, Key::Num5),
         "step 5, export",
     ),
+    (
+        Action::About,
+        with(Modifiers::SHIFT, Key::F1),
+        "about truepose",
+    ),
+    (Action::Words, with(PLAIN, Key::F1), "what the words mean"),
+    (Action::Keys, with(COMMAND, Key::K), "this list"),
 ];
 
 /// How a menu shows the keys of an action.
 pub(crate) fn keys(ctx: &Context, action: Action) -> String {
     let found = ALL.iter().find(|(other, _, _)| *other == action);
-    found.map_or_else(String::new, |(_, shortcut, _)| {
-        ctx.format_shortcut(shortcut)
-    })
+    found.map_or_else(String::new, |(_, keys, _)| in_words(ctx, *keys))
 }
 
-/// What an action does.
-pub(crate) fn command(action: Action) -> Command {
+/// Keys as they stand on the keyboard.
+pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
+    let text = ctx.format_shortcut(&keys);
+    text.replace("Comma", ",").replace("Period", ".")
+}
+
+/// What an action does, as the workbench stands.
+pub(crate) fn command_for(action: Action, workbench: &Workbench, dark: bool) -> Command {
+    let preferences = workbench.view().preferences;
+    let sheet = |sheet| Command::Sheet(Some(sheet));
     match action {
         Action::Open => Command::ChooseFile,
-        Action::Save => Command::ChooseWhereToSave,
+        Action::OpenLatest => match workbench.recent().find(|(_, there)| *there) {
+            Some((path, _)) => Command::OpenFile(path.to_path_buf()),
+            None => Command::ChooseFile,
+        },
+        Action::Example(index) => Command::OpenExample(index),
+        Action::New => sheet(Sheet::Simulate(Form::default())),
+        Action::Save => Command::Save,
+        Action::SaveAs => Command::ChooseWhereToSave,
+        Action::SaveToPath => super::unsaved::typed_path(workbench),
+        Action::SaveModel => Command::ChooseWhereToExport(What::Model),
+        Action::SaveTable => Command::ChooseWhereToExport(What::Table),
+        Action::Reload => Command::Reload,
+        Action::Follow => Command::Follow(workbench.following().is_none()),
+        Action::Quit => Command::Leave,
         Action::Undo => Command::Undo,
         Action::Redo => Command::Redo,
         Action::Identify => Command::Edit(Edit::Identify),
+        Action::Search => Command::Search,
+        Action::Cancel => Command::Cancel,
+        Action::Preferences => sheet(Sheet::Preferences),
+        Action::NextLength => Command::Prefer(Preferences {
+            length: match preferences.length {
+                LengthUnit::Millimetre => LengthUnit::Micrometre,
+                LengthUnit::Micrometre => LengthUnit::Inch,
+                LengthUnit::Inch => LengthUnit::Millimetre,
+            },
+            ..preferences
+        }),
+        Action::NextAngle => Command::Prefer(Preferences {
+            angle: match preferences.angle {
+                AngleUnit::Degree => AngleUnit::Radian,
+                AngleUnit::Radian => AngleUnit::Degree,
+            },
+            ..preferences
+        }),
+        Action::OtherTheme => Command::Prefer(Preferences {
+            theme: if dark { Theme::Light } else { Theme::Dark },
+            ..preferences
+        }),
         Action::Fit => Command::Fit,
         Action::Step(step) => Command::GoTo(step),
+        Action::Look(plane) => Command::Look(plane),
+        Action::Words => sheet(Sheet::Words),
+        Action::Keys => sheet(Sheet::Shortcuts),
+        Action::About => sheet(Sheet::About),
     }
 }
 
@@ -108,9 +254,28 @@ pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
     if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
         return Vec::new();
     }
+    let dark = ctx.global_style().visuals.dark_mode;
     let pressed = |shortcut: &KeyboardShortcut| ctx.input_mut(|i| i.consume_shortcut(shortcut));
     ALL.iter()
         .filter(|(_, shortcut, _)| pressed(shortcut))
-        .map(|(action, _, _)| command(*action))
+        .map(|(action, _, _)| command_for(*action, workbench, dark))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_keys_do_two_things_and_none_hides_another() {
+        for (k, (action, keys, _)) in ALL.iter().enumerate() {
+            for (other, before, _) in &ALL[..k] {
+                assert_ne!(keys, before, "{action:?} and {other:?}");
+                // Without Shift a shortcut also takes what has it: the longer stands first.
+                let hides = before.logical_key == keys.logical_key
+                    && keys.modifiers.contains(before.modifiers);
+                assert!(!hides, "{other:?} hides {action:?}");
+            }
+        }
+    }
 }

@@ -99,7 +99,7 @@ fn effects(ui: &mut Ui, form: &mut Form) {
     if let Some(index) = gone {
         form.effects.remove(index);
     }
-    ComboBox::from_id_salt("add effect")
+    let list = ComboBox::from_id_salt("add effect")
         .selected_text("Add an effect…")
         .width(240.0)
         .show_ui(ui, |ui| {
@@ -113,4 +113,6 @@ fn effects(ui: &mut Ui, form: &mut Form) {
                 }
             }
         });
+    ui.ctx()
+        .accesskit_node_builder(list.response.id, |node| node.set_label("Add an effect"));
 }

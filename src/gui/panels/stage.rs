@@ -3,14 +3,18 @@
 use egui::{Align, ComboBox, Frame, Layout, Margin, Panel, RichText, Ui};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{correction, deviation, waterfall, workspace};
+use crate::gui::pictures::Plot;
+use crate::gui::plots::{correction, deviation, picture, waterfall, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::{Lower, Step};
 use crate::gui::widgets::{self, caption, title};
 
+use super::disk;
+
 /// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    disk::show(ui, workbench, commands);
     message(ui, workbench, commands);
     let palette = Palette::of(ui);
     let height = ui.available_height();
@@ -22,9 +26,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .size_range(140.0..=(0.7 * height).max(150.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
-            let table = view.step == Step::Export || workbench.subject().is_empty();
+            let alone = workbench.subject().is_empty();
+            let table = view.step == Step::Export || alone;
             let waterfall = offers_waterfall(workbench) && view.lower == Lower::Waterfall;
-            if let (true, Some(Ok(made))) = (table, workbench.export()) {
+            let made = workbench.export().and_then(Result::ok).filter(|_| table);
+            // A description of the robot has no curve; then the samples are more to look at.
+            if let Some(made) = made.filter(|made| alone || made.export.reads_as.is_some()) {
                 ui.horizontal(|ui| {
                     title(ui, "Correction table");
                     caption(ui, &correction::caption(made));
@@ -34,6 +41,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.horizontal(|ui| {
                     lower(ui, workbench, commands);
                     caption(ui, "root mean square over the samples that were fitted");
+                    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                        picture(ui, Plot::Waterfall, commands);
+                    });
                 });
                 waterfall::show(ui, workbench);
             } else {
@@ -101,7 +111,7 @@ fn lower(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 }
 
 /// From this width on the components stand side by side, points.
-const WIDE: f32 = 480.0;
+const WIDE: f32 = 512.0;
 
 /// The components as a list, where there is no room for them side by side.
 fn component_list(
@@ -145,6 +155,9 @@ fn chart_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Component(component));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if !workbench.subject().is_empty() {
+                picture(ui, Plot::Deviation, commands);
+            }
             if workbench.answer().is_some() {
                 let shown = [(false, "both"), (true, "only after")];
                 if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {

@@ -3,8 +3,8 @@
 use egui::{Align, Layout, RichText, Spinner, Ui};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::edit::Edit;
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::significant;
 
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
@@ -19,7 +19,7 @@ pub(crate) fn line(workbench: &Workbench) -> String {
     let count = subject.len();
     let samples = if count == 1 { "sample" } else { "samples" };
     let unit = units.length_name();
-    let mm = |mm: f64| significant(units.length_value(mm), 3);
+    let mm = |mm: f64| units.length_number(mm);
     let gap = match (workbench.answer(), &subject.gap_before) {
         (Some(answer), _) => {
             let gap = &answer.identification.gap;
@@ -32,6 +32,24 @@ pub(crate) fn line(workbench: &Workbench) -> String {
     format!("{count} {samples} · {gap}")
 }
 
+/// What there is to say while nothing runs.
+fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let small = |text: String| RichText::new(text).size(size::SMALL + 0.5);
+    if workbench.is_declined() {
+        if ui.small_button("Identify again").clicked() {
+            commands.push(Command::Edit(Edit::Identify));
+        }
+        ui.label(small("the identification was cancelled".to_owned()).color(palette.warning));
+    } else if let Some(came) = workbench.following() {
+        if ui.small_button("Stop following").clicked() {
+            commands.push(Command::Follow(false));
+        }
+        let says = format!("following the file · {came} new");
+        ui.label(small(says).color(palette.accent));
+    }
+}
+
 /// Shows the bar.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
@@ -39,7 +57,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ui.label(RichText::new(line(workbench)).size(size::SMALL + 0.5));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Some(task) = workbench.tasks().newest() else {
-                return;
+                return idle(ui, workbench, commands);
             };
             if ui.small_button("Cancel").clicked() {
                 commands.push(Command::Cancel);

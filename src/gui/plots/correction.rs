@@ -3,18 +3,19 @@
 use egui::{Color32, Role, Stroke, Ui, WidgetInfo};
 use egui_plot::{Axis, Line, Plot, PlotPoints};
 
+use crate::compensation::SortedTable;
 use crate::gui::commands::Workbench;
 use crate::gui::plots::{LEAST_SPAN, MOST_POINTS, axis, steps, stride, thinned};
 use crate::gui::preview::Made;
 use crate::gui::tokens::Palette;
+use crate::gui::widgets;
 use crate::kinematics::JointKind;
 
 /// Points of one curve: commanded value and correction, in the table's unit.
-fn curve(made: &Made, values: &[f64]) -> Vec<[f64; 2]> {
-    let table = &made.table;
-    let every = stride(values.len(), MOST_POINTS / 4);
-    let all = table.commanded_outer.iter().zip(values).step_by(every);
-    all.map(|(at, value)| [*at, table.outer(*value)]).collect()
+fn curve(column: &SortedTable) -> Vec<[f64; 2]> {
+    let every = stride(column.values().len(), MOST_POINTS / 4);
+    let all = column.places().iter().zip(column.values()).step_by(every);
+    all.map(|(at, value)| [*at, *value]).collect()
 }
 
 /// What the upward axis has to show: zero, every correction, and no less than can be read. A
@@ -29,11 +30,18 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
 /// Shows the curve in the space that is left.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let palette = Palette::of(ui);
-    let table = &made.table;
+    let Some(table) = &made.export.reads_as else {
+        widgets::hint(
+            ui,
+            "This format describes the robot itself and has no table",
+        );
+        return;
+    };
     let degrees = table.kind == JointKind::Revolute;
     let unit = if degrees { "°" } else { "mm" };
-    let forward = curve(made, &table.forward);
-    let reverse = table.has_sides().then(|| curve(made, &table.reverse));
+    let forward = curve(&table.forward);
+    let has_sides = table.forward != table.reverse;
+    let reverse = has_sides.then(|| curve(&table.reverse));
     let [low, high] = span(forward.iter().chain(reverse.iter().flatten()));
     let plot = Plot::new(("correction", workbench.view().fitted))
         .show_x(false)
@@ -48,7 +56,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         .y_grid_spacer(|input| steps(input.bounds, false, 4.0))
         .custom_x_axes(axis(
             Axis::X,
-            format!("{}, {unit}", table.name),
+            format!("{}, {unit}", made.joint),
             &palette,
             |q| q,
         ))
@@ -79,13 +87,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
 
 /// What has to be said about the curve.
 pub(crate) fn caption(made: &Made) -> String {
-    let table = &made.table;
-    let mut says = if table.has_sides() {
-        "solid: moving positive · dashed: moving negative".to_owned()
-    } else {
-        "the same for both directions".to_owned()
+    let Some(table) = &made.export.reads_as else {
+        return String::new();
     };
-    let every = stride(table.forward.len(), MOST_POINTS / 4);
+    let mut says = if table.forward == table.reverse {
+        "the same for both directions".to_owned()
+    } else {
+        "solid: moving positive · dashed: moving negative".to_owned()
+    };
+    let every = stride(table.forward.values().len(), MOST_POINTS / 4);
     if let Some(note) = thinned(every, "entry") {
         says = format!("{says} · {note}");
     }

@@ -10,6 +10,7 @@
 //! The order of effects, keys and digits is fixed: the same model is the same file, byte for byte,
 //! and [`model_hash`] is what `sha256sum` says of it.
 
+mod curve;
 mod exact;
 mod read;
 mod term;
@@ -17,7 +18,7 @@ mod write;
 
 pub(crate) use term::term;
 
-pub use read::{load_model, read_model};
+pub use read::{is_model, load_model, read_model};
 pub use write::{model_hash, write_model};
 
 /// What the key `format` says.

@@ -29,6 +29,26 @@ pub fn load_model(path: impl AsRef<FilePath>) -> Result<Calibration, Rejected> {
     read(text, place, Some(files::folder_of(path)))
 }
 
+/// What every version of the model's format begins with.
+const MODEL: &str = "truepose-model/";
+
+/// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
+/// which says why.
+pub fn is_model(path: &FilePath) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Tag {
+        format: String,
+    }
+    let Ok(bytes) = files::read_document(path) else {
+        return false;
+    };
+    match serde_json::from_slice::<Tag>(&bytes) {
+        Ok(tag) => tag.format.starts_with(MODEL),
+        // Broken, but it may still say what it was meant to be.
+        Err(_) => memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some(),
+    }
+}
+
 /// Reads a model that is in memory.
 ///
 /// # Errors

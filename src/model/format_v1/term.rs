@@ -1,8 +1,9 @@
 //! One effect, as models and scenarios write it.
 
+use super::curve::unexplained;
 use super::exact::exact_term;
 use super::read::count;
-use crate::effects::{Term, find};
+use crate::effects::{Term, UNEXPLAINED, find};
 use crate::sessions::json::{Fields, Node, Path, optional};
 
 /// One effect, as models and scenarios write it.
@@ -13,8 +14,9 @@ pub(crate) fn term(
     joints: usize,
 ) -> Option<Term> {
     let members = fields.object(node, path, "an object with effect and parameters")?;
-    fields.unknown_keys(members, path, &["effect", "joint", "parameters", "exact"]);
     let id = fields.required_text(members, node.at, path, "effect")?;
+    let last = if id == UNEXPLAINED { "curve" } else { "exact" };
+    fields.unknown_keys(members, path, &["effect", "joint", "parameters", last]);
     if find(&id).is_none() {
         let found = format!("no effect is called '{id}'");
         let expected = "a name that `truepose effects` lists";
@@ -25,6 +27,9 @@ pub(crate) fn term(
         None => 1,
         Some(node) => count(fields, node, &path.key("joint"), "a joint, counted from 1")?,
     };
+    if id == UNEXPLAINED {
+        return unexplained(fields, members, node.at, path, joint, joints);
+    }
     let given = optional(members, "parameters");
     let parameters = match given {
         None => Vec::new(),

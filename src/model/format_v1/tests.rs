@@ -82,7 +82,7 @@ fn any_calibration() -> impl Strategy<Value = Calibration> {
     });
     (with_terms, vector(100.0), 0.0..1.0f64).prop_map(|((robot, terms), target, number)| {
         let joints = robot.joints.len();
-        let model = Model::new(robot, terms);
+        let model = Model::new(robot, terms).settled();
         let n = model.coefficient_count();
         Calibration {
             session: "a \"session\"\n".to_owned(),

@@ -7,6 +7,7 @@ use serde::ser::{SerializeMap, Serializer};
 use sha2::{Digest, Sha256};
 
 use super::FORMAT;
+use super::curve::{self, CurveTwin};
 use crate::effects::{Parameter, Term};
 use crate::kinematics::{Range, Robot};
 use crate::model::{Calibration, GapStep, RegionalCorrection};
@@ -53,7 +54,10 @@ struct TermTwin<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<usize>,
     parameters: ParametersTwin,
-    exact: ExactTwin<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curve: Option<CurveTwin<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exact: Option<ExactTwin<'a>>,
 }
 
 /// In the order of the catalogue, which a map would lose.
@@ -165,14 +169,20 @@ impl RobotExactTwin {
 impl<'a> TermTwin<'a> {
     fn of(term: &'a Term, robot: &Robot) -> Self {
         let about = term.effect.about();
+        let kind = robot.joints[term.joint].kind;
+        let parameters = match term.curve() {
+            Some(curve) => curve::parameters(curve, kind),
+            None => term.parameters_on(kind),
+        };
         Self {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
-            parameters: ParametersTwin(term.parameters_on(robot.joints[term.joint].kind)),
-            exact: ExactTwin {
+            parameters: ParametersTwin(parameters),
+            curve: term.curve().map(CurveTwin::of),
+            exact: term.curve.is_none().then_some(ExactTwin {
                 setting: term.setting,
                 coefficients: &term.coefficients,
-            },
+            }),
         }
     }
 }

@@ -70,7 +70,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         [axes.along(extent.q[0]), units.length_value(extent.mm[0])],
         [axes.along(extent.q[1]), units.length_value(extent.mm[1])],
     ];
-    let degrees = series.turns && view.angle == AngleUnit::Degree;
+    let degrees = series.turns && units.angle == AngleUnit::Degree;
     let across = format!("{joint}, {unit}");
     let upwards = format!("{}, {}", view.component.name(), units.length_name());
     let plot = Plot::new(("deviation", view.component.name(), only_after, view.fitted))
@@ -115,8 +115,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                         shapes.push(mesh);
                     }
                 }
-                let usable = |sample: &usize| workbench.subject().usable[*sample];
-                if let Some(sample) = emphasised.filter(usable) {
+                let subject = workbench.subject();
+                let marked = workspace::marked(view, subject.len()).chain(emphasised);
+                for sample in marked.filter(|sample| subject.usable[*sample]) {
                     let dot = Dot::of(workbench, sample);
                     let mm = dot.after_mm.unwrap_or(dot.before_mm);
                     let here = transform.position_from_point(&axes.at(dot.q, mm));

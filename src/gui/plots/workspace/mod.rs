@@ -10,5 +10,5 @@ mod scales;
 mod toolbar;
 
 pub(crate) use layout::nearest;
-pub(crate) use paint::{hover, show};
+pub(crate) use paint::{hover, marked, show};
 pub(crate) use toolbar::show as bar;

@@ -8,7 +8,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::layers::{WEDGE, WIDTH, scale_at};
 use crate::gui::plots::{Drawing, axis, marks, steps};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::view::{Canvas, Step};
+use crate::gui::view::{Canvas, Step, ViewState};
 use crate::gui::widgets;
 use crate::sessions::Region;
 
@@ -68,6 +68,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     workbench.answer().is_some(),
                 );
             }
+            for sample in marked(view, workbench.subject().len()) {
+                ring(shapes, transform, workbench, sample, &palette);
+            }
             if let Some(sample) = emphasised {
                 emphasis(shapes, transform, &scene, workbench, sample, &palette);
             }
@@ -126,6 +129,13 @@ pub(crate) fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
         data.insert_temp(id, now);
         before && !now
     })
+}
+
+/// The samples that a finding is about, no more than can be told apart.
+pub(crate) fn marked(view: &ViewState, samples: usize) -> impl Iterator<Item = usize> + '_ {
+    const MOST: usize = 2000;
+    let there = view.marked.iter().copied().filter(move |s| *s < samples);
+    there.take(MOST)
 }
 
 fn screen(transform: &PlotTransform, p: [f64; 2]) -> Pos2 {
@@ -267,7 +277,6 @@ fn emphasis(
     }
     let measured = subject.measured(sample);
     let [right, up] = workbench.view().plane.axes();
-    let at = screen(transform, [measured[right], measured[up]]);
     // Its vector over all others, whatever their colour.
     let e = shown(workbench, sample);
     let from = [measured[right] - e[right], measured[up] - e[up]];
@@ -281,6 +290,24 @@ fn emphasis(
         Stroke::new(2.0 * WIDTH + 2.0, palette.surface),
     );
     marks::arrow(shapes, from, to, Stroke::new(2.0 * WIDTH, palette.accent));
+    ring(shapes, transform, workbench, sample, palette);
+}
+
+/// A ring around a sample.
+fn ring(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    workbench: &Workbench,
+    sample: usize,
+    palette: &Palette,
+) {
+    let subject = workbench.subject();
+    if !subject.usable[sample] {
+        return;
+    }
+    let measured = subject.measured(sample);
+    let at = workbench.view().plane.axes().map(|axis| measured[axis]);
+    let at = screen(transform, at);
     shapes.push(marks::ring(at, 9.0, Stroke::new(2.5, palette.accent)));
 }
 

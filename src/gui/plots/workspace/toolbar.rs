@@ -3,6 +3,8 @@
 use egui::{Align, ComboBox, Layout, RichText, Slider, Ui};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::pictures::Plot;
+use crate::gui::plots::picture;
 use crate::gui::tokens::{size, space};
 use crate::gui::units::significant;
 use crate::gui::view::{Colouring, Plane};
@@ -25,6 +27,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             heat(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if measured {
+                picture(ui, Plot::Workspace, commands);
+            }
             if workbench.answer().is_some() && measured {
                 blend(ui, workbench, commands);
             }

@@ -1,0 +1,318 @@
+//! `truepose import`: from a file that an instrument wrote to a session.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context;
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use serde::Serialize;
+
+use truepose::importers::{
+    Alignment, AngleUnit, Companion, Decimal, IMPORTERS, Imported, LengthUnit, Matching, Motion,
+    Reading, Separator, Settings, find, import,
+};
+use truepose::sessions::{Replacing, load_robot, read_whole, save, write_inline};
+
+use super::failure::Failure;
+use super::output;
+
+/// Make a session of a file that an instrument wrote
+#[derive(Debug, Args)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of the command"
+)]
+pub(crate) struct Import {
+    /// Measured file
+    file: PathBuf,
+    /// What wrote it
+    #[arg(long = "as", value_name = "FORMAT", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|i| i.kind.id())))]
+    format: String,
+    /// Robot that was measured: the robot object of a session
+    #[arg(long, value_name = "ROBOT")]
+    robot: PathBuf,
+    /// Write the session to this file, its samples to a CSV file beside it; - is standard output
+    #[arg(long, value_name = "SESSION")]
+    out: PathBuf,
+    /// Where the robot was sent
+    #[arg(
+        long,
+        value_name = "FILE",
+        help = "Where the robot was sent: a table with q1_deg, … and perhaps name, time_s, dir1, load_kg, …"
+    )]
+    commands: Option<PathBuf>,
+    /// How commands find their measurements
+    #[arg(long = "match", value_name = "HOW", default_value = "order", value_parser = PossibleValuesParser::new(["order", "time", "name"]))]
+    matching: String,
+    /// Unit of coordinates whose heading does not say it
+    #[arg(long, value_parser = PossibleValuesParser::new(["mm", "m", "in"]))]
+    unit: Option<String>,
+    /// Unit of joint values whose heading does not say it
+    #[arg(long, value_parser = PossibleValuesParser::new(["deg", "rad"]))]
+    angle_unit: Option<String>,
+    /// Decimal sign
+    #[arg(long, value_name = "SIGN", value_parser = PossibleValuesParser::new([".", ","]))]
+    decimal: Option<String>,
+    /// What separates cells
+    #[arg(long, value_parser = PossibleValuesParser::new(["tab", "semicolon", "comma", "spaces"]))]
+    separator: Option<String>,
+    /// What the columns are
+    #[arg(
+        long,
+        help = "What the columns are, such as name,x_mm,y_mm,z_mm,-",
+        value_name = "A,B,…",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    columns: Vec<String>,
+    /// Rigid bodies or markers to take
+    #[arg(long, value_name = "NAME")]
+    name: Vec<String>,
+    /// Turn coordinates whose y points upwards so that z does
+    #[arg(long)]
+    z_up: bool,
+    /// Joint whose position was measured, counted from 1
+    #[arg(long, default_value_t = 1)]
+    joint: usize,
+    /// Points that are known in the base frame: name, x, y, z
+    #[arg(long, value_name = "FILE")]
+    reference: Option<PathBuf>,
+    /// Fit a scale with the reference points
+    #[arg(long, requires = "reference")]
+    scale: bool,
+    /// Reflectors in the tool frame: name, x, y, z
+    #[arg(long, value_name = "FILE")]
+    targets: Option<PathBuf>,
+    /// With --match time, what becomes a sample: the mean of each stop, or every measurement
+    #[arg(long, value_name = "WHICH", default_value = "auto", value_parser = PossibleValuesParser::new(["auto", "stops", "all"]))]
+    motion: String,
+    /// With --match time, the seconds to add to a measured time [default: found from the motion]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    clock_offset: Option<f64>,
+    /// Print what was found out as JSON
+    #[arg(long)]
+    json: bool,
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+impl Import {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let to_stdout = self.out.as_os_str() == "-";
+        output::one_use_of_standard_output(to_stdout, self.json, "--out -", "--json")?;
+        if self.clock_offset.is_some_and(|offset| !offset.is_finite()) {
+            return Err(Failure::WrongInput(
+                "--clock-offset: a number of seconds is expected".to_owned(),
+            ));
+        }
+        let robot = load_robot(&self.robot)?;
+        output::messages(&robot.findings);
+        let bytes = read_whole(&self.file)?;
+        let commands = read_companion(self.commands.as_deref())?;
+        let reference = read_companion(self.reference.as_deref())?;
+        let targets = read_companion(self.targets.as_deref())?;
+        let settings = Settings {
+            name: session_name(if to_stdout { &self.file } else { &self.out }),
+            commands: companion(self.commands.as_deref(), commands.as_deref()),
+            matching: match self.matching.as_str() {
+                "time" => Matching::Time,
+                "name" => Matching::Name,
+                _ => Matching::Order,
+            },
+            motion: match self.motion.as_str() {
+                "stops" => Motion::Stops,
+                "all" => Motion::All,
+                _ => Motion::Auto,
+            },
+            clock_offset_s: self.clock_offset,
+            reference: companion(self.reference.as_deref(), reference.as_deref()),
+            scale: self.scale,
+            targets: companion(self.targets.as_deref(), targets.as_deref()),
+            ..Settings::new(self.reading()?, &robot.robot)
+        };
+        let imported = import(&bytes, &settings)?;
+        output::messages(&imported.findings);
+        if to_stdout {
+            let mut stdout = std::io::stdout().lock();
+            write_inline(&imported.session, &mut stdout)
+                .context("cannot write to standard output")?;
+        } else {
+            let inputs = self.inputs();
+            let replacing = Replacing {
+                force: self.force,
+                inputs: &inputs,
+            };
+            save(&imported.session, &self.out, replacing)?;
+        }
+        if self.json {
+            output::json(&Answer::of(&imported))?;
+        }
+        Ok(())
+    }
+
+    /// Every file that was read: no output may replace one.
+    fn inputs(&self) -> Vec<&Path> {
+        let beside = [&self.commands, &self.reference, &self.targets];
+        let beside = beside.into_iter().flatten().map(PathBuf::as_path);
+        [self.file.as_path(), self.robot.as_path()]
+            .into_iter()
+            .chain(beside)
+            .collect()
+    }
+
+    fn reading(&self) -> Result<Reading, Failure> {
+        let Some(joint) = self.joint.checked_sub(1) else {
+            return Err(Failure::WrongInput(
+                "--joint: joints are counted from 1".to_owned(),
+            ));
+        };
+        Ok(Reading {
+            kind: find(&self.format).map(|importer| importer.kind),
+            file: Some(self.file.clone()),
+            unit: self.unit.as_deref().map(|unit| match unit {
+                "m" => LengthUnit::Metres,
+                "in" => LengthUnit::Inches,
+                _ => LengthUnit::Millimetres,
+            }),
+            angle_unit: self.angle_unit.as_deref().map(|unit| match unit {
+                "rad" => AngleUnit::Radians,
+                _ => AngleUnit::Degrees,
+            }),
+            decimal: self.decimal.as_deref().map(|sign| match sign {
+                "," => Decimal::Comma,
+                _ => Decimal::Point,
+            }),
+            separator: self.separator.as_deref().map(|separator| match separator {
+                "tab" => Separator::Tab,
+                "semicolon" => Separator::Semicolon,
+                "comma" => Separator::Comma,
+                _ => Separator::Spaces,
+            }),
+            columns: self.columns.clone(),
+            names: self.name.clone(),
+            z_up: self.z_up,
+            joint,
+            ..Reading::default()
+        })
+    }
+}
+
+fn read_companion(path: Option<&Path>) -> Result<Option<Vec<u8>>, Failure> {
+    Ok(path.map(read_whole).transpose()?)
+}
+
+fn companion<'a>(path: Option<&Path>, bytes: Option<&'a [u8]>) -> Option<Companion<'a>> {
+    Some(Companion {
+        bytes: bytes?,
+        file: path.map(Path::to_path_buf),
+    })
+}
+
+fn session_name(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+/// `truepose-import/1`.
+#[derive(Serialize)]
+struct Answer<'a> {
+    format: &'static str,
+    session: &'a str,
+    samples: usize,
+    read_as: &'a str,
+    encoding: String,
+    separator: Option<String>,
+    decimal: Option<String>,
+    unit: &'a str,
+    matched: Option<Matched<'a>>,
+    reference: Option<Reference<'a>>,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Matched<'a> {
+    by: &'static str,
+    samples: usize,
+    without_command: &'a [String],
+    without_measurement: &'a [String],
+    clock: Option<Clock>,
+}
+
+#[derive(Serialize)]
+struct Clock {
+    offset_s: f64,
+    sigma_s: Option<f64>,
+    rms_mm: f64,
+}
+
+#[derive(Serialize)]
+struct Reference<'a> {
+    rms_mm: f64,
+    scale: f64,
+    best_scale: f64,
+    position_mm: [f64; 3],
+    quaternion_wxyz: [f64; 4],
+    points: Vec<ReferencePoint<'a>>,
+}
+
+#[derive(Serialize)]
+struct ReferencePoint<'a> {
+    name: &'a str,
+    residual_mm: [f64; 3],
+    distance_mm: f64,
+    left_out: bool,
+}
+
+impl<'a> Answer<'a> {
+    fn of(imported: &'a Imported) -> Self {
+        let found = &imported.inspection;
+        Self {
+            format: "truepose-import/1",
+            session: &imported.session.name,
+            samples: imported.session.samples.len(),
+            read_as: found.kind.map_or("", truepose::importers::Kind::id),
+            encoding: found.encoding.to_string(),
+            separator: found.separator.map(|separator| separator.to_string()),
+            decimal: found.decimal.map(|decimal| decimal.to_string()),
+            unit: &found.unit,
+            matched: imported.matched.as_ref().map(|matched| Matched {
+                by: matched.by.id(),
+                samples: matched.samples,
+                without_command: &matched.lonely_measurements,
+                without_measurement: &matched.lonely_commands,
+                clock: matched.clock.map(|clock| Clock {
+                    offset_s: clock.offset_s,
+                    sigma_s: clock.sigma_s,
+                    rms_mm: clock.rms_mm,
+                }),
+            }),
+            reference: imported.alignment.as_ref().map(Reference::of),
+            notes: imported.findings.iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+impl<'a> Reference<'a> {
+    fn of(alignment: &'a Alignment) -> Self {
+        let motion = &alignment.base_from_instrument;
+        let q = motion.rotation.quaternion();
+        Self {
+            rms_mm: alignment.rms_mm,
+            scale: alignment.scale,
+            best_scale: alignment.best_scale,
+            position_mm: motion.translation.vector.into(),
+            quaternion_wxyz: [q.w, q.i, q.j, q.k],
+            points: alignment
+                .residuals
+                .iter()
+                .map(|residual| ReferencePoint {
+                    name: &residual.name,
+                    residual_mm: residual.vector_mm.into(),
+                    distance_mm: residual.vector_mm.norm(),
+                    left_out: residual.is_outlier,
+                })
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,317 @@
+//! `truepose plan`: what to measure next, or first.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use truepose::diagnosis::next_poses::NextPose;
+use truepose::diagnosis::plan::{self, PlanError, PlanOptions, Subject};
+use truepose::diagnosis::plan_v1::Document;
+use truepose::diagnosis::unlock::Locked;
+use truepose::diagnosis::{Options, measuring_list};
+use truepose::kinematics::JointKind;
+use truepose::units::deg_from_rad;
+
+use super::failure::Failure;
+use super::output;
+
+/// Say what to measure: poses that decide what a session leaves open and unlock what it cannot
+/// show, or a first measurement of a robot
+#[derive(Debug, Args)]
+pub(crate) struct Plan {
+    /// Session that was measured, or the robot alone (a session's `robot` object in a file)
+    #[arg(value_name = "SESSION|ROBOT")]
+    subject: PathBuf,
+    /// Number of poses; with --separate and a session at most so many [default: as many as are
+    /// needed; 60 for a robot with one joint]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    poses: Option<usize>,
+    /// Two effects to tell apart, such as backlash,tracking-lag; ID:JOINT for another joint than 1
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    separate: Vec<String>,
+    /// Noise of the instrument on every axis, mm [default: the session's; 0.03 for a robot]
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    sigma: Option<f64>,
+    /// Heaviest load that the robot may carry for a test, kg [default: the session's, else 3]
+    #[arg(long, value_name = "KG", allow_negative_numbers = true)]
+    load: Option<f64>,
+    /// Seed of everything random
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Write the poses to this file, with the column names of a session; - is standard output
+    #[arg(long, value_name = "POSES.csv")]
+    out: Option<PathBuf>,
+    /// Replace the file if it exists
+    #[arg(long)]
+    force: bool,
+    /// Print JSON (truepose-plan/1)
+    #[arg(long)]
+    json: bool,
+}
+
+impl From<PlanError> for Failure {
+    fn from(error: PlanError) -> Self {
+        Self::WrongInput(error.to_string())
+    }
+}
+
+impl Plan {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let to_stdout = output::is_standard_output(self.out.as_deref());
+        output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
+        let separate = match &self.separate[..] {
+            [] => None,
+            [a, b] => Some([a.clone(), b.clone()]),
+            other => {
+                return Err(Failure::WrongInput(format!(
+                    "--separate names {} effects; expected two, such as backlash,tracking-lag",
+                    other.len()
+                )));
+            }
+        };
+        let options = PlanOptions {
+            poses: self.poses,
+            separate,
+            sigma_mm: self.sigma,
+            load_kg: self.load,
+            diagnosis: Options {
+                seed: self.seed,
+                ..Options::default()
+            },
+        };
+        let (plan, files) = if is_a_session(&self.subject) {
+            let loaded = truepose::sessions::load(&self.subject)?;
+            output::messages(&loaded.findings);
+            let plan = plan::plan_session(&loaded.session, &options, &|_| true)?;
+            (plan, loaded.files)
+        } else {
+            let loaded = truepose::sessions::load_robot(&self.subject)?;
+            output::messages(&loaded.findings);
+            let plan = plan::plan_robot(&loaded.robot, &options)?;
+            (plan, vec![self.subject.clone()])
+        };
+        if let Some(out) = &self.out {
+            let list = measuring_list(&plan.poses, &plan.robot);
+            output::document(out, list.as_bytes(), self.force, &files)?;
+        }
+        if self.json {
+            output::json(&Document::new(&plan))
+        } else if to_stdout {
+            Ok(())
+        } else {
+            output::text(&in_words(&plan))
+        }
+    }
+}
+
+/// What a session has and a robot's file has not.
+#[derive(Deserialize)]
+struct Keys {
+    format: Option<IgnoredAny>,
+    robot: Option<IgnoredAny>,
+    samples: Option<IgnoredAny>,
+}
+
+/// Whether a document is a session. What cannot be read is left to the reader of sessions, which
+/// says what is wrong with it.
+fn is_a_session(path: &Path) -> bool {
+    let regular = std::fs::metadata(path).is_ok_and(|m| m.is_file());
+    let bytes = if regular {
+        std::fs::read(path).unwrap_or_default()
+    } else {
+        Vec::new()
+    };
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    match serde_json::from_slice::<Keys>(text) {
+        Ok(keys) => keys.format.is_some() || keys.robot.is_some() || keys.samples.is_some(),
+        Err(_) => true,
+    }
+}
+
+fn in_words(plan: &plan::Plan) -> String {
+    let mut text = String::new();
+    let what = match plan.subject {
+        Subject::Session => "to measure next",
+        Subject::Robot => "a first measurement",
+    };
+    let _ = writeln!(text, "{}: {what}, {} poses", plan.name, plan.poses.len());
+    for [explanation, instead] in &plan.open {
+        let _ = writeln!(
+            text,
+            "open: {} or {}",
+            explanation.join(" + "),
+            instead.join(" + ")
+        );
+    }
+    if let Some(separation) = &plan.separation {
+        let [a, b] = separation.between.map(|n| n.id);
+        let _ = match &separation.impossible {
+            Some(because) => writeln!(text, "no pose tells {a} from {b}: {because}"),
+            None => writeln!(
+                text,
+                "what {b} cannot imitate of {a}: {:.1} % now, {:.1} % with these poses; the other way \
+                 round {:.1} % and {:.1} %{}",
+                100.0 * separation.left_before[0],
+                100.0 * separation.left_after[0],
+                100.0 * separation.left_before[1],
+                100.0 * separation.left_after[1],
+                if separation.poses.is_empty() {
+                    "; what is there decides already"
+                } else if separation.decided {
+                    ""
+                } else {
+                    "; an effect that is just seen may stay undecided, more poses would help"
+                }
+            ),
+        };
+    }
+    if plan.poses.is_empty() && plan.separation.is_none() {
+        let _ = writeln!(
+            text,
+            "nothing is ambiguous and no pose unlocks anything; --poses N lists poses that sharpen \
+             what can be seen"
+        );
+    }
+    text.push_str(&table(plan));
+    for target in &plan.targets {
+        let at = target.position_mm;
+        let new = plan
+            .poses
+            .iter()
+            .any(|p| p.target_mm.is_some() && p.target.as_ref() == Some(&target.name));
+        if new {
+            let _ = writeln!(
+                text,
+                "reflector {}: at ({:.0}, {:.0}, {:.0}) mm in the tool frame; survey where it really is, and \
+                 declare it in the session's targets",
+                target.name, at.x, at.y, at.z
+            );
+        }
+    }
+    for (names, locked) in grouped(&plan.unlocks) {
+        let _ = writeln!(text, "{names} becomes testable: {}", needs(locked));
+    }
+    for (names, locked) in grouped(&plan.cannot) {
+        let help = if locked.needs.is_empty() {
+            "no pose helps".to_owned()
+        } else {
+            needs(locked)
+        };
+        let _ = writeln!(text, "{names} stays untestable, {}: {help}", locked.because);
+    }
+    if !plan.poses.is_empty() {
+        limits(plan, &mut text);
+    }
+    text
+}
+
+fn limits(plan: &plan::Plan, text: &mut String) {
+    let _ = writeln!(
+        text,
+        "with these poses and a noise of {:.4} mm an effect will be seen (95 %) above",
+        plan.sigma_mm
+    );
+    for limit in plan.seen_above() {
+        let sizes: Vec<String> = limit
+            .sizes
+            .iter()
+            .map(|(name, size)| format!("{name} {}", super::diagnose::three_digits(*size)))
+            .collect();
+        let _ = writeln!(
+            text,
+            "  {:<28}{}",
+            named(limit.effect, limit.joint),
+            sizes.join(", ")
+        );
+    }
+    for pair in &plan.foresight.alike {
+        let _ = writeln!(
+            text,
+            "{} and {} will look alike (correlation {:.3})",
+            named(pair.one.0, pair.one.1.map(|j| j + 1)),
+            named(pair.other.0, pair.other.1.map(|j| j + 1)),
+            pair.correlation
+        );
+    }
+}
+
+fn named(effect: &str, joint: Option<usize>) -> String {
+    joint.map_or_else(|| effect.to_owned(), |joint| format!("{effect} {joint}"))
+}
+
+/// Joints that lack the same for the same effect stand together.
+fn grouped(all: &[Locked]) -> Vec<(String, &Locked)> {
+    let mut groups: Vec<(String, &Locked)> = Vec::new();
+    for locked in all {
+        let number = locked.joint.map(|j| j + 1);
+        let same = |g: &&mut (String, &Locked)| {
+            g.1.effect == locked.effect && g.1.because == locked.because
+        };
+        match (groups.iter_mut().find(same), number) {
+            (Some(group), Some(number)) => {
+                let _ = write!(group.0, ", {number}");
+            }
+            _ => groups.push((named(locked.effect, number), locked)),
+        }
+    }
+    groups
+}
+
+fn needs(locked: &Locked) -> String {
+    let says: Vec<&str> = locked.needs.iter().map(|n| n.says()).collect();
+    says.join("; ")
+}
+
+fn table(plan: &plan::Plan) -> String {
+    let mut text = String::new();
+    for (k, pose) in plan.poses.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "{:>4}  {}  {}",
+            k + 1,
+            pose_in_words(pose, plan),
+            pose.why
+        );
+    }
+    text
+}
+
+fn pose_in_words(pose: &NextPose, plan: &plan::Plan) -> String {
+    let mut words: Vec<String> = Vec::new();
+    for (j, joint) in plan.robot.joints.iter().enumerate() {
+        let (q, unit) = match joint.kind {
+            JointKind::Revolute => (deg_from_rad(pose.q[j]), "°"),
+            JointKind::Prismatic => (pose.q[j], " mm"),
+        };
+        let side = match pose.dir[j] {
+            d if d > 0.0 => "↑",
+            d if d < 0.0 => "↓",
+            _ => " ",
+        };
+        words.push(format!("{:>9}{side}", format!("{q:.1}{unit}")));
+    }
+    if let Some(target) = &pose.target {
+        words.push(format!("{target:>3}"));
+    }
+    if let Some(speed) = &pose.speed {
+        let moving: Vec<String> = speed
+            .iter()
+            .zip(&plan.robot.joints)
+            .map(|(s, joint)| match joint.kind {
+                JointKind::Revolute => format!("{:.0}°/s", deg_from_rad(*s)),
+                JointKind::Prismatic => format!("{s:.0} mm/s"),
+            })
+            .collect();
+        words.push(format!("{:>6}", moving.join(" ")));
+    }
+    if let Some(load) = pose.load_kg {
+        words.push(format!("{load:>4} kg"));
+    }
+    if let Some(temperature) = pose.temperature_c {
+        words.push(format!("{temperature:>5.1} °C"));
+    }
+    words.join(" ")
+}

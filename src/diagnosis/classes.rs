@@ -1,0 +1,39 @@
+//! Suspects that are most of a condition (one side of approach, one speed, one load, one
+//! reflector) are evidence of an effect of that condition, not accidents: a session with few
+//! samples from the other side must not lose just these.
+
+use crate::identification::problem::Problem;
+
+/// Fewer suspects than this may be accidents.
+const FEWEST: usize = 3;
+
+/// Puts suspects back that are more than half of their condition.
+pub(super) fn keep(problem: &mut Problem, suspected: &[bool]) {
+    let inputs = &problem.inputs;
+    let n = suspected.len();
+    let columns = inputs.dir.iter().chain(&inputs.speed).flatten();
+    let loads = inputs.load_kg.iter();
+    let mut keys: Vec<Vec<u64>> = columns
+        .chain(loads)
+        .map(|column| column.iter().map(|v| (v + 0.0).to_bits()).collect())
+        .collect();
+    let targets = inputs.target.iter();
+    keys.extend(targets.map(|t| t.iter().map(|t| u64::from(*t)).collect()));
+    let mut back = vec![false; n];
+    for key in &keys {
+        let mut order: Vec<usize> = (0..n).filter(|i| problem.fit[*i]).collect();
+        let all = order.len();
+        order.sort_by_key(|i| key[*i]);
+        for class in order.chunk_by(|a, b| key[*a] == key[*b]) {
+            let count = class.iter().filter(|i| suspected[**i]).count();
+            if class.len() < all && count >= FEWEST && 2 * count > class.len() {
+                for i in class {
+                    back[*i] = suspected[*i];
+                }
+            }
+        }
+    }
+    for (used, back) in problem.used.iter_mut().zip(back) {
+        *used |= back;
+    }
+}

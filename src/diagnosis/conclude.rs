@@ -1,0 +1,205 @@
+//! From where the search ended to the answer: refits on all samples, and the evidence of every
+//! step put together.
+
+use std::borrow::Cow;
+
+use crate::effects::Term;
+use crate::identification::Outlier;
+use crate::identification::gap::{Deviations, Spread, deviations};
+use crate::identification::problem::Problem;
+use crate::identification::robust::suspects;
+use crate::kinematics::Range;
+use crate::model::{GapStep, Model};
+
+use super::aliases;
+use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
+use super::arena::Fit;
+use super::blunders::Mended;
+use super::floor::floor;
+use super::leftover::unexplained;
+use super::limits;
+use super::next_poses::{self, NextPose};
+use super::prepare::Prepared;
+use super::search::Found as SearchEnd;
+use super::smooth;
+use super::steps::{found, steps};
+use super::testable::not_testable;
+use super::unseen::held_out;
+use super::values::Values;
+use super::{DiagnoseError, Progress, Watch, unlock};
+
+/// At most so many rivals are listed.
+const MOST_EQUIVALENT: usize = 6;
+
+pub(super) fn answer(
+    mended: &Mended,
+    prepared: &Prepared,
+    end: &SearchEnd,
+    watch: Watch,
+) -> Result<Diagnosis, DiagnoseError> {
+    let arena = &prepared.arena;
+    let fit = &end.fit;
+    let go_on = |progress: Progress| {
+        if watch(&progress) {
+            Ok(())
+        } else {
+            Err(DiagnoseError::Cancelled)
+        }
+    };
+    go_on(Progress::Comparing)?;
+    let session = &mended.session;
+    let problem = &prepared.problem;
+    let base = arena.fit(&arena.base, Vec::new());
+    // The model carries names only, as near to the samples as names can come; what no name
+    // explains is told apart.
+    let with_shapes = fit;
+    let names = arena.fit(&fit.model, Vec::new());
+    let fit = if with_shapes.shapes.is_empty() {
+        with_shapes
+    } else {
+        &names
+    };
+    let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
+    let held_out = held_out(prepared, &base, fit, &nominal);
+    // Unseen samples have done their part: values come from all samples that may be fitted.
+    let problem = &with_unlocked(prepared, fit);
+    let values = Values::of(prepared, problem, fit);
+    let identified = deviations(problem, &Values::of(prepared, problem, &base).model);
+    let after = deviations(problem, &values.model);
+    let suspected: Vec<bool> = suspects(problem, &after)
+        .into_iter()
+        .zip(&problem.used)
+        .map(|(s, used)| s || !used)
+        .collect();
+    let counts = |i: usize| problem.fit[i];
+    let rms = |d: &Deviations| {
+        let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
+        spread.map_or(0.0, |s| s.rms_mm)
+    };
+    let gap = Gaps {
+        start_mm: rms(&nominal),
+        identified_mm: rms(&identified),
+        end_mm: rms(&after),
+    };
+    let floor = floor(prepared, fit);
+    let steps = steps(prepared, &base, fit);
+    let rivals = next_poses::open_rivals(arena, with_shapes);
+    let equivalent: Vec<_> = rivals.iter().collect();
+    go_on(Progress::Planning)?;
+    let not_testable = not_testable(arena, &base);
+    let next_poses = if equivalent.is_empty() {
+        unlock::worth_unlocking(prepared, with_shapes, &not_testable)
+    } else {
+        next_poses::separate(prepared, with_shapes, &equivalent, next_poses::MOST)
+    };
+    let found = found(prepared, with_shapes, &steps, &floor, &values);
+    let mut unexplained = unexplained(prepared, end, session);
+    unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
+    let verdict = match (found.is_empty(), unexplained.present) {
+        (true, false) => Verdict::Noise,
+        (false, false) => Verdict::Explained,
+        (false, true) => Verdict::PartlyExplained,
+        (true, true) => Verdict::Unexplained,
+    };
+    let mut history = vec![GapStep {
+        what: "nominal robot".to_owned(),
+        gap_mm: gap.start_mm,
+        held_out_mm: held_out.gaps.map(|g| g.start_mm),
+    }];
+    history.push(GapStep {
+        what: "zero offset and link length".to_owned(),
+        gap_mm: gap.identified_mm,
+        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
+    });
+    history.extend(steps.iter().map(|step| GapStep {
+        what: format!("with {}", step.term.effect.about().id),
+        gap_mm: step.gap_mm[1],
+        held_out_mm: step.held_out_mm.map(|h| h[1]),
+    }));
+    let outliers = outliers(problem, &after, &suspected);
+    Ok(Diagnosis {
+        session: session.name.clone(),
+        samples: session.samples.len(),
+        verdict,
+        data_problems: [mended.problems.as_slice(), prepared.incomplete.as_slice()].concat(),
+        floor,
+        gap,
+        held_out,
+        identified: values.identified(arena),
+        found,
+        equivalent: equivalents(&equivalent, with_shapes, &next_poses),
+        unexplained,
+        not_testable,
+        not_found: limits::limits(arena, with_shapes),
+        outliers,
+        next_poses,
+        noise: arena.noise.clone(),
+        covariance: values.covariance(),
+        model: values.model.settled(),
+        history,
+        measured: measured(problem.inputs.q.iter().map(|q| &**q)),
+    })
+}
+
+/// All samples that may be fitted, those that an option locked away as well, without those that
+/// are far off beside the model.
+fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
+    if !prepared.locked.contains(&true) {
+        return Cow::Borrowed(&prepared.problem);
+    }
+    let model = &Values::of(prepared, &prepared.problem, fit).model;
+    let mut all = prepared.problem.clone();
+    for (fit, locked) in all.fit.iter_mut().zip(&prepared.locked) {
+        *fit |= locked;
+    }
+    let suspected = suspects(&all, &deviations(&all, model));
+    for i in 0..all.used.len() {
+        all.used[i] |= prepared.locked[i] && !suspected[i];
+    }
+    Cow::Owned(all)
+}
+
+fn measured<'q>(columns: impl Iterator<Item = &'q [f64]>) -> Vec<Range> {
+    let range = |q: &[f64]| {
+        let start = (f64::INFINITY, f64::NEG_INFINITY);
+        let (from, to) = q.iter().fold(start, |(a, b), v| (a.min(*v), b.max(*v)));
+        Range { from, to }
+    };
+    columns.map(range).collect()
+}
+
+fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, poses: &[NextPose]) -> Vec<Equivalent> {
+    let ids = |terms: &[Term]| -> Vec<&'static str> {
+        terms.iter().map(|t| t.effect.about().id).collect()
+    };
+    let mut all: Vec<Equivalent> = Vec::new();
+    for rival in rivals {
+        let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
+        let known = all
+            .iter()
+            .any(|e| e.explanation == explanation && e.instead == instead);
+        if known || all.len() == MOST_EQUIVALENT {
+            continue;
+        }
+        all.push(Equivalent {
+            explanation,
+            instead,
+            odds: (fit.ln_evidence - rival.fit.ln_evidence).exp(),
+            separate_by: next_poses::separate_by(rival, poses),
+            model: rival.fit.model.clone(),
+        });
+    }
+    all
+}
+
+fn outliers(problem: &Problem, after: &Deviations, suspected: &[bool]) -> Vec<Outlier> {
+    let mut outliers: Vec<Outlier> = (0..suspected.len())
+        .filter(|i| problem.fit[*i] && suspected[*i])
+        .map(|sample| Outlier {
+            sample,
+            deviation_mm: after.length_mm[sample],
+        })
+        .collect();
+    outliers.sort_by(|a, b| b.deviation_mm.total_cmp(&a.deviation_mm));
+    outliers
+}

@@ -1,0 +1,255 @@
+//! A contest: one model predicts what will be measured, another is refitted to it; how far apart
+//! the two stay is what the poses are worth (T-optimality, Atkinson & Fedorov 1975).
+//!
+//! ```text
+//! Δ = min_β ‖d − J β‖² + βᵀ G β,   d the difference at the new poses, J the rival's columns there,
+//!                                  G its Gram matrix over the samples
+//! ```
+//!
+//! Δ is carried on pose by pose, as a Kalman filter does: with `r = d − J β` at one more pose,
+//!
+//! ```text
+//! Δ += rᵀ S⁻¹ r,   β += C Jᵀ S⁻¹ r,   C −= C Jᵀ S⁻¹ J C,   S = 1 + J C Jᵀ
+//! ```
+//!
+//! The log-odds after measuring are L + Δ/2 ± √Δ, L the odds so far.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::Inputs;
+use crate::model::Model;
+
+/// Information that every direction has at least, as a share of what the columns could bring.
+const LEAST_INFORMATION: f64 = 1e-9;
+
+/// Axes that are measured and their noise, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Axes {
+    pub(super) axes: Vec<usize>,
+    pub(super) sigma_mm: [f64; 3],
+}
+
+/// One choice in a contest, in units of the noise.
+#[derive(Debug, Clone)]
+pub(super) struct Prospect {
+    /// Difference of the predictions.
+    pub(super) difference: DVector<f64>,
+    /// Columns of the model that is refitted.
+    pub(super) columns: DMatrix<f64>,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(super) struct Contest {
+    prospects: Vec<Prospect>,
+    covariance: DMatrix<f64>,
+    refit: DVector<f64>,
+    /// How far apart the models are so far.
+    pub(super) delta: f64,
+    /// How far apart they have to be.
+    pub(super) enough: f64,
+}
+
+impl Contest {
+    /// `gram` is that of the refitted model's columns over what was measured already.
+    pub(super) fn new(prospects: Vec<Prospect>, gram: &DMatrix<f64>, enough: f64) -> Self {
+        let p = gram.nrows();
+        let mut information = gram.clone();
+        for k in 0..p {
+            let reach: f64 = prospects
+                .iter()
+                .map(|x| x.columns.column(k).norm_squared())
+                .sum();
+            information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
+        }
+        Self {
+            covariance: inverse(&information),
+            refit: DVector::zeros(p),
+            prospects,
+            delta: 0.0,
+            enough,
+        }
+    }
+
+    /// Where the samples so far already part the models: the refit to them, and what it leaves.
+    #[must_use]
+    pub(super) fn starting(mut self, pull: &DVector<f64>, square: f64) -> Self {
+        self.refit = &self.covariance * pull;
+        self.delta = (square - self.refit.dot(pull)).max(0.0);
+        self
+    }
+
+    /// By how much one pose more would part the models.
+    pub(super) fn gain(&self, choice: usize) -> f64 {
+        let (left, spread) = self.innovation(choice);
+        let solved = spread.cholesky().map(|c| c.solve(&left));
+        solved.map_or(0.0, |s| s.dot(&left).max(0.0))
+    }
+
+    /// Measures a pose.
+    pub(super) fn take(&mut self, choice: usize) {
+        let (left, spread) = self.innovation(choice);
+        let Some(factor) = spread.cholesky() else {
+            return;
+        };
+        let columns = &self.prospects[choice].columns;
+        let carried = &self.covariance * columns.transpose();
+        let solved = factor.solve(&left);
+        self.delta += solved.dot(&left).max(0.0);
+        self.refit += &carried * solved;
+        self.covariance -= &carried * factor.solve(&carried.transpose());
+    }
+
+    /// Whether the odds will do.
+    pub(super) fn decided(&self) -> bool {
+        self.delta >= self.enough
+    }
+
+    fn innovation(&self, choice: usize) -> (DVector<f64>, DMatrix<f64>) {
+        let Prospect {
+            difference,
+            columns,
+        } = &self.prospects[choice];
+        let left = difference - columns * &self.refit;
+        let mut spread = columns * &self.covariance * columns.transpose();
+        for k in 0..left.len() {
+            spread[(k, k)] += 1.0;
+        }
+        (left, spread)
+    }
+}
+
+/// Inverse of an information matrix, well scaled or not.
+pub(super) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
+    let p = information.nrows();
+    // What nothing depends on, such as where an absent effect fades, is left alone.
+    let scale_of = |own: f64| if own > 1e-200 { 1.0 / own.sqrt() } else { 0.0 };
+    let scale: Vec<f64> = (0..p).map(|k| scale_of(information[(k, k)])).collect();
+    let scaled = DMatrix::from_fn(p, p, |i, j| information[(i, j)] * scale[i] * scale[j]);
+    // Rounding may leave a direction a hair below zero.
+    let lifted = scaled + DMatrix::identity(p, p) * 1e-12;
+    let inverse = lifted
+        .clone()
+        .cholesky()
+        .map(|c| c.inverse())
+        .or_else(|| lifted.try_inverse())
+        .unwrap_or_else(|| DMatrix::identity(p, p));
+    DMatrix::from_fn(p, p, |i, j| inverse[(i, j)] * scale[i] * scale[j])
+}
+
+/// What each choice shows of `truth` where `other` is refitted.
+pub(super) fn prospects(
+    truth: &Model,
+    other: &Model,
+    inputs: &Inputs,
+    axes: &Axes,
+) -> Vec<Prospect> {
+    let predicted = truth.predict(inputs);
+    let mut all = Vec::with_capacity(inputs.len());
+    other.visit(inputs, true, |start, block| {
+        for i in 0..block.len {
+            let at = predicted.get(start + i);
+            let own = axes.axes.iter();
+            let difference = own.map(|a| (at[*a] - block.point[*a][i]) / axes.sigma_mm[*a]);
+            all.push(Prospect {
+                difference: DVector::from_iterator(axes.axes.len(), difference),
+                columns: DMatrix::from_fn(axes.axes.len(), block.columns.len(), |row, k| {
+                    let axis = axes.axes[row];
+                    block.columns[k][axis][i] / axes.sigma_mm[axis]
+                }),
+            });
+        }
+    });
+    all
+}
+
+/// Standard deviations of the log-odds that are allowed for: 97.7 of 100 sessions.
+const SURE: f64 = 2.0;
+
+/// The Δ that brings the odds beyond `wanted` (a logarithm) whichever model is true, where they
+/// are `so_far`: `Δ/2 − SURE √Δ = wanted + |so far|`. For 20 : 1 from even odds it is 27. Poses
+/// for one contest serve the others as well, so that all of them together need hardly more.
+pub(super) fn enough_for(wanted: f64, so_far: f64) -> f64 {
+    let missing = wanted + so_far.abs();
+    let root = SURE + (SURE * SURE + 2.0 * missing).sqrt();
+    root * root
+}
+
+/// Chooses poses greedily until every contest is decided, or `most` are chosen, or nothing helps;
+/// no choice more than `repeats` times.
+pub(super) fn choose(
+    contests: &mut [Contest],
+    choices: usize,
+    most: usize,
+    repeats: u8,
+) -> Vec<usize> {
+    let mut taken = vec![0_u8; choices];
+    let mut order = Vec::new();
+    while order.len() < most && !contests.iter().all(Contest::decided) {
+        // What is still open counts; the gain of each contest up to where it is decided.
+        let worth = |k: usize| -> f64 {
+            let open = contests.iter().filter(|c| !c.decided());
+            open.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
+                .sum()
+        };
+        let free = (0..choices).filter(|k| taken[*k] < repeats);
+        let best = free
+            .map(|k| (k, worth(k)))
+            .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
+        let Some((k, worth)) = best.filter(|b| b.1 > 1e-9) else {
+            break;
+        };
+        debug_assert!(worth.is_finite(), "{worth}");
+        taken[k] += 1;
+        order.push(k);
+        for contest in contests.iter_mut() {
+            contest.take(k);
+        }
+    }
+    order
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Difference and column of one number at every choice.
+    fn prospects_of(rows: &[(f64, f64)]) -> Vec<Prospect> {
+        let one = |(d, j): &(f64, f64)| Prospect {
+            difference: DVector::from_element(1, *d),
+            columns: DMatrix::from_element(1, 1, *j),
+        };
+        rows.iter().map(one).collect()
+    }
+
+    #[test]
+    fn delta_is_what_a_least_squares_refit_leaves() {
+        let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
+        let mut contest = Contest::new(prospects_of(&rows), &DMatrix::from_element(1, 1, 4.0), 1.0);
+        for k in 0..3 {
+            let gain = contest.gain(k);
+            let before = contest.delta;
+            contest.take(k);
+            assert!((contest.delta - before - gain).abs() < 1e-9);
+        }
+        // min over β of Σ (d − jβ)² + 4 β²: Σ d² − (Σ jd)² / (4 + Σ j²).
+        let expected = 14.0 - 4.0 / 7.0;
+        assert!((contest.delta - expected).abs() < 1e-6, "{}", contest.delta);
+    }
+
+    #[test]
+    fn a_difference_that_the_rival_can_imitate_is_worth_nothing() {
+        let rows = [(3.0, 1.0), (6.0, 2.0)];
+        let mut contest = Contest::new(prospects_of(&rows), &DMatrix::zeros(1, 1), 10.0);
+        let order = choose(std::slice::from_mut(&mut contest), 2, 5, 2);
+        assert!(contest.delta < 1e-6, "{order:?}: {}", contest.delta);
+    }
+
+    #[test]
+    fn the_odds_that_are_wanted_are_reached_in_nearly_all_sessions() {
+        let delta = enough_for(3.0, 0.0);
+        assert!((delta / 2.0 - SURE * delta.sqrt() - 3.0).abs() < 1e-9);
+        assert!((delta - 26.6).abs() < 0.1, "{delta}");
+        assert!(enough_for(3.0, 2.0) > delta);
+    }
+}

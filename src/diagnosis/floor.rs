@@ -1,0 +1,90 @@
+//! The noise floor: the smallest gap that noise allows, from returns to the same pose, else from
+//! the instrument's maker, else from what the final model leaves.
+
+use crate::sessions::Sigma;
+
+use super::answer::{Floor, FloorFrom};
+use super::arena::Fit;
+use super::prepare::Prepared;
+use super::search::mean_sigma_mm;
+
+/// From returns to the same pose, else the instrument, else the residuals of the final fit.
+pub(super) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
+    let arena = &prepared.arena;
+    if let Some(mm) = pure_error_mm(prepared) {
+        return Floor {
+            mm,
+            from: FloorFrom::Repeats,
+        };
+    }
+    let axes = arena.rows.axes.len() as f64;
+    match prepared.problem.session.instrument.sigma_mm {
+        Some(Sigma::Overall(sigma)) => Floor {
+            mm: sigma * axes.sqrt(),
+            from: FloorFrom::Instrument,
+        },
+        Some(Sigma::PerAxis(sigma)) => Floor {
+            mm: arena
+                .rows
+                .axes
+                .iter()
+                .map(|a| sigma[*a].powi(2))
+                .sum::<f64>()
+                .sqrt(),
+            from: FloorFrom::Instrument,
+        },
+        None => Floor {
+            mm: mean_sigma_mm(arena) * axes.sqrt() * arena.scale(fit),
+            from: FloorFrom::Estimated,
+        },
+    }
+}
+
+/// Fewest degrees of freedom from which repeats tell the noise.
+const FEWEST_REPEATS: usize = 8;
+
+/// Spread between samples of the same pose, side, target, speed and load, reached again after
+/// another pose.
+fn pure_error_mm(prepared: &Prepared) -> Option<f64> {
+    let rows = &prepared.arena.rows;
+    let inputs = &rows.inputs;
+    let key = |i: usize| {
+        let mut key: Vec<u64> = inputs.q.iter().map(|q| q[i].to_bits()).collect();
+        for columns in [&inputs.dir, &inputs.speed] {
+            key.extend(columns.iter().flatten().map(|c| (c[i] + 0.0).to_bits()));
+        }
+        key.extend(inputs.load_kg.iter().map(|c| c[i].to_bits()));
+        key.extend(inputs.target.iter().map(|t| u64::from(t[i])));
+        key.extend(inputs.setup.iter().map(|s| s[i].to_bits()));
+        key
+    };
+    let keys: Vec<Vec<u64>> = (0..rows.samples.len()).map(key).collect();
+    let mut order: Vec<usize> = (0..keys.len()).collect();
+    order.sort_by(|a, b| keys[*a].cmp(&keys[*b]).then(a.cmp(b)));
+    let (raw, _) = rows.extract(&prepared.arena.base);
+    let n = rows.samples.len();
+    let (mut sum, mut freedom) = (0.0, 0_usize);
+    let mut start = 0;
+    while start < n {
+        let end = (start..n)
+            .find(|k| keys[order[*k]] != keys[order[start]])
+            .unwrap_or(n);
+        // Reached again: something else was measured in between.
+        let group: Vec<usize> = order[start..end]
+            .iter()
+            .enumerate()
+            .filter(|(k, i)| *k == 0 || **i > order[start + k - 1] + 1)
+            .map(|(_, i)| *i)
+            .collect();
+        if group.len() > 1 {
+            freedom += group.len() - 1;
+            for axis in 0..rows.axes.len() {
+                let values = group.iter().map(|i| raw[axis * n + i]);
+                let mean = values.clone().sum::<f64>() / group.len() as f64;
+                sum += values.map(|v| (v - mean).powi(2)).sum::<f64>();
+            }
+        }
+        start = end;
+    }
+    (freedom >= FEWEST_REPEATS).then(|| (sum / freedom as f64).sqrt())
+}

@@ -1,0 +1,155 @@
+//! What shapes are made from: the values of every variable, and the directions, row by row.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::effects::Survey;
+use crate::kinematics::JointKind;
+use crate::model::Model;
+
+use super::anonymous::{Direction, Shape, Variable};
+use super::evidence::Rows;
+
+/// What shapes are made from: the values of every variable and the directions, row by row.
+#[derive(Debug, Clone)]
+pub struct Ground {
+    samples: usize,
+    axes: Vec<usize>,
+    pub(super) variables: Vec<(Variable, Vec<f64>)>,
+    pub(super) tangential: Vec<DVector<f64>>,
+    pub(super) radial: Option<DVector<f64>>,
+    pub(super) axial: Option<DVector<f64>>,
+    angle: Vec<f64>,
+}
+
+impl Ground {
+    /// Values of a variable, one for each sample.
+    pub fn values(&self, variable: Variable) -> Option<&[f64]> {
+        let found = self.variables.iter().find(|v| v.0 == variable);
+        found.map(|v| v.1.as_slice())
+    }
+
+    /// Range of a variable in the data.
+    pub fn range(&self, variable: Variable) -> (f64, f64) {
+        let values = self.values(variable).unwrap_or(&[]);
+        let start = (f64::INFINITY, f64::NEG_INFINITY);
+        values
+            .iter()
+            .fold(start, |(a, b), v| (a.min(*v), b.max(*v)))
+    }
+
+    /// The columns of a shape, mm.
+    pub fn columns(&self, shape: &Shape) -> DMatrix<f64> {
+        let directions: Vec<DVector<f64>> = match shape.direction {
+            Direction::Tangential(j) => vec![self.tangential[j].clone()],
+            Direction::Radial => self.radial.iter().cloned().collect(),
+            Direction::Axial => self.axial.iter().cloned().collect(),
+            Direction::Frame => (0..self.axes.len()).map(|a| self.frame_axis(a)).collect(),
+            Direction::Body => {
+                let across = [self.radial.as_ref(), self.axial.as_ref()];
+                let mut all: Vec<DVector<f64>> =
+                    self.tangential.first().into_iter().cloned().collect();
+                all.extend(across.into_iter().flatten().cloned());
+                all
+            }
+        };
+        let origin = shape.variable.origin(self.range(shape.variable));
+        let constant = vec![0.0; self.samples];
+        let values = self.values(shape.variable).unwrap_or(&constant);
+        let count = shape.profile.count();
+        let rows = self.samples * self.axes.len();
+        let mut columns = DMatrix::zeros(rows, count * directions.len());
+        for sample in 0..self.samples {
+            let of_sample = shape
+                .profile
+                .values(values[sample], origin, self.angle[sample]);
+            for (k, value) in of_sample.into_iter().enumerate() {
+                for (d, direction) in directions.iter().enumerate() {
+                    for axis in 0..self.axes.len() {
+                        let row = axis * self.samples + sample;
+                        columns[(row, k * directions.len() + d)] = value * direction[row];
+                    }
+                }
+            }
+        }
+        columns
+    }
+
+    fn frame_axis(&self, axis: usize) -> DVector<f64> {
+        let rows = self.samples * self.axes.len();
+        let own = axis * self.samples..(axis + 1) * self.samples;
+        DVector::from_fn(rows, |row, _| f64::from(u8::from(own.contains(&row))))
+    }
+}
+
+pub(super) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
+    let inputs = &rows.inputs;
+    let pick = |column: &[f64]| column.to_vec();
+    let mut variables = Vec::new();
+    for joint in 0..survey.joints.len() {
+        variables.push((Variable::Joint(joint), pick(&inputs.q[joint])));
+        if let Some(dir) = inputs.dir[joint].as_deref() {
+            variables.push((Variable::Side(joint), pick(dir)));
+        }
+        if let Some(speed) = inputs.speed[joint].as_deref() {
+            variables.push((Variable::Speed(joint), pick(speed)));
+        }
+    }
+    let common = [
+        (Variable::Time, inputs.time_s.as_deref()),
+        (Variable::Load, inputs.load_kg.as_deref()),
+        (Variable::Warmth, inputs.warmth_c.as_deref()),
+    ];
+    for (variable, column) in common {
+        if let Some(column) = column {
+            variables.push((variable, pick(column)));
+        }
+    }
+    if let Some(target) = &inputs.target {
+        let mut used: Vec<u32> = target.to_vec();
+        let of_sample = used.clone();
+        used.sort_unstable();
+        used.dedup();
+        for one in used.into_iter().skip(1) {
+            let is = |t: &u32| f64::from(u8::from(*t == one));
+            variables.push((Variable::Target(one), of_sample.iter().map(is).collect()));
+        }
+    }
+    let (radial, axial) = across_the_axis(rows, base, survey);
+    Ground {
+        samples: rows.samples.len(),
+        axes: rows.axes.clone(),
+        angle: pick(&inputs.q[0]),
+        variables,
+        tangential: Vec::new(),
+        radial,
+        axial,
+    }
+}
+
+/// Radial and axial unit directions of every row, for a robot with a single revolute joint.
+fn across_the_axis(
+    rows: &Rows,
+    base: &Model,
+    survey: &Survey,
+) -> (Option<DVector<f64>>, Option<DVector<f64>>) {
+    let [joint] = survey.joints.as_slice() else {
+        return (None, None);
+    };
+    if joint.kind != JointKind::Revolute {
+        return (None, None);
+    }
+    let points = rows.points(base);
+    let (origin, along) = (joint.frame.origin_mm, joint.frame.along);
+    let outward = |p: &[f64; 3]| {
+        let arm: [f64; 3] = std::array::from_fn(|k| p[k] - origin[k]);
+        let height: f64 = (0..3).map(|k| arm[k] * along[k]).sum();
+        let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * along[k]);
+        let radius = across.iter().map(|v| v * v).sum::<f64>().sqrt();
+        across.map(|v| v / radius.max(1e-9))
+    };
+    let outward: Vec<[f64; 3]> = points.iter().map(outward).collect();
+    let radial = rows.column(|sample, axis| outward[sample][axis]);
+    let axial = rows.column(|_, axis| along[axis]);
+    let seen = |v: DVector<f64>| (v.norm() > 1e-9).then_some(v);
+    (seen(radial), seen(axial))
+}

@@ -1,0 +1,105 @@
+//! Samples that lack a condition which the others have: the side from which a joint came, a speed,
+//! the load, the temperature.
+//!
+//! An effect of that condition cannot act on them, so beside it they look like outliers, and a
+//! handful of them looks like something that no name explains. They are few as a rule and are left
+//! out aloud. Where they are many the column itself is at fault, and they stay.
+
+use crate::identification::problem::Problem;
+use crate::sessions::Samples;
+
+use super::blunders::DataProblem;
+
+/// Beyond this share of the samples, those that lack a condition stay.
+const MOST: f64 = 0.25;
+
+/// Leaves out the samples that lack a condition; what was done, in words.
+pub(super) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
+    let samples = &problem.session.samples;
+    let conditions = conditions(samples);
+    let lacks = |sample: usize| conditions.iter().any(|c| c.lacks(sample));
+    let fitted: Vec<usize> = (0..problem.fit.len()).filter(|i| problem.fit[*i]).collect();
+    let lacking: Vec<usize> = fitted.iter().copied().filter(|i| lacks(*i)).collect();
+    if lacking.is_empty() || lacking.len() as f64 > MOST * fitted.len() as f64 {
+        return None;
+    }
+    let columns: Vec<&str> = conditions
+        .iter()
+        .filter(|c| lacking.iter().any(|i| c.lacks(*i)))
+        .map(|c| c.name.as_str())
+        .collect();
+    for sample in &lacking {
+        problem.fit[*sample] = false;
+        problem.used[*sample] = false;
+    }
+    let shown: Vec<String> = lacking
+        .iter()
+        .take(8)
+        .map(|i| (i + 1).to_string())
+        .collect();
+    let more = if lacking.len() > shown.len() {
+        ", …"
+    } else {
+        ""
+    };
+    Some(DataProblem {
+        what: format!(
+            "{} of {} samples lack {}",
+            lacking.len(),
+            fitted.len(),
+            columns.join(", ")
+        ),
+        evidence: format!(
+            "samples {}{more}; the others have a value there, and what depends on it cannot be \
+             told from these",
+            shown.join(", ")
+        ),
+        proposal: "they were left out of the diagnosis; fill in the cells to use them".to_owned(),
+        samples: lacking,
+        mend: None,
+    })
+}
+
+/// A column of a condition and which of its cells say nothing.
+struct Condition<'a> {
+    name: String,
+    values: &'a [f64],
+    /// A side of 0 is an unknown one.
+    zero_is_unknown: bool,
+}
+
+impl Condition<'_> {
+    fn lacks(&self, sample: usize) -> bool {
+        let value = self.values[sample];
+        value.is_nan() || self.zero_is_unknown && value == 0.0
+    }
+
+    /// Whether the known values differ: a condition that never changes shows nothing, and is not
+    /// missed.
+    fn varies(&self) -> bool {
+        let mut known = (0..self.values.len()).filter(|i| !self.lacks(*i));
+        known
+            .next()
+            .is_some_and(|first| known.any(|i| self.values[i] != self.values[first]))
+    }
+}
+
+fn conditions(samples: &Samples) -> Vec<Condition<'_>> {
+    let sides = samples.dir.iter().enumerate();
+    let speeds = samples.speed.iter().enumerate();
+    let columns = sides
+        .map(|(joint, dir)| (format!("dir{}", joint + 1), dir, true))
+        .chain(speeds.map(|(joint, speed)| (format!("speed{}", joint + 1), speed, false)))
+        .chain([
+            ("load_kg".to_owned(), &samples.load_kg, false),
+            ("temperature_c".to_owned(), &samples.temperature_c, false),
+        ]);
+    let there = columns.filter_map(|(name, values, zero_is_unknown)| {
+        values.as_deref().map(|values| Condition {
+            name,
+            values,
+            zero_is_unknown,
+        })
+    });
+    there.filter(Condition::varies).collect()
+}

@@ -1,0 +1,77 @@
+//! What is left that no name explains: how much, where, and which names only imitate it.
+
+use crate::kinematics::JointKind;
+use crate::sessions::Session;
+
+use super::answer::Unexplained;
+use super::arena::Fit;
+use super::prepare::Prepared;
+use super::search::{Found as SearchEnd, mean_sigma_mm};
+
+pub(super) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
+    let arena = &prepared.arena;
+    let fit = &end.fit;
+    if fit.shapes.is_empty() {
+        let scores = arena.scan(fit);
+        let largest = scores.iter().map(|s| s.surprise).fold(0.0, f64::max);
+        return Unexplained {
+            present: false,
+            p: arena.family_p(largest, fit).p,
+            rms_mm: 0.0,
+            place: None,
+            resembles: Vec::new(),
+            says: String::new(),
+            shapes: Vec::new(),
+            correction: None,
+        };
+    }
+    let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
+    let names = |fit: &Fit| -> Vec<(&'static str, usize)> {
+        let added = arena.added(fit);
+        added
+            .iter()
+            .map(|t| (t.effect.about().id, t.joint))
+            .collect()
+    };
+    let kept = names(fit);
+    let mut resembles: Vec<&'static str> = names(&end.names_only)
+        .into_iter()
+        .filter(|n| !kept.contains(n))
+        .map(|n| n.0)
+        .collect();
+    resembles.dedup();
+    // The largest shape comes first.
+    let gain = |index: usize| arena.without_shape(fit, index).rss - fit.rss;
+    let mut order: Vec<(usize, f64)> = (0..fit.shapes.len()).map(|i| (i, gain(i))).collect();
+    order.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let total: f64 = {
+        let names = arena.fit(&fit.model, Vec::new());
+        names.rss - fit.rss
+    };
+    let n = arena.rows.samples.len() as f64;
+    let (main, main_gain) = order[0];
+    let shape = fit.shapes[main].shape;
+    let range = arena.table.ground.range(shape.variable);
+    let rest = arena.without_shape(fit, main);
+    let freedom = (arena.m() - fit.basis.rank() as f64).max(1.0);
+    let k = fit.shapes[main].white.ncols();
+    let test = super::significance::Significance::new(k, freedom);
+    let surprise =
+        test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
+    Unexplained {
+        present: true,
+        p: arena.family_p(surprise, fit).p,
+        rms_mm: (total.max(0.0) / n).sqrt() * mean_sigma_mm(arena),
+        place: Some(shape.place(range, prismatic)),
+        resembles,
+        says: format!("{}; no effect of the catalogue explains it", shape.says()),
+        shapes: order
+            .iter()
+            .map(|(i, _)| {
+                let placed = &fit.shapes[*i];
+                (placed.shape, placed.coefficients.iter().copied().collect())
+            })
+            .collect(),
+        correction: None,
+    }
+}

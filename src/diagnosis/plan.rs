@@ -1,0 +1,468 @@
+//! What to measure: for a session the poses that decide what it leaves open, that unlock what it
+//! cannot show, and that sharpen the rest; for a robot alone a first measurement.
+//!
+//! 1. Rivals of the diagnosis first ([`next_poses`](super::next_poses)), or the two effects that
+//!    the user names (`duel`).
+//! 2. Then what is locked ([`unlock`](super::unlock)): which condition is missing, and poses under
+//!    that condition.
+//! 3. Then, where more poses are asked for, greedy D-optimality over every effect of the catalogue
+//!    (`first_measurement`), which lowers the detection limits.
+//!
+//! What the plan claims is checked on the session as it would be with the poses measured
+//! ([`foresight`](super::foresight)): an effect counts as unlocked only if nothing stands against
+//! it there.
+
+use crate::effects::{Form, find};
+use crate::kinematics::Robot;
+use crate::sessions::{Session, Target};
+
+use super::candidates::NotTestable;
+use super::contest::{Axes, prospects};
+use super::duel::{self, Named, Separation};
+use super::first_measurement::{self, Brief, Stop, Way};
+use super::foresight::{self, Foresight};
+use super::next_poses::{self, NextPose};
+use super::prepare::Prepared;
+use super::search::mean_sigma_mm;
+use super::testable::not_testable;
+use super::unlock::{self, Locked, TEST_LOAD_KG};
+use super::{DiagnoseError, Options, Watch, checked, searched};
+
+/// Noise of the instrument where nobody says it, mm: a laser tracker.
+pub const USUAL_SIGMA_MM: f64 = 0.03;
+/// Poses of a first measurement for each joint, where nobody says how many.
+const POSES_PER_JOINT: usize = 60;
+/// Poses that unlock, where nobody says how many.
+const MOST_UNLOCKING: usize = 24;
+/// Poses that a plan holds at most.
+pub const MOST_POSES: usize = 2000;
+
+/// What the plan is to do.
+#[derive(Debug, Clone, Default)]
+pub struct PlanOptions {
+    /// Number of poses; by default as many as are needed.
+    pub poses: Option<usize>,
+    /// Two effects to tell apart, as `ID` or `ID:JOINT`.
+    pub separate: Option<[String; 2]>,
+    /// Noise of the instrument, mm; for a session its own where it is not given.
+    pub sigma_mm: Option<f64>,
+    /// Heaviest load that the robot may carry for a test, kg.
+    pub load_kg: Option<f64>,
+    /// How a session is diagnosed.
+    pub diagnosis: Options,
+}
+
+/// What the plan is made for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// A session that was measured.
+    Session,
+    /// A robot that was not.
+    Robot,
+}
+
+/// A plan.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// What it is made for.
+    pub subject: Subject,
+    /// Its name.
+    pub name: String,
+    /// The robot.
+    pub robot: Robot,
+    /// Reflectors that the poses use; a new one is listed after the session's.
+    pub targets: Vec<Target>,
+    /// The poses in measuring order.
+    pub poses: Vec<NextPose>,
+    /// Explanations that the samples cannot tell apart: the names that stand, and those that could.
+    pub open: Vec<[Vec<&'static str>; 2]>,
+    /// The two effects that were asked for.
+    pub separation: Option<Separation>,
+    /// What the poses make testable.
+    pub unlocks: Vec<Locked>,
+    /// What stays untestable; `needs` says what would help beside poses, if anything does.
+    pub cannot: Vec<Locked>,
+    /// Noise that the detection limits are for, mm.
+    pub sigma_mm: f64,
+    /// What can be told once the poses are measured.
+    pub foresight: Foresight,
+}
+
+/// Why there is no plan.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// A number of poses that makes no sense.
+    #[error("--poses is {0}; expected a whole number from 1 to {MOST_POSES}")]
+    Poses(usize),
+    /// A noise that makes no sense.
+    #[error("--sigma is {0}; expected a length above 0 in mm, such as 0.03")]
+    Sigma(f64),
+    /// A load that makes no sense.
+    #[error("--load is {0}; expected a mass above 0 in kg, such as 3")]
+    Load(f64),
+    /// A joint that is not there, or not a number.
+    #[error(
+        "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1"
+    )]
+    Joint {
+        /// What was given.
+        given: String,
+        /// Number of joints.
+        joints: usize,
+    },
+    /// Twice the same effect.
+    #[error("--separate {0},{0}: expected two different effects")]
+    Same(String),
+    /// The diagnosis failed.
+    #[error(transparent)]
+    Diagnose(#[from] DiagnoseError),
+}
+
+impl PlanOptions {
+    fn check(&self) -> Result<(), PlanError> {
+        let above_zero = |v: &f64| v.is_finite() && *v > 0.0;
+        if let Some(n) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
+            return Err(PlanError::Poses(n));
+        }
+        if let Some(sigma) = self.sigma_mm.filter(|s| !above_zero(s)) {
+            return Err(PlanError::Sigma(sigma));
+        }
+        match self.load_kg.filter(|l| !above_zero(l)) {
+            Some(load) => Err(PlanError::Load(load)),
+            None => Ok(self.diagnosis.check()?),
+        }
+    }
+
+    /// The two effects, found in the catalogue.
+    fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, PlanError> {
+        let joints = robot.joints.len();
+        let Some(two) = &self.separate else {
+            return Ok(None);
+        };
+        let named = |given: &String| -> Result<Named, PlanError> {
+            let (id, joint) = given.split_once(':').unwrap_or((given, "1"));
+            let in_catalogue = crate::effects::CATALOGUE.iter();
+            let effect = in_catalogue
+                .map(|e| e.about().id)
+                .find(|known| *known == id)
+                .ok_or_else(|| DiagnoseError::UnknownEffect(id.to_owned()))?;
+            let number = joint.parse::<usize>().ok();
+            let joint = number.filter(|j| (1..=joints).contains(j));
+            let wrong = || PlanError::Joint {
+                given: given.clone(),
+                joints,
+            };
+            Ok(Named {
+                id: effect,
+                joint: joint.ok_or_else(wrong)? - 1,
+            })
+        };
+        let [one, other] = [named(&two[0])?, named(&two[1])?];
+        if one == other {
+            return Err(PlanError::Same(two[0].clone()));
+        }
+        Ok(Some([one, other]))
+    }
+}
+
+/// A plan for a session: it is diagnosed, and what that leaves open is planned for.
+///
+/// # Errors
+/// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
+pub fn plan_session(
+    session: &Session,
+    options: &PlanOptions,
+    watch: Watch,
+) -> Result<Plan, PlanError> {
+    options.check()?;
+    let between = options.between(&session.robot)?;
+    let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
+    let session: &Session = &mended.session;
+    let (prepared, found) = searched(session, &options.diagnosis, watch)?;
+    let (arena, fit) = (&prepared.arena, &found.fit);
+    let sigma_mm = options
+        .sigma_mm
+        .unwrap_or_else(|| mean_sigma_mm(arena) * arena.scale(fit).max(1e-6));
+    let most = |usual: usize| options.poses.unwrap_or(usual);
+    let base = arena.fit(&arena.base, Vec::new());
+    let locked_now = unlock::locked(&prepared, &not_testable(arena, &base));
+    let mut plan = Plan {
+        subject: Subject::Session,
+        name: session.name.clone(),
+        robot: session.robot.clone(),
+        targets: session.targets.clone(),
+        poses: Vec::new(),
+        open: Vec::new(),
+        separation: None,
+        unlocks: Vec::new(),
+        cannot: Vec::new(),
+        sigma_mm,
+        foresight: Foresight::default(),
+    };
+    if let Some(between) = between {
+        let separation = two(&prepared, &found.fit, between, most(next_poses::MOST));
+        plan.poses.clone_from(&separation.poses);
+        plan.separation = Some(separation);
+    } else {
+        let rivals = next_poses::open_rivals(arena, fit);
+        let rivals: Vec<_> = rivals.iter().collect();
+        let ids =
+            |terms: &[crate::effects::Term]| terms.iter().map(|t| t.effect.about().id).collect();
+        plan.open = rivals
+            .iter()
+            .map(|r| [ids(&r.removed), ids(&r.instead)])
+            .collect();
+        plan.open.dedup();
+        plan.poses = next_poses::separate(&prepared, fit, &rivals, most(next_poses::MOST));
+        let room = options
+            .poses
+            .map_or(MOST_UNLOCKING, |n| n - plan.poses.len());
+        let own_reflector = plan
+            .poses
+            .iter()
+            .find_map(|p| p.target_mm.map(|_| p.clone()));
+        let mut more = unlock::unlock(&prepared, fit, &locked_now, true, room);
+        same_reflector(&mut more, own_reflector.as_ref());
+        plan.poses.extend(more);
+    }
+    plan.targets.extend(new_targets(&plan.poses, &plan.targets));
+    if let Some(room) = options
+        .poses
+        .filter(|_| plan.separation.is_none())
+        .map(|n| n - plan.poses.len())
+        .filter(|n| *n > 0)
+    {
+        let sharper = sharpen(&prepared, &plan, options, room);
+        plan.poses.extend(sharper);
+    }
+    let with_poses = foresight::extended(session, &fit.model, &plan.poses, &plan.targets);
+    plan.foresight = foresight::foresee(&with_poses, sigma_mm, &options.diagnosis)?;
+    let still = |l: &Locked| {
+        let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
+        plan.foresight.not_testable.iter().any(same)
+    };
+    let (cannot, unlocks): (Vec<Locked>, Vec<Locked>) = locked_now.into_iter().partition(still);
+    (plan.cannot, plan.unlocks) = (cannot, unlocks);
+    Ok(plan)
+}
+
+/// A first measurement of a robot that nobody has measured.
+///
+/// # Errors
+/// If an option makes no sense.
+pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
+    options.check()?;
+    let between = options.between(robot)?;
+    let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
+    let usual = (POSES_PER_JOINT * (1 + robot.joints.len()) / 2).min(240);
+    let poses = options.poses.unwrap_or(usual);
+    let targets = first_measurement::reflectors(robot);
+    let brief = Brief {
+        poses,
+        load_kg: options.load_kg.unwrap_or(TEST_LOAD_KG),
+        seed: options.diagnosis.seed,
+    };
+    let mut stops = first_measurement::design(robot, &targets, &brief);
+    let mut plan = Plan {
+        subject: Subject::Robot,
+        name: robot.name.clone(),
+        robot: robot.clone(),
+        targets: targets.clone(),
+        poses: Vec::new(),
+        open: Vec::new(),
+        separation: None,
+        unlocks: Vec::new(),
+        cannot: Vec::new(),
+        sigma_mm,
+        foresight: Foresight::default(),
+    };
+    let imagined = |stops: &[Stop]| {
+        let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
+        let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
+        foresight::imagined(robot, &targets, &choices, Some(noise))
+    };
+    let mut decisive = Vec::new();
+    if let Some(between) = between {
+        // Half of the poses measure the robot, of the other half as many as it takes decide.
+        stops.truncate(poses.div_ceil(2));
+        let session = imagined(&stops);
+        let prepared = Prepared::new(&session, &options.diagnosis)?;
+        let fit = prepared.arena.fit(&prepared.arena.base, Vec::new());
+        let separation = two(&prepared, &fit, between, poses - stops.len());
+        decisive.clone_from(&separation.poses);
+        let rest = Brief {
+            poses: poses - decisive.len(),
+            ..brief
+        };
+        stops = first_measurement::design(robot, &targets, &rest);
+        if separation.impossible.is_some() {
+            stops.clear();
+        }
+        plan.separation = Some(separation);
+    }
+    plan.poses = poses_of_stops(&stops, &targets, robot);
+    plan.poses.extend(decisive.iter().cloned());
+    plan.targets.extend(new_targets(&plan.poses, &targets));
+    if stops.is_empty() {
+        return Ok(plan);
+    }
+    let model = crate::model::Model::nominal(robot.clone());
+    let session = foresight::extended(&imagined(&stops), &model, &decisive, &plan.targets);
+    plan.foresight = foresight::foresee(&session, sigma_mm, &options.diagnosis)?;
+    let prepared = Prepared::new(&session, &options.diagnosis)?;
+    plan.cannot = unlock::locked(&prepared, &plan.foresight.not_testable);
+    Ok(plan)
+}
+
+/// Two effects, unless one of them cannot be seen by any measurement.
+fn two(
+    prepared: &Prepared,
+    fit: &super::arena::Fit,
+    between: [Named; 2],
+    most: usize,
+) -> Separation {
+    let met = unlock::all_met(&prepared.survey);
+    for named in between {
+        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
+        if let Some(because) = obstacle {
+            let because = format!("{} cannot be seen: {because}", named.id);
+            return duel::nothing(between, &because);
+        }
+    }
+    duel::separate_two(prepared, fit, between, most)
+}
+
+/// New reflectors of two lists of poses become one: a technician mounts one bar.
+fn same_reflector(poses: &mut [NextPose], like: Option<&NextPose>) {
+    let Some(like) = like else { return };
+    for pose in poses.iter_mut().filter(|p| p.target_mm.is_some()) {
+        pose.target.clone_from(&like.target);
+        pose.target_mm = like.target_mm;
+    }
+}
+
+/// Reflectors that poses use and that are not there yet.
+fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
+    let mut new: Vec<Target> = Vec::new();
+    for pose in poses {
+        if let (Some(name), Some(mm)) = (&pose.target, pose.target_mm) {
+            let known = |t: &Target| t.name == *name;
+            if !there.iter().any(known) && !new.iter().any(known) {
+                new.push(Target {
+                    name: name.clone(),
+                    position_mm: mm.into(),
+                });
+            }
+        }
+    }
+    new
+}
+
+/// More poses for a session, where they lower the detection limits most.
+fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize) -> Vec<NextPose> {
+    let session = prepared.problem.session;
+    let heaviest = prepared.survey.largest_load_kg;
+    let load = if heaviest > 0.0 {
+        heaviest
+    } else {
+        TEST_LOAD_KG
+    };
+    let brief = Brief {
+        poses: count,
+        load_kg: options.load_kg.unwrap_or(load),
+        seed: options.diagnosis.seed,
+    };
+    let axes = Axes {
+        axes: prepared.arena.rows.axes.clone(),
+        sigma_mm: [1.0; 3],
+    };
+    let extended = foresight::extended(session, &prepared.arena.base, &plan.poses, &plan.targets);
+    let inputs = crate::effects::Inputs::new(&extended, prepared.options().joint_values);
+    let ranges = super::offer::ranges(&session.robot, Some(&prepared.problem.inputs));
+    let known = |model: &crate::model::Model| prospects(model, model, &inputs, &axes);
+    let stops =
+        first_measurement::extension(&session.robot, &plan.targets, &ranges, &brief, &known);
+    let mut poses = poses_of_stops(&stops, &plan.targets, &session.robot);
+    for pose in &mut poses {
+        let is_new = |t: &&Target| Some(&t.name) == pose.target.as_ref();
+        let own = session.targets.iter().any(|t| is_new(&t));
+        let place = plan.targets.iter().find(is_new).filter(|_| !own);
+        pose.target_mm = place.map(|t| t.position_mm.coords.into());
+    }
+    poses
+}
+
+/// The stops of a design as poses, with what each is good for.
+fn poses_of_stops(stops: &[Stop], targets: &[Target], robot: &Robot) -> Vec<NextPose> {
+    let loads = stops.iter().any(|s| s.choice.load_kg != 0.0);
+    let one = |stop: &Stop| {
+        let choice = &stop.choice;
+        let target = targets.get(choice.target as usize);
+        NextPose {
+            q: choice.q.clone(),
+            dir: choice.dir.clone(),
+            target: target.filter(|_| targets.len() > 1).map(|t| t.name.clone()),
+            target_mm: target
+                .filter(|_| choice.target > 0)
+                .map(|t| t.position_mm.coords.into()),
+            speed: Some(choice.speed.clone()),
+            load_kg: loads.then_some(choice.load_kg),
+            temperature_c: Some(choice.warmth_c + crate::effects::inputs::REFERENCE_TEMPERATURE_C),
+            why: why(stop, robot),
+        }
+    };
+    stops.iter().map(one).collect()
+}
+
+fn why(stop: &Stop, robot: &Robot) -> String {
+    match stop.way {
+        Way::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
+        Way::Short(_) => {
+            "a short approach after a reversal: lost motion against backlash".to_owned()
+        }
+        Way::Long if stop.choice.speed.iter().any(|s| *s != 0.0) => {
+            "measure while moving: tracking lag against backlash".to_owned()
+        }
+        Way::Long if robot.joints.len() > 1 => "joint values that tell most".to_owned(),
+        Way::Long => "a place that tells most, unequal steps".to_owned(),
+    }
+}
+
+/// A detection limit as the user reads it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeenAbove {
+    /// The effect's name.
+    pub effect: &'static str,
+    /// Joint, counted from 1; `None` where it belongs to none.
+    pub joint: Option<usize>,
+    /// For each parameter its name with its unit and the size above which it will be seen.
+    pub sizes: Vec<(&'static str, f64)>,
+}
+
+impl Plan {
+    /// Detection limits once the poses are measured; what is called degrees is millimetres where
+    /// a joint slides.
+    pub fn seen_above(&self) -> Vec<SeenAbove> {
+        let one = |limit: &super::limits::Limit| {
+            let kind = self.robot.joints[limit.joint.unwrap_or(0)].kind;
+            let quantities = find(limit.effect).map(|e| e.about().form);
+            let size = |(name, size): &(&'static str, f64)| {
+                let quantity = match quantities {
+                    Some(Form::Plain(all)) => all.iter().find(|q| q.name == *name).copied(),
+                    Some(Form::Harmonic(quantity) | Form::Fading(quantity)) => Some(quantity),
+                    None => None,
+                };
+                quantity.map_or((*name, *size), |quantity| {
+                    let on = quantity.on(kind);
+                    (on.name, size * quantity.inner / on.inner)
+                })
+            };
+            SeenAbove {
+                effect: limit.effect,
+                joint: limit.joint.map(|j| j + 1),
+                sizes: limit.sizes.iter().map(size).collect(),
+            }
+        };
+        self.foresight.limits.iter().map(one).collect()
+    }
+}

@@ -1,0 +1,284 @@
+//! The shapes that are tried: bumps, plateaus and waves over each angle, bumps and steps over time,
+//! slopes over every condition.
+
+use crate::effects::Survey;
+
+use super::anonymous::{Direction, Profile, Shape, Variable};
+use super::evidence::Rows;
+use super::ground::Ground;
+
+const HIGHEST_ORDER: u32 = 360;
+/// A shape must act on at least so many samples.
+const FEWEST: usize = 4;
+
+/// Names that are not candidates and whose shapes nothing else would look for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Missing {
+    pub(super) gear: bool,
+    pub(super) shift: bool,
+}
+
+pub(super) fn shapes(
+    ground: &Ground,
+    survey: &Survey,
+    rows: &Rows,
+    missing: Missing,
+) -> Vec<Shape> {
+    let mut all = Vec::new();
+    if rows.samples.len() < 2 * FEWEST {
+        return all;
+    }
+    for joint in 0..survey.joints.len() {
+        if survey.joints[joint].values >= 6 {
+            over_angle(ground, joint, missing.gear, &mut all);
+        }
+    }
+    if ground.values(Variable::Time).is_some() {
+        over_time(ground, missing.shift, &mut all);
+    }
+    over_conditions(ground, survey, &mut all);
+    all
+}
+
+fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) {
+    let variable = Variable::Joint(joint);
+    let (low, high) = ground.range(variable);
+    let span = high - low;
+    let tangential = Direction::Tangential(joint);
+    for width in [0.022, 0.045, 0.09] {
+        bumps(ground, variable, tangential, width * span, 1.0, all);
+    }
+    plateaus(ground, variable, tangential, 20, true, all);
+    let values = ground.values(variable).map_or(0, <[f64]>::len) as f64;
+    let turn = std::f64::consts::TAU;
+    // Half a cycle over the range is as fine as the data can tell cycles apart.
+    let step = 0.5 * turn / span;
+    let highest = (values / 8.0 * turn / span).min(40.0);
+    let fundamentals: Vec<f64> = (2..)
+        .map(|k| step * f64::from(k))
+        .take_while(|c| *c < highest)
+        .take(90)
+        .collect();
+    for cycles in &fundamentals {
+        for harmonics in [1, 3] {
+            all.push(Shape {
+                variable,
+                direction: tangential,
+                profile: Profile::Periodic {
+                    cycles: *cycles,
+                    harmonics,
+                },
+                tried: fundamentals.len() as f64,
+            });
+        }
+    }
+    if waves {
+        let from = highest.ceil().max(1.0) as u32;
+        all.extend((from..=HIGHEST_ORDER).map(|order| Shape {
+            variable,
+            direction: tangential,
+            profile: Profile::Periodic {
+                cycles: f64::from(order),
+                harmonics: 1,
+            },
+            tried: f64::from(HIGHEST_ORDER),
+        }));
+    }
+    let mut smooth = vec![(tangential, Profile::Ramp), (tangential, Profile::Square)];
+    let directions = [
+        Direction::Tangential(joint),
+        Direction::Radial,
+        Direction::Axial,
+    ];
+    for direction in directions {
+        let missing = match direction {
+            Direction::Radial => ground.radial.is_none(),
+            Direction::Axial => ground.axial.is_none(),
+            _ => false,
+        };
+        if missing {
+            continue;
+        }
+        let periodic = |cycles: f64| Profile::Periodic {
+            cycles,
+            harmonics: 1,
+        };
+        smooth.extend((1..=6).map(|k| (direction, periodic(f64::from(k)))));
+        if direction != tangential {
+            smooth.push((direction, Profile::Ramp));
+            bumps(ground, variable, direction, 0.06 * span, 1.0, all);
+            plateaus(ground, variable, direction, 8, false, all);
+        }
+    }
+    let tried = smooth.len() as f64;
+    all.extend(smooth.into_iter().map(|(direction, profile)| Shape {
+        variable,
+        direction,
+        profile,
+        tried,
+    }));
+}
+
+fn over_time(ground: &Ground, shifts: bool, all: &mut Vec<Shape>) {
+    let (low, high) = ground.range(Variable::Time);
+    let span = high - low;
+    if span <= 0.0 {
+        return;
+    }
+    for width in [0.04, 0.1] {
+        bumps(
+            ground,
+            Variable::Time,
+            Direction::Frame,
+            width * span,
+            1.0,
+            all,
+        );
+    }
+    if shifts {
+        plateaus(ground, Variable::Time, Direction::Frame, 24, false, all);
+    }
+    for joint in 0..ground.tangential.len() {
+        let direction = Direction::Tangential(joint);
+        bumps(ground, Variable::Time, direction, 0.06 * span, 1.0, all);
+        plateaus(ground, Variable::Time, direction, 16, false, all);
+    }
+}
+
+fn over_conditions(ground: &Ground, survey: &Survey, all: &mut Vec<Shape>) {
+    let mut own = Vec::new();
+    let mut push = |variable, direction, profile| {
+        own.push(Shape {
+            variable,
+            direction,
+            profile,
+            tried: 1.0,
+        });
+    };
+    push(Variable::Joint(0), Direction::Frame, Profile::Constant);
+    if ground.axial.is_some() {
+        push(Variable::Joint(0), Direction::Body, Profile::Constant);
+    }
+    for (variable, values) in &ground.variables {
+        let (low, high) = ground.range(*variable);
+        if low >= high || matches!(variable, Variable::Joint(_)) {
+            continue;
+        }
+        if matches!(variable, Variable::Target(_)) {
+            push(*variable, Direction::Body, Profile::Ramp);
+            continue;
+        }
+        let joints: Vec<usize> = match variable {
+            Variable::Side(j) | Variable::Speed(j) => vec![*j],
+            _ => (0..survey.joints.len()).collect(),
+        };
+        let mut distinct: Vec<f64> = values.clone();
+        distinct.sort_by(f64::total_cmp);
+        distinct.dedup();
+        for joint in joints {
+            push(*variable, Direction::Tangential(joint), Profile::Ramp);
+            push(*variable, Direction::Tangential(joint), Profile::TimesTurn);
+            if distinct.len() > 2 {
+                push(*variable, Direction::Tangential(joint), Profile::Square);
+                push(*variable, Direction::Tangential(joint), Profile::Absolute);
+            }
+        }
+        if ground.radial.is_some() {
+            push(*variable, Direction::Radial, Profile::Ramp);
+        }
+        if ground.axial.is_some() {
+            push(*variable, Direction::Axial, Profile::Ramp);
+        }
+        push(*variable, Direction::Frame, Profile::Ramp);
+    }
+    let tried = own.len() as f64;
+    all.extend(own.into_iter().map(|shape| Shape { tried, ..shape }));
+}
+
+fn bumps(
+    ground: &Ground,
+    variable: Variable,
+    direction: Direction,
+    width: f64,
+    spacing: f64,
+    all: &mut Vec<Shape>,
+) {
+    let Some(values) = ground.values(variable) else {
+        return;
+    };
+    let (low, high) = ground.range(variable);
+    let count = ((high - low) / (spacing * width)).round().max(1.0) as usize;
+    let centre = |k: usize| low + (high - low) * (k as f64 + 0.5) / count as f64;
+    let enough = |centre: f64| {
+        let near = values
+            .iter()
+            .filter(|v| (**v - centre).abs() <= 1.5 * width);
+        near.count() >= FEWEST
+    };
+    all.extend(
+        (0..count)
+            .map(centre)
+            .filter(|c| enough(*c))
+            .map(|centre| Shape {
+                variable,
+                direction,
+                profile: Profile::Bump { centre, width },
+                tried: 2.0 * count as f64,
+            }),
+    );
+}
+
+/// Steps at up to `count` edges between values, and plateaus between pairs of them.
+fn plateaus(
+    ground: &Ground,
+    variable: Variable,
+    direction: Direction,
+    count: usize,
+    pairs: bool,
+    all: &mut Vec<Shape>,
+) {
+    let Some(values) = ground.values(variable) else {
+        return;
+    };
+    let edges = edges(values, count);
+    let mut profiles: Vec<Profile> = edges
+        .iter()
+        .map(|from| Profile::Plateau {
+            from: *from,
+            to: f64::INFINITY,
+        })
+        .collect();
+    if pairs {
+        for (i, from) in edges.iter().enumerate() {
+            profiles.extend(edges[i + 1..].iter().map(|to| Profile::Plateau {
+                from: *from,
+                to: *to,
+            }));
+        }
+    }
+    let tried = profiles.len() as f64;
+    all.extend(profiles.into_iter().map(|profile| Shape {
+        variable,
+        direction,
+        profile,
+        tried,
+    }));
+}
+
+/// Up to `count` values midway between neighbours, with at least [`FEWEST`] samples between them.
+pub(super) fn edges(values: &[f64], count: usize) -> Vec<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let n = sorted.len();
+    let stride = (n / (count + 1)).max(FEWEST);
+    let mut edges: Vec<f64> = (stride..=n.saturating_sub(FEWEST))
+        .step_by(stride)
+        .filter_map(|i| {
+            // The next place where the value changes.
+            let next = sorted[i..].iter().find(|v| **v > sorted[i - 1])?;
+            Some(0.5 * (sorted[i - 1] + next))
+        })
+        .collect();
+    edges.dedup();
+    edges
+}

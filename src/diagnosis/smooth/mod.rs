@@ -1,0 +1,360 @@
+//! What no name explains, as a smooth correction: the technician gets the accuracy without a
+//! false name.
+//!
+//! The residuals of the named model are smoothed over the joint's value ([`likelihood`]), in
+//! directions that turn with the joint: along its motion, which a table can correct, along its
+//! radius and along its axis. The curve is orthogonal to the names on the samples, so their values
+//! stay what they are.
+//!
+//! It is added only if it helps on samples that it has not seen ([`columns`]: every so-many-th
+//! value of the joint is left out and predicted from its neighbours; where the noise is correlated
+//! in time whole stretches of time as well), and only for what depends on a joint's value: what
+//! follows time, speed, load or temperature is refused.
+
+mod columns;
+mod likelihood;
+
+use crate::effects::Term;
+use crate::effects::curve::{Curve, DIRECTIONS, Knots};
+use crate::identification::gap::{Spread, deviations};
+use crate::identification::problem::Problem;
+use crate::identification::robust::suspects;
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::units::deg_from_rad;
+
+use super::anonymous::{Profile, Shape, Variable};
+use super::answer::Unexplained;
+use super::prepare::Prepared;
+use columns::{Columns, Folds};
+use likelihood::{Kernel, NamesAlone, Sizes, Sums};
+
+/// A smooth correction, and what it brings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Correction {
+    /// The model's term under the name `unexplained`.
+    pub term: Term,
+    /// Gap over the samples that were fitted, without and with it, mm.
+    pub gap_mm: [f64; 2],
+    /// Gap on samples that the fit has not seen, without and with it, mm.
+    pub held_out_mm: [f64; 2],
+    /// How they were held out.
+    pub how: String,
+    /// In words.
+    pub says: String,
+}
+
+impl Correction {
+    /// Its curve.
+    pub fn curve(&self) -> Option<&Curve> {
+        self.term.curve()
+    }
+}
+
+/// Most knots over a range …
+const MOST_KNOTS: usize = 61;
+/// … and over a period.
+const MOST_IN_A_PERIOD: usize = 24;
+/// With fewer different values of the joint there is nothing to leave out and predict.
+const FEWEST_VALUES: usize = 10;
+/// How often samples that were suspected are looked at again.
+const MOST_ROUNDS: usize = 3;
+/// Lengths of the prior that are tried, in shares of the range.
+const LENGTHS: [f64; 3] = [1.0, 0.25, 0.0625];
+
+/// What is left of a model as a smooth correction, or why there is none, if the options ask for
+/// one.
+pub(super) fn asked(
+    prepared: &Prepared,
+    left: &Unexplained,
+    model: &Model,
+) -> Option<Result<Correction, String>> {
+    let shapes: Vec<Shape> = left.shapes.iter().map(|s| s.0).collect();
+    let wanted = prepared.options().correct_unexplained;
+    wanted.then(|| correct(prepared, &shapes, model))
+}
+
+/// `shapes` are those of the search, largest first.
+fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Correction, String> {
+    let Some(main) = shapes.first() else {
+        return Err("nothing unexplained is left".to_owned());
+    };
+    let robot = &model.robot;
+    let slides = |j: usize| robot.joints[j].kind == JointKind::Prismatic;
+    let of_joint = |shape: &&Shape| matches!(shape.variable, Variable::Joint(_));
+    let Some(over) = shapes.iter().find(of_joint) else {
+        return Err(format!(
+            "what is left follows {}, not the value of a joint: no table over a joint can correct it",
+            main.variable.column(slides)
+        ));
+    };
+    let Variable::Joint(joint) = over.variable else {
+        return Err("what is left follows no joint".to_owned());
+    };
+    let mut problem = prepared.problem.clone();
+    let mut fitted = fitted(&problem, prepared, model, joint, over)?;
+    // Beside the names alone the peak of a bump looks like an outlier.
+    for _ in 0..MOST_ROUNDS {
+        let with = model.with_term(Term::unexplained(joint, fitted.curve.clone()));
+        let suspected = suspects(&problem, &deviations(&problem, &with));
+        let back = |i: usize| problem.fit[i] && !problem.used[i] && !suspected[i];
+        let back: Vec<usize> = (0..suspected.len()).filter(|i| back(*i)).collect();
+        if back.is_empty() {
+            break;
+        }
+        for sample in back {
+            problem.used[sample] = true;
+        }
+        fitted = self::fitted(&problem, prepared, model, joint, over)?;
+    }
+    let Fitted {
+        columns,
+        best,
+        curve,
+    } = fitted;
+    let mut held_out: Option<([f64; 2], String)> = None;
+    for folds in columns.folds(joint) {
+        let gap = best.held_out(&columns, &folds);
+        if gap[1] >= gap[0] {
+            return Err(format!(
+                "a smooth curve would not help on unseen samples ({:.4} → {:.4} mm; {})",
+                gap[0], gap[1], folds.how
+            ));
+        }
+        held_out.get_or_insert((gap, folds.how));
+    }
+    let (held_out_mm, how) = held_out.ok_or("there are too few samples to hold any out")?;
+    let others: Vec<String> = shapes
+        .iter()
+        .filter(|shape| !of_joint(shape))
+        .map(|shape| shape.variable.column(slides))
+        .collect();
+    let says = says(&curve, joint, slides(joint), held_out_mm, &others);
+    let term = Term::unexplained(joint, curve);
+    let gap = |model: &Model| {
+        let left = deviations(&problem, model);
+        let spread = Spread::of(&left.length_mm, |i| problem.fit[i], |i| !problem.used[i]);
+        spread.map_or(0.0, |s| s.rms_mm)
+    };
+    Ok(Correction {
+        gap_mm: [gap(model), gap(&model.with_term(term.clone()))],
+        term,
+        held_out_mm,
+        how,
+        says,
+    })
+}
+
+/// The likeliest curve on some samples, with what it was fitted to.
+struct Fitted {
+    columns: Columns,
+    best: Choice,
+    curve: Curve,
+}
+
+fn fitted(
+    problem: &Problem,
+    prepared: &Prepared,
+    model: &Model,
+    joint: usize,
+    over: &Shape,
+) -> Result<Fitted, String> {
+    let columns = Columns::new(problem, &prepared.arena.noise, model, joint);
+    let values = columns.values.len();
+    if values < FEWEST_VALUES {
+        return Err(format!(
+            "joint {} was measured at {values} different values; a curve needs at least \
+             {FEWEST_VALUES}",
+            joint + 1
+        ));
+    }
+    let none = || {
+        format!(
+            "no smooth curve over the value of joint {} makes what is left likelier",
+            joint + 1
+        )
+    };
+    let best = likeliest(&columns, over).ok_or_else(none)?;
+    let curve = best.curve(&columns).ok_or_else(none)?;
+    Ok(Fitted {
+        columns,
+        best,
+        curve,
+    })
+}
+
+/// A choice of knots, prior and sizes.
+#[derive(Debug, Clone)]
+struct Choice {
+    knots: Knots,
+    kernel: Kernel,
+    sizes: Sizes,
+    ln_evidence: f64,
+}
+
+/// The likeliest of the curves that are tried; `None` where no curve is likelier.
+fn likeliest(columns: &Columns, over: &Shape) -> Option<Choice> {
+    let over_range = Knots {
+        from: columns.from(),
+        to: columns.to(),
+        period: None,
+        count: columns.values.len().clamp(4, MOST_KNOTS),
+    };
+    let mut best = tried(columns, over_range);
+    let span = over_range.to - over_range.from;
+    // What does not come round twice is not known to repeat.
+    if let Profile::Periodic { cycles, .. } = over.profile
+        && cycles * span >= 2.0 * std::f64::consts::TAU
+    {
+        let start = std::f64::consts::TAU / cycles;
+        // A period is as sure as its phase is at the far end of the range.
+        let mut by = 0.1 * start * start / span;
+        let with = |period: f64| {
+            let knots = Knots {
+                period: Some(period),
+                count: columns.values.len().clamp(4, MOST_IN_A_PERIOD),
+                ..over_range
+            };
+            tried(columns, knots)
+        };
+        let evidence = |c: &Option<Choice>| c.as_ref().map_or(f64::NEG_INFINITY, |c| c.ln_evidence);
+        let mut periodic = (start, with(start));
+        for _ in 0..4 {
+            for period in [periodic.0 - by, periodic.0 + by] {
+                let next = if period > 0.0 { with(period) } else { None };
+                if evidence(&next) > evidence(&periodic.1) {
+                    periodic = (period, next);
+                }
+            }
+            by *= 0.5;
+        }
+        if evidence(&periodic.1) > evidence(&best) {
+            best = periodic.1;
+        }
+    }
+    best
+}
+
+/// The likeliest prior and sizes for these knots.
+fn tried(columns: &Columns, knots: Knots) -> Option<Choice> {
+    let sums = columns.sums(&knots)?;
+    let names = NamesAlone::new(&sums);
+    let mut best: Option<(Kernel, (Sizes, f64))> = None;
+    for length in LENGTHS {
+        for order in [1, 2] {
+            let kernel = Kernel::new(knots.count, knots.period.is_some(), length, order)?;
+            let Some(first) = likelihood::first_direction(&sums, &names, &kernel) else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|b| first.1 > b.1.1) {
+                best = Some((kernel, first));
+            }
+        }
+    }
+    let (kernel, first) = best?;
+    let sizes = likelihood::all_directions(&sums, &names, &kernel, first);
+    let fitted = likelihood::fit(&sums, &names, &kernel, &sizes, false)?;
+    Some(Choice {
+        knots,
+        kernel,
+        sizes,
+        ln_evidence: fitted.ln_evidence,
+    })
+}
+
+impl Choice {
+    fn curve(&self, columns: &Columns) -> Option<Curve> {
+        let sums = columns.sums(&self.knots)?;
+        let names = NamesAlone::new(&sums);
+        let fitted = likelihood::fit(&sums, &names, &self.kernel, &self.sizes, true)?;
+        let n = self.knots.count;
+        let part = |all: &nalgebra::DVector<f64>| -> [Vec<f64>; DIRECTIONS] {
+            std::array::from_fn(|d| {
+                if self.sizes[d].is_none() {
+                    return Vec::new();
+                }
+                let own = all.rows(d * n, n);
+                own.iter().map(|v| v * columns.unit[d]).collect()
+            })
+        };
+        Curve::new(self.knots, part(&fitted.values), part(&fitted.sigma)).ok()
+    }
+
+    /// Root mean square deviations of unseen samples without and with the curve, mm. Names,
+    /// sizes and curve are fitted without them.
+    fn held_out(&self, columns: &Columns, folds: &Folds) -> [f64; 2] {
+        let (raw, white) = columns.curve(&self.knots);
+        let parts: Vec<Sums> = (0..folds.count)
+            .map(|fold| {
+                let rows: Vec<usize> = columns.rows(|sample| folds.of[sample] == fold);
+                Sums::of(&white, &columns.white_names, &columns.white_residual, &rows)
+            })
+            .collect();
+        let (mut before, mut after) = (0.0, 0.0);
+        for fold in 0..folds.count {
+            let seen = parts.iter().enumerate().filter(|(k, _)| *k != fold);
+            let Some(seen) = Sums::total(seen.map(|(_, s)| s), columns.floor) else {
+                continue;
+            };
+            let names = NamesAlone::new(&seen);
+            let sizes = likelihood::finely(&seen, &names, &self.kernel, self.sizes);
+            let fitted = likelihood::fit(&seen, &names, &self.kernel, &sizes, false);
+            for row in columns.rows(|sample| folds.of[sample] == fold) {
+                let left = columns.residual[row] - columns.names.row(row).tr_dot(&names.step);
+                let curve = fitted
+                    .as_ref()
+                    .map_or(0.0, |f| raw.row(row).tr_dot(&f.values));
+                before += left * left;
+                after += (left - curve).powi(2);
+            }
+        }
+        let samples = columns.samples().max(1) as f64;
+        [(before / samples).sqrt(), (after / samples).sqrt()]
+    }
+}
+
+fn says(
+    curve: &Curve,
+    joint: usize,
+    slides: bool,
+    held_out: [f64; 2],
+    others: &[String],
+) -> String {
+    let (unit, outer): (&str, fn(f64) -> f64) = if slides {
+        (" mm", |v| v)
+    } else {
+        ("°", deg_from_rad)
+    };
+    let knots = curve.knots();
+    let [motion, radial, axial] = curve.largest();
+    let mut parts = Vec::new();
+    if motion > 0.0 {
+        parts.push(format!("up to {:.4}{unit} along its motion", outer(motion)));
+    }
+    for (size, way) in [(radial, "across it"), (axial, "along its axis")] {
+        if size > 0.0 {
+            let table = ", which no table over the joint can correct";
+            parts.push(format!("up to {size:.4} mm {way}{table}"));
+        }
+    }
+    let repeats = knots.period.map_or_else(String::new, |period| {
+        format!(", repeating every {:.4}{unit}", outer(period))
+    });
+    let rest = if others.is_empty() {
+        String::new()
+    } else {
+        format!("; what follows {} stays", others.join(", "))
+    };
+    format!(
+        "a smooth correction over joint {} from {:.2} to {:.2}{unit} with {} knots{repeats}: {}; \
+         held-out gap {:.4} → {:.4} mm; outside that range its end values are held and nothing is \
+         known; it has no name and no cause{rest}",
+        joint + 1,
+        outer(knots.from),
+        outer(knots.to),
+        knots.count,
+        parts.join(", "),
+        held_out[0],
+        held_out[1],
+    )
+}

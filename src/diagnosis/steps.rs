@@ -1,0 +1,141 @@
+//! What each effect adds, in the order of what it adds, with its evidence in numbers and words.
+
+use crate::effects::Term;
+
+use super::answer::{Floor, Found};
+use super::arena::Fit;
+use super::familywise::FamilyP;
+use super::prepare::Prepared;
+use super::values::Values;
+
+/// One effect more, in the order of what each adds.
+pub(super) struct Step {
+    pub(super) term: Term,
+    pub(super) gap_mm: [f64; 2],
+    pub(super) held_out_mm: Option<[f64; 2]>,
+}
+
+pub(super) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
+    let arena = &prepared.arena;
+    let mut left: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
+    let mut now = arena.fit(&base.model, fit.shapes.clone());
+    let mut unseen = prepared.folds.rms(arena, &now);
+    let gap = |fit: &Fit| {
+        let (raw, _) = arena.rows.extract(&fit.model);
+        let mut e = raw;
+        for shape in &fit.shapes {
+            e -= &shape.raw * &shape.coefficients;
+        }
+        (e.norm_squared() / arena.rows.samples.len().max(1) as f64).sqrt()
+    };
+    let mut steps = Vec::new();
+    while !left.is_empty() {
+        let fits = left.iter().map(|term| {
+            let absent = Term::absent(term.effect, term.joint, term.setting);
+            arena.fit(&now.model.with_term(absent), now.shapes.clone())
+        });
+        let best = fits
+            .enumerate()
+            .max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
+        let Some((index, next)) = best else { break };
+        let seen = prepared.folds.rms(arena, &next);
+        steps.push(Step {
+            term: left.remove(index),
+            gap_mm: [gap(&now), gap(&next)],
+            held_out_mm: prepared.folds.say_something().then_some([unseen, seen]),
+        });
+        (now, unseen) = (next, seen);
+    }
+    steps
+}
+
+pub(super) fn found(
+    prepared: &Prepared,
+    with_shapes: &Fit,
+    steps: &[Step],
+    floor: &Floor,
+    values: &Values,
+) -> Vec<Found> {
+    let arena = &prepared.arena;
+    let explained: f64 = steps
+        .iter()
+        .map(|s| s.gap_mm[0].powi(2) - s.gap_mm[1].powi(2))
+        .sum();
+    let one = |step: &Step| {
+        let about = step.term.effect.about();
+        let term = &step.term;
+        let rest = arena.without_term(with_shapes, term);
+        let scores = arena.scan(&rest);
+        let own_odds = with_shapes.ln_evidence - rest.ln_evidence;
+        let mut own_surprise = 0.0_f64;
+        let mut next: Option<(f64, String)> = None;
+        for score in &scores {
+            let Some(other) = arena.table.candidates[score.candidate].what.term() else {
+                continue;
+            };
+            if other.same_column(term) {
+                own_surprise = score.surprise;
+            }
+            let same_name = other.effect.about().id == about.id
+                && (!about.per_joint || other.joint == term.joint);
+            if !same_name && next.as_ref().is_none_or(|n| score.ln_odds > n.0) {
+                next = Some((score.ln_odds, other.effect.about().id.to_owned()));
+            }
+        }
+        let over = own_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
+        let p_family = arena.family_p(own_surprise, with_shapes);
+        let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
+        let odds = over.clamp(-30.0, 30.0).exp();
+        let says = says(
+            step,
+            &p_family,
+            odds,
+            next.as_ref().map(|n| n.1.as_str()),
+            floor,
+        );
+        Found {
+            effect: about.id,
+            joint: about.per_joint.then_some(term.joint + 1),
+            parameters: values.parameters_of(arena, term),
+            p_family,
+            share: if explained > 0.0 {
+                (share / explained).clamp(0.0, 1.0)
+            } else {
+                0.0
+            },
+            gap_mm: step.gap_mm,
+            held_out_mm: step.held_out_mm,
+            odds_over_next: odds,
+            next: next.map(|n| n.1),
+            says,
+            check: about.check,
+        }
+    };
+    steps.iter().map(one).collect()
+}
+
+fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> String {
+    let chance = if p.bound {
+        format!(
+            "noise alone would look like this in fewer than 1 of {:.0} sessions",
+            1.0 / p.p
+        )
+    } else {
+        format!(
+            "noise alone would look like this in 1 of {:.0} sessions",
+            1.0 / p.p
+        )
+    };
+    let over = match next {
+        Some(next) if odds > 1000.0 => format!("more than 1000 : 1 over the next name ({next})"),
+        Some(next) => format!("{odds:.1} : 1 over the next name ({next})"),
+        None => "no other name was tried".to_owned(),
+    };
+    let unseen = step.held_out_mm.map_or_else(String::new, |h| {
+        format!(
+            "; held-out gap {:.4} → {:.4} mm, floor {:.4}",
+            h[0], h[1], floor.mm
+        )
+    });
+    format!("{chance}; {over}{unseen}")
+}

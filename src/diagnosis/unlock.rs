@@ -1,0 +1,466 @@
+//! What would make an effect testable that a session cannot show: each effect is asked again with
+//! one condition after the other met, until nothing stands against it. Then poses under these
+//! conditions are chosen on which each such effect, at one and a half times the noise, cannot
+//! hide behind the model or behind another effect that is unlocked with it (T-optimality, as for
+//! rivals).
+
+use nalgebra::DVector;
+
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
+use crate::effects::{Effect, Setting, Survey, Term, find};
+use crate::kinematics::JointKind;
+use crate::model::Model;
+
+use super::arena::{Arena, Fit};
+use super::candidates::NotTestable;
+use super::contest::{Axes, Contest, Prospect, choose, enough_for, prospects};
+use super::next_poses::{NextPose, Offer, axes_of, gram, later_s, poses_of};
+use super::offer::{self, Choice, Menu};
+use super::prepare::Prepared;
+use super::search::compatible;
+
+/// Load for a test where the session says nothing about loads, kg.
+pub const TEST_LOAD_KG: f64 = 3.0;
+/// How much warmer a warm machine is, K.
+pub const WARMING_C: f64 = 6.0;
+
+/// A condition that is missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Need {
+    /// Poses approached from both sides.
+    BothSides,
+    /// Poses measured while the joint moves, at two speeds.
+    Speeds,
+    /// Two loads.
+    Loads,
+    /// A cold and a warm machine.
+    Temperatures,
+    /// More values of the joint.
+    Travel,
+    /// A second reflector at another radius.
+    Reflector,
+    /// The time of every sample.
+    Times,
+    /// All three coordinates.
+    Height,
+    /// The direction of gravity in the robot's file.
+    Gravity,
+}
+
+const NEEDS: [Need; 9] = [
+    Need::BothSides,
+    Need::Speeds,
+    Need::Loads,
+    Need::Temperatures,
+    Need::Travel,
+    Need::Reflector,
+    Need::Times,
+    Need::Height,
+    Need::Gravity,
+];
+
+impl Need {
+    /// What the technician does.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::BothSides => "approach the same places from both sides",
+            Self::Speeds => "measure in motion at two speeds as well",
+            Self::Loads => "measure without and with a load",
+            Self::Temperatures => {
+                "measure with the machine cold and warm, and again while it cools down"
+            }
+            Self::Travel => "spread the poses over the whole travel",
+            Self::Reflector => "mount a second reflector at another radius",
+            Self::Times => "write down the time of every sample (time_s)",
+            Self::Height => "measure z as well",
+            Self::Gravity => "give the direction of gravity in the robot's file (gravity_m_s2)",
+        }
+    }
+
+    /// Whether poses and their conditions are enough; otherwise something has to be written down.
+    pub fn by_poses(self) -> bool {
+        !matches!(self, Self::Times | Self::Height | Self::Gravity)
+    }
+
+    /// The survey as it would be.
+    fn met(self, survey: &Survey) -> Survey {
+        let mut survey = survey.clone();
+        for joint in &mut survey.joints {
+            match self {
+                Self::BothSides => joint.from_sides = [8, 8],
+                Self::Speeds => {
+                    joint.speeds = joint.speeds.max(3);
+                    joint.largest_speed = joint.largest_speed.max(offer::usual_speed(joint.kind));
+                }
+                Self::Travel => {
+                    joint.values = crate::effects::survey::ENOUGH;
+                    joint.span = joint.span.max(1.0);
+                }
+                // Where gravity is unknown it may well be across the axis.
+                Self::Gravity if !survey.gravity => joint.gravity_lever = true,
+                _ => {}
+            }
+        }
+        match self {
+            Self::Loads => {
+                survey.loads = survey.loads.max(2);
+                survey.largest_load_kg = survey.largest_load_kg.max(TEST_LOAD_KG);
+            }
+            Self::Temperatures => survey.warming_c = Some(WARMING_C),
+            Self::Reflector => survey.targets = survey.targets.max(2),
+            Self::Times => survey.duration_s = Some(survey.duration_s.unwrap_or(0.0).max(600.0)),
+            Self::Height => survey.spatial = true,
+            Self::Gravity => survey.gravity = true,
+            _ => {}
+        }
+        survey
+    }
+}
+
+/// An effect that cannot be seen, and what would change that.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Locked {
+    /// The effect's name.
+    pub effect: &'static str,
+    /// Joint, counted from 0; `None` where it belongs to none.
+    pub joint: Option<usize>,
+    /// Why it cannot be seen.
+    pub because: String,
+    /// What is needed; empty where nothing helps.
+    pub needs: Vec<Need>,
+}
+
+/// A survey in which every condition that poses can meet is met.
+pub(super) fn all_met(survey: &Survey) -> Survey {
+    let by_poses = NEEDS.into_iter().filter(|n| n.by_poses());
+    by_poses
+        .chain([Need::Times])
+        .fold(survey.clone(), |survey, need| need.met(&survey))
+}
+
+/// What an effect lacks; empty where nothing helps, or nothing is lacking.
+pub(super) fn lacks(effect: &dyn Effect, survey: &Survey, joint: usize) -> Vec<Need> {
+    let mut now = survey.clone();
+    let mut needs: Vec<Need> = Vec::new();
+    while let Some(reason) = effect.obstacle(&now, joint) {
+        let helps = |need: &Need| {
+            !needs.contains(need)
+                && effect.obstacle(&need.met(&now), joint).as_ref() != Some(&reason)
+        };
+        let Some(need) = NEEDS.into_iter().find(|n| helps(n)) else {
+            return Vec::new();
+        };
+        now = need.met(&now);
+        needs.push(need);
+    }
+    needs
+}
+
+/// Every effect that cannot be seen, with what would change that.
+pub(super) fn locked(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<Locked> {
+    let one = |n: &NotTestable| {
+        let joint = n.joint.unwrap_or(0);
+        let needs = find(n.effect).map_or_else(Vec::new, |effect| {
+            if effect.obstacle(&prepared.survey, joint).is_some() {
+                lacks(effect, &prepared.survey, joint)
+            } else {
+                lacks_geometry(prepared, effect, joint)
+            }
+        });
+        Locked {
+            effect: n.effect,
+            joint: n.joint,
+            because: n.because.clone(),
+            needs,
+        }
+    };
+    not_testable.iter().map(one).collect()
+}
+
+/// An effect that the base model imitates wherever it was measured: more travel, or a second
+/// reflector.
+fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Need> {
+    for (need, reflector) in [(Need::Travel, false), (Need::Reflector, true)] {
+        let (offer, _) = offer_for(prepared, &[need], reflector);
+        let inputs = offer.inputs(prepared);
+        let axes = axes_of(&prepared.arena);
+        let truth = with_effect(&prepared.arena.base, effect, joint, &inputs, &axes);
+        let seen = prospects(&truth, &prepared.arena.base, &inputs, &axes);
+        let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
+        let p = prepared.arena.base.coefficient_count();
+        let nothing = nalgebra::DMatrix::zeros(p, p);
+        let mut contest = Contest::new(seen, &nothing, f64::INFINITY);
+        for k in 0..offer.choices.len() {
+            contest.take(k);
+        }
+        if contest.delta > 1e-3 * all && all > 0.0 {
+            return vec![need];
+        }
+    }
+    Vec::new()
+}
+
+/// What is offered where these needs are to be met.
+fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Menu) {
+    let session = prepared.problem.session;
+    let mut targets = session.targets.clone();
+    let turns = session
+        .robot
+        .joints
+        .iter()
+        .any(|j| j.kind == JointKind::Revolute);
+    if reflector && turns && targets.len() < 2 {
+        targets.extend(
+            offer::other_reflectors(&session.robot, &targets)
+                .into_iter()
+                .take(1),
+        );
+    }
+    let mut menu = Menu::plain(&session.robot);
+    for (unit, joint) in menu.unit_of_speed.iter_mut().zip(&prepared.survey.joints) {
+        if joint.largest_speed > 0.0 {
+            *unit = joint.largest_speed;
+        }
+    }
+    if needs.contains(&Need::Speeds) {
+        menu.speeds = vec![0.0, 1.0, 2.0];
+    }
+    if needs.contains(&Need::Loads) {
+        let heaviest = prepared.survey.largest_load_kg;
+        menu.loads_kg = vec![
+            0.0,
+            if heaviest > 0.0 {
+                heaviest
+            } else {
+                TEST_LOAD_KG
+            },
+        ];
+    }
+    if needs.contains(&Need::Temperatures) {
+        menu.warmths_c = vec![0.0, WARMING_C];
+    }
+    menu.targets = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
+    menu.time_s = later_s(prepared);
+    (Offer::new(prepared, targets, &menu), menu)
+}
+
+/// Size of an effect that is to be unlocked, in units of the noise: small enough that each new
+/// condition is measured several times, as a single odd sample would pass for an outlier.
+const SMALL: f64 = 1.5;
+
+/// A model with an effect more, at a size whose displacement has a root mean square of
+/// [`SMALL`] times the noise over the inputs.
+pub(super) fn with_effect(
+    model: &Model,
+    effect: &'static dyn Effect,
+    joint: usize,
+    inputs: &crate::effects::Inputs,
+    axes: &Axes,
+) -> Model {
+    let setting = match effect.about().setting {
+        Setting::Order { from, .. } => f64::from(from),
+        Setting::Fade => {
+            let q = &inputs.q[joint];
+            let low = q.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            0.03 * (high - low)
+        }
+        _ => 0.0,
+    };
+    let mut term = Term::absent(effect, joint, setting);
+    let absent = model.with_term(term.clone());
+    let first = absent
+        .terms()
+        .iter()
+        .take_while(|t| !t.same_column(&term))
+        .map(|t| t.coefficients.len())
+        .sum::<usize>();
+    let size = term.coefficients.len();
+    let mut energy = vec![0.0; size];
+    for Prospect { columns, .. } in prospects(model, &absent, inputs, axes) {
+        for (k, energy) in energy.iter_mut().enumerate() {
+            *energy += columns.column(first + k).norm_squared();
+        }
+    }
+    let rows = (inputs.len() as f64).max(1.0);
+    for (coefficient, energy) in term.coefficients.iter_mut().zip(&energy) {
+        let rms = (energy / rows).sqrt();
+        if rms > 0.0 {
+            *coefficient = SMALL / rms / (size as f64).sqrt();
+        }
+    }
+    model.with_term(term)
+}
+
+/// Poses that a diagnosis proposes at most where nothing is ambiguous.
+const MOST_BESIDE: usize = 12;
+
+/// What a diagnosis proposes where nothing is ambiguous: poses for what the session recorded but
+/// never changed, and for the side of approach, which costs nothing. No new equipment.
+pub(super) fn worth_unlocking(
+    prepared: &Prepared,
+    fit: &Fit,
+    not_testable: &[NotTestable],
+) -> Vec<NextPose> {
+    let samples = &prepared.problem.session.samples;
+    let cheap = |need: &Need| match need {
+        Need::BothSides | Need::Travel => true,
+        Need::Speeds => samples.speed.iter().any(Option::is_some),
+        Need::Loads => samples.load_kg.is_some(),
+        Need::Temperatures => samples.temperature_c.is_some(),
+        _ => false,
+    };
+    let mut locked = locked(prepared, not_testable);
+    locked.retain(|l| l.needs.iter().all(cheap));
+    unlock(prepared, fit, &locked, false, MOST_BESIDE)
+}
+
+/// What remains of the session's information where it does not say under which condition it was
+/// measured.
+const WEAK: f64 = 0.02;
+
+/// At most `most` poses that unlock what poses can unlock. Where `reflector` is false nothing has
+/// to be mounted.
+pub(super) fn unlock(
+    prepared: &Prepared,
+    fit: &Fit,
+    locked: &[Locked],
+    reflector: bool,
+    most: usize,
+) -> Vec<NextPose> {
+    let wanted: Vec<&Locked> = locked
+        .iter()
+        .filter(|l| !l.needs.is_empty() && l.needs.iter().all(|n| n.by_poses()))
+        .filter(|l| reflector || !l.needs.contains(&Need::Reflector))
+        .collect();
+    if wanted.is_empty() || most == 0 {
+        return Vec::new();
+    }
+    let mut needs: Vec<Need> = wanted.iter().flat_map(|l| l.needs.clone()).collect();
+    needs.sort_unstable();
+    needs.dedup();
+    let mounted = needs.contains(&Need::Reflector);
+    let (offer, _) = offer_for(prepared, &needs, mounted);
+    let inputs = offer.inputs(prepared);
+    let axes = axes_of(&prepared.arena);
+    let samples = &prepared.problem.session.samples;
+    let terms: Vec<Term> = wanted
+        .iter()
+        .filter_map(|one| {
+            let joint = one.joint.unwrap_or(0);
+            let model = with_effect(&fit.model, find(one.effect)?, joint, &inputs, &axes);
+            let mut terms = model.terms().iter();
+            let own = |t: &&Term| t.effect.about().id == one.effect && t.joint == joint;
+            terms.find(own).cloned()
+        })
+        .collect();
+    let mut contests: Vec<Contest> = Vec::new();
+    for (one, term) in wanted.iter().zip(&terms) {
+        // What is unlocked together has to be told apart as well.
+        let others = terms.iter().filter(|t| compatible(&[term], t));
+        let rival = others.fold(fit.model.clone(), |model, t| {
+            model.with_term(Term::absent(t.effect, t.joint, t.setting))
+        });
+        let unsaid = |need: &Need| match need {
+            Need::BothSides => samples.dir.iter().all(Option::is_none),
+            Need::Speeds => samples.speed.iter().all(Option::is_none),
+            Need::Loads => samples.load_kg.is_none(),
+            Need::Temperatures => samples.temperature_c.is_none(),
+            _ => false,
+        };
+        let weight = if one.needs.iter().any(unsaid) {
+            WEAK
+        } else {
+            1.0
+        };
+        let truth = fit.model.with_term(term.clone());
+        let seen = prospects(&truth, &rival, &inputs, &axes);
+        let known = gram(&prepared.arena, &rival) * weight;
+        let contest = Contest::new(seen, &known, enough_for(6.0, 0.0));
+        // The effect was there already; the samples so far could not show it.
+        let (pull, square) = history(&prepared.arena, &truth, &rival);
+        contests.push(contest.starting(&(pull * weight), square * weight));
+    }
+    let fresh = contests.clone();
+    let mut order = choose(&mut contests, offer.choices.len(), most, 1);
+    // Warming up and changing the load take time: once each.
+    order.sort_by(|a, b| {
+        let (a, b) = (&offer.choices[*a], &offer.choices[*b]);
+        let warmth = a.warmth_c.total_cmp(&b.warmth_c);
+        warmth.then(a.load_kg.total_cmp(&b.load_kg))
+    });
+    let session = prepared.problem.session;
+    let why = |k: usize| {
+        let gains: Vec<f64> = fresh.iter().map(|c| c.gain(k)).collect();
+        let largest = gains.iter().copied().fold(0.0, f64::max);
+        let shown: Vec<&Locked> = wanted
+            .iter()
+            .zip(&gains)
+            .filter(|(_, gain)| **gain > 0.3 * largest)
+            .map(|(one, _)| *one)
+            .collect();
+        words(&shown, &offer.choices[k])
+    };
+    let mut all: Vec<NextPose> = order
+        .into_iter()
+        .flat_map(|k| {
+            let why = why(k);
+            let mut poses = poses_of(&offer.choices[k], session, &offer, &why);
+            for pose in &mut poses {
+                pose.why.clone_from(&why);
+            }
+            poses
+        })
+        .take(most)
+        .collect();
+    // Beside warm poses cold ones are asked for as such.
+    if all.iter().any(|p| p.temperature_c.is_some()) {
+        for pose in &mut all {
+            pose.temperature_c = pose.temperature_c.or(Some(REFERENCE_TEMPERATURE_C));
+        }
+    }
+    all
+}
+
+/// What the samples so far show of a model where another is fitted: columnsᵀ · difference and
+/// ‖difference‖².
+fn history(arena: &Arena, truth: &Model, other: &Model) -> (DVector<f64>, f64) {
+    let (without, columns) = arena.rows.extract(other);
+    let (with, _) = arena.rows.extract(truth);
+    let difference = arena.noise.whitened_vector(&arena.rows, &(without - with));
+    let white = arena.noise.whitened(&arena.rows, &columns);
+    (white.tr_mul(&difference), difference.norm_squared())
+}
+
+/// At most so many effects are named in the reason for a pose.
+const MOST_NAMED: usize = 3;
+
+fn words(shown: &[&Locked], choice: &Choice) -> String {
+    let matters = |need: &Need| match need {
+        Need::Speeds => choice.speed.iter().any(|s| *s != 0.0),
+        Need::Loads => choice.load_kg != 0.0,
+        Need::Temperatures => choice.warmth_c != 0.0,
+        Need::Reflector => choice.target > 0,
+        _ => true,
+    };
+    let mut needs: Vec<Need> = shown.iter().flat_map(|l| l.needs.clone()).collect();
+    needs.retain(matters);
+    needs.sort_unstable();
+    needs.dedup();
+    let needs: Vec<&str> = needs.iter().map(|n| n.says()).collect();
+    let mut names: Vec<&str> = shown.iter().map(|l| l.effect).collect();
+    names.dedup();
+    let more = names.len().saturating_sub(MOST_NAMED);
+    names.truncate(MOST_NAMED);
+    let others = if more > 0 {
+        format!(" and {more} more")
+    } else {
+        String::new()
+    };
+    let how = if needs.is_empty() {
+        "what the others are compared with".to_owned()
+    } else {
+        needs.join("; ")
+    };
+    format!("makes {}{others} testable: {how}", names.join(", "))
+}

@@ -1,0 +1,341 @@
+//! A smooth function of a joint's value in three directions, given by its values at equal steps.
+//!
+//! ```text
+//! s(q) = Σ_k w_k(u) v_k,   u = (q − from)/step,   w the cubic weights of Catmull & Rom (1974)
+//! ```
+//!
+//! It runs through the values at the knots and has no kink between them. Outside the range the
+//! value at its end is held: nothing was measured there. With a period the knots cover one period
+//! and repeat.
+
+/// Directions of a curve, in order: along the joint's motion, along its radius, along its axis.
+pub const DIRECTIONS: usize = 3;
+/// More knots than this are a mistake.
+pub const MOST_KNOTS: usize = 10_000;
+
+/// Where the knots are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Knots {
+    /// Lower end of the range, rad or mm.
+    pub from: f64,
+    /// Upper end of the range, rad or mm.
+    pub to: f64,
+    /// After so much it repeats, rad or mm; the first knot of every period is at `from` and its
+    /// multiples.
+    pub period: Option<f64>,
+    /// Number of knots over the range, ends included, or over one period.
+    pub count: usize,
+}
+
+/// Why there is no such curve.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CurveError {
+    /// The range makes no sense.
+    #[error("a range from {from} to {to}; expected a range from the smaller to the larger value")]
+    Range {
+        /// Lower end as given.
+        from: f64,
+        /// Upper end as given.
+        to: f64,
+    },
+    /// The period makes no sense.
+    #[error("a period of {0}; expected a number above 0")]
+    Period(f64),
+    /// Too few or too many knots.
+    #[error("{0} knots; expected 2 to {MOST_KNOTS}")]
+    Count(usize),
+    /// Directions with different numbers of values.
+    #[error("{found} values in one direction and {expected} knots; expected as many")]
+    Lengths {
+        /// What was given.
+        found: usize,
+        /// How many knots there are.
+        expected: usize,
+    },
+    /// A value that is no number, or a standard deviation that is negative.
+    #[error("a value that is not a number")]
+    NotANumber,
+}
+
+impl Knots {
+    /// Whether knots can stand there.
+    ///
+    /// # Errors
+    /// See [`CurveError`].
+    pub fn check(&self) -> Result<(), CurveError> {
+        let Self { from, to, .. } = *self;
+        // Written so that NaN fails.
+        if !(from.is_finite() && to.is_finite() && from < to) {
+            return Err(CurveError::Range { from, to });
+        }
+        if let Some(period) = self.period
+            && !(period.is_finite() && period > 0.0)
+        {
+            return Err(CurveError::Period(period));
+        }
+        if self.count < 2 || self.count > MOST_KNOTS {
+            return Err(CurveError::Count(self.count));
+        }
+        Ok(())
+    }
+
+    /// Which values count at `q`, and how much. Outside the range: as at its end.
+    pub fn weights(&self, q: f64) -> [(usize, f64); 4] {
+        let q = q.max(self.from).min(self.to);
+        let n = self.count;
+        let (first, t) = self.split(q);
+        let (t2, t3) = (t * t, t * t * t);
+        let mut w = [
+            0.5 * (2.0 * t2 - t - t3),
+            0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
+            0.5 * (t + 4.0 * t2 - 3.0 * t3),
+            0.5 * (t3 - t2),
+        ];
+        if self.period.is_some() {
+            let at = |k: usize| (first + n + k - 1) % n;
+            return std::array::from_fn(|k| (at(k), w[k]));
+        }
+        // Beyond the ends the values go on straight.
+        if first == 0 {
+            w[1] += 2.0 * w[0];
+            w[2] -= w[0];
+            w[0] = 0.0;
+        }
+        if first + 2 == n {
+            w[2] += 2.0 * w[3];
+            w[1] -= w[3];
+            w[3] = 0.0;
+        }
+        let at = |k: usize| (first + k).saturating_sub(1).min(n - 1);
+        std::array::from_fn(|k| (at(k), w[k]))
+    }
+
+    /// The knot at or below a value in the range, and the share of the way to the next one.
+    fn split(&self, q: f64) -> (usize, f64) {
+        let (n, above) = (self.count, q - self.from);
+        if let Some(period) = self.period {
+            return split((above / period).rem_euclid(1.0) * n as f64, n - 1);
+        }
+        split(above / (self.to - self.from) * (n - 1) as f64, n - 2)
+    }
+
+    /// Whether something was measured there.
+    pub fn covers(&self, q: f64) -> bool {
+        q >= self.from && q <= self.to
+    }
+
+    /// Where the knots stand, rad or mm; with a period those of the first one.
+    pub fn places(&self) -> Vec<f64> {
+        let step = match self.period {
+            Some(period) => period / self.count as f64,
+            None => (self.to - self.from) / (self.count - 1) as f64,
+        };
+        (0..self.count)
+            .map(|k| self.from + step * k as f64)
+            .collect()
+    }
+}
+
+/// The whole part, at most `largest`, and the rest.
+fn split(u: f64, largest: usize) -> (usize, f64) {
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and the number of knots; NaN becomes 0"
+    )]
+    let whole = (u as usize).min(largest);
+    (whole, u - whole as f64)
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    knots: Knots,
+    /// Values at the knots by direction: rad (a sliding joint: mm), mm, mm. None where the curve
+    /// does nothing in a direction.
+    values: [Vec<f64>; DIRECTIONS],
+    /// Standard deviations of the values, in the same units; none where `values` has none.
+    sigma: [Vec<f64>; DIRECTIONS],
+}
+
+impl Curve {
+    /// A curve from its values at the knots and their standard deviations.
+    ///
+    /// # Errors
+    /// See [`CurveError`].
+    pub fn new(
+        knots: Knots,
+        values: [Vec<f64>; DIRECTIONS],
+        sigma: [Vec<f64>; DIRECTIONS],
+    ) -> Result<Self, CurveError> {
+        knots.check()?;
+        for (values, sigma) in values.iter().zip(&sigma) {
+            let expected = if values.is_empty() { 0 } else { knots.count };
+            for found in [values.len(), sigma.len()] {
+                if found != expected {
+                    return Err(CurveError::Lengths {
+                        found,
+                        expected: knots.count,
+                    });
+                }
+            }
+            let good = values.iter().all(|v| v.is_finite())
+                && sigma.iter().all(|s| s.is_finite() && *s >= 0.0);
+            if !good {
+                return Err(CurveError::NotANumber);
+            }
+        }
+        Ok(Self {
+            knots,
+            values,
+            sigma,
+        })
+    }
+
+    /// Where the knots are.
+    pub fn knots(&self) -> &Knots {
+        &self.knots
+    }
+
+    /// Values at the knots in a direction; empty where the curve does nothing.
+    pub fn values(&self, direction: usize) -> &[f64] {
+        &self.values[direction]
+    }
+
+    /// Their standard deviations.
+    pub fn sigma(&self, direction: usize) -> &[f64] {
+        &self.sigma[direction]
+    }
+
+    /// The curve at a joint's value: along the joint's motion (rad or mm), along its radius and
+    /// along its axis (mm). Outside the measured range the end values are held.
+    pub fn at(&self, q: f64) -> [f64; DIRECTIONS] {
+        let weights = self.knots.weights(q);
+        std::array::from_fn(|d| {
+            let values = &self.values[d];
+            if values.is_empty() {
+                return 0.0;
+            }
+            weights.iter().map(|(k, w)| w * values[*k]).sum()
+        })
+    }
+
+    /// How sure the curve is there, one standard deviation; `None` outside the measured range:
+    /// not measured.
+    pub fn sigma_at(&self, q: f64) -> Option<[f64; DIRECTIONS]> {
+        if !self.knots.covers(q) {
+            return None;
+        }
+        // Between the knots: straight, from one to the next.
+        let n = self.knots.count;
+        let (first, t) = self.knots.split(q);
+        let next = (first + 1) % n;
+        Some(std::array::from_fn(|d| {
+            let sigma = &self.sigma[d];
+            if sigma.is_empty() {
+                return 0.0;
+            }
+            (1.0 - t) * sigma[first] + t * sigma[next]
+        }))
+    }
+
+    /// The same curve along the joint's motion alone.
+    #[must_use]
+    pub fn along_the_motion(&self) -> Self {
+        let only = |all: &[Vec<f64>; DIRECTIONS]| [all[0].clone(), Vec::new(), Vec::new()];
+        Self {
+            knots: self.knots,
+            values: only(&self.values),
+            sigma: only(&self.sigma),
+        }
+    }
+
+    /// The largest value at a knot by direction, without its sign.
+    pub fn largest(&self) -> [f64; DIRECTIONS] {
+        std::array::from_fn(|d| self.values[d].iter().fold(0.0_f64, |m, v| m.max(v.abs())))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn knots(period: Option<f64>) -> Knots {
+        Knots {
+            from: -1.0,
+            to: 2.0,
+            period,
+            count: 7,
+        }
+    }
+
+    fn curve(knots: Knots, f: impl Fn(f64) -> f64) -> Curve {
+        let values: Vec<f64> = knots.places().into_iter().map(f).collect();
+        let sigma = vec![0.1; values.len()];
+        let none = Vec::new;
+        Curve::new(knots, [values, none(), none()], [sigma, none(), none()]).unwrap()
+    }
+
+    #[test]
+    fn it_runs_through_its_knots_and_keeps_a_straight_line_straight() {
+        let line = curve(knots(None), |q| 3.0 - 2.0 * q);
+        for k in 0..=300 {
+            let q = -1.0 + 0.01 * f64::from(k);
+            assert!((line.at(q)[0] - (3.0 - 2.0 * q)).abs() < 1e-12, "{q}");
+        }
+        let wave = curve(knots(None), |q| (2.0 * q).sin());
+        for (q, v) in wave.knots().places().iter().zip(wave.values(0)) {
+            assert!((wave.at(*q)[0] - v).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn outside_the_range_the_end_is_held_and_nothing_is_known() {
+        let line = curve(knots(None), |q| q);
+        assert_eq!(line.at(-7.0), line.at(-1.0));
+        assert_eq!(line.at(9.0), line.at(2.0));
+        assert_eq!(line.sigma_at(9.0), None);
+        assert_eq!(line.sigma_at(-1.1), None);
+        assert_eq!(line.sigma_at(0.3), Some([0.1, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn a_period_repeats_without_a_seam() {
+        let wave = curve(knots(Some(0.5)), |q| {
+            (std::f64::consts::TAU * q / 0.5).sin()
+        });
+        for q in [-0.9, -0.51, 0.0, 0.13] {
+            let [here, next] = [q, q + 0.5].map(|q| wave.at(q)[0]);
+            assert!((here - next).abs() < 1e-12, "{q}");
+        }
+        let seam = [-0.5 - 1e-9, -0.5 + 1e-9].map(|q| wave.at(q)[0]);
+        assert!((seam[0] - seam[1]).abs() < 1e-6);
+    }
+
+    #[test]
+    fn two_knots_are_a_line_and_bad_ones_are_refused() {
+        let two = Knots {
+            count: 2,
+            ..knots(None)
+        };
+        assert!((curve(two, |q| q).at(0.5)[0] - 0.5).abs() < 1e-12);
+        let bad = [
+            Knots { count: 1, ..two },
+            Knots { to: -1.0, ..two },
+            Knots {
+                from: f64::NAN,
+                ..two
+            },
+            Knots {
+                period: Some(0.0),
+                ..two
+            },
+        ];
+        for knots in bad {
+            assert!(knots.check().is_err(), "{knots:?}");
+        }
+        let none = Vec::new;
+        let short = [vec![1.0], none(), none()];
+        assert!(Curve::new(two, short.clone(), short).is_err());
+    }
+}

@@ -1,0 +1,266 @@
+//! What no name explains, as a smooth correction over a joint's commanded value.
+//!
+//! ```text
+//! p = exp([ξ] s_t(q)) (p + s_r(q) r + s_a(q) a),   s a [`Curve`], r and a turning with the joint
+//! ```
+//!
+//! Not an effect of the catalogue: it has no cause, so no search may name it. It has no
+//! coefficients either. Its curve comes from a diagnosis, where it was made orthogonal to the
+//! names beside it, and every later fit holds it still; so it never moves the value of a name.
+
+use std::sync::Arc;
+
+use super::about::{About, Form, Quantity, Setting, Stage};
+use super::base_offset::AXES;
+use super::block::Block;
+use super::curve::Curve;
+use super::term::JointFrame;
+use super::{Effect, Placed, Survey, Term};
+use crate::kinematics::JointKind;
+use crate::lanes::{add_scaled, cross, minus, turned};
+
+/// The name under which it stands in models.
+pub const UNEXPLAINED: &str = "unexplained";
+
+/// See the module.
+pub struct Unexplained;
+
+const ABOUT: About = About {
+    id: UNEXPLAINED,
+    title: "Unexplained",
+    stage: Stage::Link,
+    per_joint: true,
+    form: Form::Plain(&[]),
+    setting: Setting::None,
+    equation: "p = exp([ξ] s_t(q)) (p + s_r(q) r + s_a(q) a)",
+    source: "penalised regression: Wood, Generalized Additive Models, 2017; cubic weights: Catmull & Rom 1974",
+    cause: "unknown: no effect of the catalogue explains it",
+    usual_size: "any",
+    confused_with: "whatever was not measured: it holds for the measured range and the conditions of the session",
+    check: "look at the machine where the joint stands in that range: scale, bearing, cables, cover",
+};
+
+impl Effect for Unexplained {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
+        Some(
+            "it is no effect that can be fitted by its name: `truepose diagnose \
+             --correct-unexplained` makes the correction"
+                .to_owned(),
+        )
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let Some(curve) = &me.curve else { return };
+        let (out, along) = across(&me.frame);
+        let kind = block.robot.joints[me.joint].kind;
+        block.transform(me, |x, at| {
+            let [motion, radial, axial] = curve.at(at.q);
+            match kind {
+                JointKind::Revolute => {
+                    let moved = add_scaled(add_scaled(x, out, radial), along, axial);
+                    let (sin, cos) = motion.sin_cos();
+                    let about = |v: [f64; 3]| turned(v, along, sin, cos);
+                    let origin = me.frame.origin_mm;
+                    let to = add_scaled(about(minus(moved, origin)), origin, 1.0);
+                    let columns = AXES.map(about);
+                    let carry = std::array::from_fn(|row| columns.map(|column| column[row]));
+                    (to, carry, [])
+                }
+                JointKind::Prismatic => {
+                    let moved = add_scaled(add_scaled(x, out, radial), me.frame.across_2, axial);
+                    (add_scaled(moved, along, motion), AXES, [])
+                }
+            }
+        });
+    }
+}
+
+/// The derivatives of the points with respect to a constant in each direction of a curve: what a
+/// fit of the curve starts from. It moves nothing.
+pub struct Directions;
+
+const DIRECTIONS: About = About {
+    id: "unexplained-directions",
+    title: "Directions of what is unexplained",
+    form: Form::Plain(&[
+        Quantity {
+            name: "motion_rad",
+            inner: 1.0,
+        },
+        Quantity {
+            name: "radial_mm",
+            inner: 1.0,
+        },
+        Quantity {
+            name: "axial_mm",
+            inner: 1.0,
+        },
+    ]),
+    ..ABOUT
+};
+
+impl Effect for Directions {
+    fn about(&self) -> &'static About {
+        &DIRECTIONS
+    }
+
+    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
+        None
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let (out, along) = across(&me.frame);
+        let kind = block.robot.joints[me.joint].kind;
+        block.transform(me, |x, _| {
+            let columns = match kind {
+                JointKind::Revolute => [cross(along, minus(x, me.frame.origin_mm)), out, along],
+                JointKind::Prismatic => [along, out, me.frame.across_2],
+            };
+            (x, AXES, columns)
+        });
+    }
+}
+
+/// Away from the axis, and along it. Where the tool lies on the axis, or the joint slides, any
+/// fixed direction across it is as good.
+fn across(frame: &JointFrame) -> ([f64; 3], [f64; 3]) {
+    let out = if frame.radius_mm > 0.0 {
+        frame.radial
+    } else {
+        frame.across_1
+    };
+    (out, frame.along)
+}
+
+impl Term {
+    /// The smooth correction of a joint (counted from 0) under the name `unexplained`.
+    pub fn unexplained(joint: usize, curve: Curve) -> Self {
+        Self {
+            curve: Some(Arc::new(curve)),
+            ..Self::absent(&Unexplained, joint, 0.0)
+        }
+    }
+
+    /// The curve of an unexplained correction.
+    pub fn curve(&self) -> Option<&Curve> {
+        self.curve.as_deref()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::Inputs;
+    use crate::effects::curve::Knots;
+    use crate::kinematics::{Axis, Joint, Pose, Robot};
+    use crate::model::Model;
+    use nalgebra::{Point3, Vector3};
+
+    fn column() -> Robot {
+        let axis = Axis::through(Vector3::z(), Point3::origin()).unwrap();
+        Robot {
+            name: "column".to_owned(),
+            joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
+            base_from_tool: Pose::translation(250.0, 0.0, 300.0),
+            gravity_m_s2: None,
+        }
+    }
+
+    fn curve() -> Curve {
+        let knots = Knots {
+            from: -1.0,
+            to: 1.0,
+            period: None,
+            count: 9,
+        };
+        let wave = |a: f64, k: f64| -> Vec<f64> {
+            let places = knots.places();
+            places.iter().map(|q| a * (k * q).cos()).collect()
+        };
+        let values = [wave(1e-3, 2.0), wave(0.2, 3.0), wave(-0.1, 1.0)];
+        let sigma = values.clone().map(|v| vec![0.0; v.len()]);
+        Curve::new(knots, values, sigma).unwrap()
+    }
+
+    fn inputs() -> Inputs<'static> {
+        let q = vec![vec![-1.4, -0.83, 0.1, 0.4, 1.9]];
+        Inputs::at_poses(q, vec![[250.0, 0.0, 300.0]])
+    }
+
+    #[test]
+    fn the_point_stands_where_angle_radius_and_height_say() {
+        let model = Model::nominal(column()).with_term(Term::unexplained(0, curve()));
+        let inputs = inputs();
+        let predicted = model.predict(&inputs);
+        for (i, q) in inputs.q[0].iter().enumerate() {
+            let [t, r, a] = curve().at(*q);
+            let (sin, cos) = (q + t).sin_cos();
+            let expected = [(250.0 + r) * cos, (250.0 + r) * sin, 300.0 + a];
+            let left = minus(predicted.get(i), expected);
+            assert!(left.iter().all(|v| v.abs() < 1e-10), "{q}: {left:?}");
+        }
+    }
+
+    #[test]
+    fn names_beside_it_keep_exact_derivatives() {
+        let names = [
+            ("link-length", "delta_mm", 0.7),
+            ("joint-zero-offset", "offset_deg", 0.3),
+        ];
+        let names = names.map(|(id, name, v)| Term::from_parameters(id, 1, &[(name, v)], 1));
+        let terms = names.into_iter().map(Result::unwrap);
+        let terms: Vec<Term> = terms.chain([Term::unexplained(0, curve())]).collect();
+        let model = Model::new(column(), terms);
+        assert_eq!(model.coefficient_count(), 2);
+        let inputs = inputs();
+        let mut columns = Vec::new();
+        model.visit(&inputs, true, |_, block| columns.clone_from(&block.columns));
+        for (k, column) in columns.iter().enumerate() {
+            let [below, above] = [-1e-5, 1e-5].map(|by| {
+                let mut coefficients = model.coefficients();
+                coefficients[k] += by;
+                model.with_coefficients(&coefficients).predict(&inputs)
+            });
+            for i in 0..inputs.len() {
+                let by_difference = minus(above.get(i), below.get(i)).map(|d| d / 2e-5);
+                for axis in 0..3 {
+                    let off = by_difference[axis] - column[axis][i];
+                    assert!(off.abs() < 1e-5, "{k} {i} {axis}: {off:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_directions_are_the_derivatives_of_the_curve() {
+        let model = Model::nominal(column());
+        let inputs = inputs();
+        let probe = model.with_term(Term::absent(&Directions, 0, 0.0));
+        let mut columns = Vec::new();
+        probe.visit(&inputs, true, |_, block| columns.clone_from(&block.columns));
+        for d in 0..3 {
+            let moved = |by: f64| {
+                let knots = *curve().knots();
+                let mut values = [vec![], vec![], vec![]];
+                values[d] = vec![by; knots.count];
+                let sigma = values.clone().map(|v| vec![0.0; v.len()]);
+                let constant = Curve::new(knots, values, sigma).unwrap();
+                model
+                    .with_term(Term::unexplained(0, constant))
+                    .predict(&inputs)
+            };
+            let (below, above) = (moved(-1e-5), moved(1e-5));
+            for i in 0..inputs.len() {
+                let by_difference = minus(above.get(i), below.get(i)).map(|v| v / 2e-5);
+                for axis in 0..3 {
+                    let off = by_difference[axis] - columns[d][axis][i];
+                    assert!(off.abs() < 1e-5, "{d} {i} {axis}: {off:e}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Which entries a table gets.
+//!
+//! A step that the user gives is taken, or refused where the reader's limit does not allow it.
+//! Without one, the widest round step is taken (10, 5, 2, 1, 0.5, … degrees or mm) with which the
+//! table adds less than is allowed ([`Allowance`]); where the limit does not let the steps get that
+//! small, a format that may have its entries anywhere gets them where they are needed
+//! ([`knots`](super::knots)), and another one as many as it takes. What is added then is said.
+
+use super::left::{Allowance, Exact};
+use super::rules::{Directions, Rules, Spacing};
+use super::sheet::Sheet;
+use super::{ExportError, Job, knots};
+use crate::compensation::JointTable;
+
+/// Round steps, degrees or mm.
+const ROUND: [f64; 13] = [
+    10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001,
+];
+/// Nobody wants more entries than this without having asked for them.
+const MOST_UNASKED: usize = 20_001;
+
+/// The sheet for a format.
+pub(super) fn choose(
+    job: &Job,
+    rules: &Rules,
+    exact: &Exact,
+    allowance: &Allowance,
+) -> Result<Sheet, ExportError> {
+    let sheet = match job.step {
+        Some(step) => asked(job, rules, step)?,
+        None => fitting(
+            job,
+            rules,
+            exact,
+            allowance.beside(exact.between_sides_mm(rules)),
+        )?,
+    };
+    let ascends = sheet.places.windows(2).all(|pair| pair[0] < pair[1]);
+    if !ascends {
+        return Err(ExportError::Refused(format!(
+            "a step of {} {} is finer than the positions of {}, which are whole multiples of {}",
+            sheet.step.unwrap_or(0.0),
+            sheet.unit(),
+            rules.format,
+            rules.resolution.unwrap_or(0.0),
+        )));
+    }
+    if let Some(wrong) = sheet
+        .forward
+        .iter()
+        .chain(&sheet.reverse)
+        .find(|v| !v.is_finite())
+    {
+        return Err(ExportError::Refused(format!(
+            "the model gives a correction of {wrong}: it cannot be inverted over this travel"
+        )));
+    }
+    Ok(sheet)
+}
+
+fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
+    let table = job.table(step)?;
+    let entries = table.commanded_outer.len();
+    if entries > rules.most_entries {
+        let [from, to] = [table.commanded_outer[0], table.commanded_outer[entries - 1]];
+        return Err(ExportError::Refused(format!(
+            "a step of {step} {unit} makes {entries} entries, and {} takes at most {} ({}); a step \
+             of {:.6} {unit} or more fits, or none: then the entries are chosen",
+            rules.format,
+            rules.most_entries,
+            rules.limit_because,
+            (to - from) / (rules.most_entries - 1) as f64,
+            unit = table.unit(),
+        )));
+    }
+    Ok(Sheet::new(&table, rules))
+}
+
+fn fitting(job: &Job, rules: &Rules, exact: &Exact, allowed_mm: f64) -> Result<Sheet, ExportError> {
+    let most = rules.most_entries.min(MOST_UNASKED);
+    let span = exact.span();
+    // A step that divides the travel.
+    let dividing = |step: f64| span / (span / step - 1e-9).ceil().max(1.0);
+    let fits = |step: &f64| *step <= rules.widest_step && span / step < (most - 1) as f64 + 1e-6;
+    for step in ROUND.into_iter().filter(fits) {
+        let sheet = Sheet::new(&job.table(dividing(step))?, rules);
+        if exact.added_by(&sheet, rules) <= allowed_mm {
+            return Ok(sheet);
+        }
+    }
+    if rules.spacing == Spacing::Free {
+        let dense = Sheet::new(&exact.table, rules);
+        let columns = [&dense.forward[..], &dense.reverse[..]];
+        let enough = allowed_mm / exact.lever_outer_mm.max(f64::MIN_POSITIVE);
+        let entries = knots::at_most(&dense.places, &columns, enough, most);
+        return Ok(dense.at(&entries));
+    }
+    let table: JointTable = job.table(span / (most - 1) as f64)?;
+    Ok(Sheet::new(&table, rules))
+}
+
+/// Refuses a table for one direction where the directions differ noticeably; `None` where they do
+/// not differ at all.
+pub(super) fn directions(
+    rules: &Rules,
+    exact: &Exact,
+    allowance: &Allowance,
+) -> Result<Option<String>, ExportError> {
+    let Directions::One { instead } = rules.directions else {
+        return Ok(None);
+    };
+    let apart = exact.apart_outer();
+    let leaves = exact.between_sides_mm(rules);
+    if apart < rules.resolution.unwrap_or(0.0) {
+        return Ok(None);
+    }
+    let unit = exact.table.unit();
+    let says = format!(
+        "the corrections of the two directions differ by up to {apart:.6} {unit} (backlash), and \
+         {} holds one for both: their mean leaves {leaves:.4} mm",
+        rules.format
+    );
+    if leaves <= allowance.mm {
+        return Ok(Some(says));
+    }
+    Err(ExportError::Refused(format!(
+        "{says}, more than {} ({:.4} mm); {instead}",
+        allowance.is, allowance.mm
+    )))
+}

@@ -1,0 +1,292 @@
+//! What a table leaves: the file is read back, the controller's rules are applied to it, and the
+//! result is compared with the exact correction.
+//!
+//! ```text
+//! added = lever · | c_file(q, side) − c(q, side) |      root mean square over q and both sides
+//! ```
+//!
+//! with c the exact correction at closely spaced q over the measured range, and the lever how far
+//! the reflectors move with the joint (root mean square, mm per rad or mm per mm). By the triangle
+//! inequality the gap that a session shows grows by no more than that.
+//!
+//! A table may add 1 % of the tolerance. Where no tolerance is given, the model's own gap stands in
+//! for it, or 0.01 mm where that is smaller.
+
+use super::ReadBack;
+use super::rules::{Directions, Rules};
+use super::sheet::Sheet;
+use super::sidecar::poses;
+use super::{ExportError, Job};
+use crate::compensation::inverse::places;
+use crate::compensation::{Compensation, JointTable, Side};
+use crate::kinematics::JointKind;
+use crate::lanes::{dot, minus};
+use crate::model::Calibration;
+use crate::units::rad_from_deg;
+
+/// What a table may add.
+const SHARE: f64 = 0.01;
+/// The least that stands in for a tolerance, mm.
+const LEAST_STAND_IN_MM: f64 = 0.01;
+/// Closely spaced points: per degree or mm, and within these bounds.
+const PER_UNIT: f64 = 16.0;
+const POINTS: [f64; 2] = [2000.0, 20_000.0];
+/// Half a difference quotient, rad (mm: a thousand times as much).
+const STEP: f64 = 1e-4;
+
+/// How much a table may add.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Allowance {
+    /// In mm.
+    pub mm: f64,
+    /// Of what it is a share.
+    pub is: &'static str,
+}
+
+impl Allowance {
+    pub(super) fn of(calibration: &Calibration) -> Self {
+        if let Some(tolerance) = calibration.tolerance_mm {
+            return Self {
+                mm: SHARE * tolerance,
+                is: "1 % of the tolerance",
+            };
+        }
+        let gap = calibration.history.last().map_or(0.0, |step| step.gap_mm);
+        let known = gap.is_finite() && gap > LEAST_STAND_IN_MM;
+        Self {
+            mm: SHARE * if known { gap } else { LEAST_STAND_IN_MM },
+            is: if known {
+                "1 % of the model's own gap, as there is no tolerance"
+            } else {
+                "1 % of 0.01 mm, as there is no tolerance"
+            },
+        }
+    }
+
+    /// What remains of it beside a part that is independent.
+    pub(super) fn beside(&self, mm: f64) -> f64 {
+        (self.mm * self.mm - mm * mm).max(0.0).sqrt()
+    }
+}
+
+/// The exact correction at closely spaced places.
+pub(super) struct Exact {
+    pub(super) table: JointTable,
+    /// How far the reflectors move with the joint, mm per degree or mm per mm.
+    pub(super) lever_outer_mm: f64,
+}
+
+impl Exact {
+    pub(super) fn new(job: &Job) -> Result<Self, ExportError> {
+        let joint = job.calibration.model.robot.joints.get(job.joint);
+        let wide = joint.and_then(|joint| joint.limits);
+        let wide = wide.or_else(|| job.calibration.measured.get(job.joint).copied());
+        let span = wide.map_or(1.0, |range| range.to - range.from);
+        let span = match joint.map(|joint| joint.kind) {
+            Some(JointKind::Revolute) => crate::units::deg_from_rad(span),
+            _ => span,
+        };
+        let points = (PER_UNIT * span).ceil().clamp(POINTS[0], POINTS[1]);
+        // What is wrong with the joint or its range is said by the table.
+        let step = span / points;
+        let usable = step.is_finite() && step > 0.0;
+        let table = job.table(if usable { step } else { 1.0 })?;
+        let lever = lever(job);
+        let lever_outer_mm = match table.kind {
+            JointKind::Revolute => rad_from_deg(lever),
+            JointKind::Prismatic => lever,
+        };
+        Ok(Self {
+            table,
+            lever_outer_mm,
+        })
+    }
+
+    pub(super) fn span(&self) -> f64 {
+        let places = &self.table.commanded_outer;
+        places[places.len() - 1] - places[0]
+    }
+
+    /// Points in the measured range, or all where it holds none.
+    fn points(&self) -> Vec<usize> {
+        let table = &self.table;
+        let [from, to] = [
+            table.outer(table.measured.from),
+            table.outer(table.measured.to),
+        ];
+        let all = 0..table.commanded_outer.len();
+        let inside = |k: &usize| {
+            let q = table.commanded_outer[*k];
+            q >= from - 1e-9 && q <= to + 1e-9
+        };
+        let measured: Vec<usize> = all.clone().filter(inside).collect();
+        if measured.is_empty() {
+            all.collect()
+        } else {
+            measured
+        }
+    }
+
+    /// What a table on this sheet adds, root mean square, mm. A format for one direction is held
+    /// against the mean of both.
+    pub(super) fn added_by(&self, sheet: &Sheet, rules: &Rules) -> f64 {
+        let Some(read) = ReadBack::of_sheet(sheet) else {
+            return f64::INFINITY;
+        };
+        let one = rules.directions != Directions::Both;
+        self.added(&read, one)[0]
+    }
+
+    /// Root mean square and largest, mm.
+    fn added(&self, read: &ReadBack, against_the_mean: bool) -> [f64; 2] {
+        let table = &self.table;
+        let (mut sum, mut largest, mut count) = (0.0, 0.0_f64, 0.0);
+        for k in self.points() {
+            let q = table.commanded_outer[k];
+            let (forward, reverse) = (table.outer(table.forward[k]), table.outer(table.reverse[k]));
+            let mean = 0.5 * (forward + reverse);
+            for (side, exact) in [(1.0, forward), (-1.0, reverse)] {
+                let exact = if against_the_mean { mean } else { exact };
+                let off = self.lever_outer_mm * (read.correction_outer(q, side) - exact).abs();
+                sum += off * off;
+                largest = largest.max(off);
+                count += 1.0;
+            }
+        }
+        [(sum / count).sqrt(), largest]
+    }
+
+    /// How far the two directions lie apart at most, degrees or mm.
+    pub(super) fn apart_outer(&self) -> f64 {
+        let table = &self.table;
+        let both = table.forward.iter().zip(&table.reverse);
+        table.outer(both.map(|(f, r)| (f - r).abs()).fold(0.0, f64::max))
+    }
+
+    /// What the mean of both directions leaves of each, root mean square, mm; none where the format
+    /// has a column for each.
+    pub(super) fn between_sides_mm(&self, rules: &Rules) -> f64 {
+        if rules.directions == Directions::Both {
+            return 0.0;
+        }
+        let table = &self.table;
+        let points = self.points();
+        let squares = points.iter().map(|k| {
+            let half = 0.5 * (table.forward[*k] - table.reverse[*k]);
+            table.outer(half).powi(2)
+        });
+        self.lever_outer_mm * (squares.sum::<f64>() / points.len() as f64).sqrt()
+    }
+}
+
+/// How far the reflectors move per rad or mm, root mean square over the measured range.
+fn lever(job: &Job) -> f64 {
+    let nominal = Compensation::new(job.calibration).nominal;
+    let joint = job.joint;
+    let unit = match nominal.robot.joints.get(joint).map(|joint| joint.kind) {
+        Some(JointKind::Revolute) => 1.0,
+        Some(JointKind::Prismatic) => 1000.0,
+        None => return 0.0,
+    };
+    let beside = |way: f64| {
+        let mut inputs = poses(job, Side::Forward);
+        for q in inputs.q[joint].to_mut() {
+            *q += way * STEP * unit;
+        }
+        places(&nominal, &inputs)
+    };
+    let (below, above) = (beside(-1.0), beside(1.0));
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (below, above) in below.iter().zip(&above) {
+        for i in 0..below.x_mm.len() {
+            let moved = minus(above.get(i), below.get(i)).map(|d| d / (2.0 * STEP * unit));
+            sum += dot(moved, moved);
+            count += 1.0;
+        }
+    }
+    (sum / f64::max(count, 1.0)).sqrt()
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Left {
+    /// What the table adds to the exact correction, root mean square, mm.
+    pub added_rms_mm: f64,
+    /// The same at the worst place, mm.
+    pub added_max_mm: f64,
+    /// The gap that is left over the measured range with the table, and with the exact correction,
+    /// root mean square, mm; for a robot with a single joint.
+    pub gap_mm: Option<[f64; 2]>,
+    /// What it may add.
+    pub allowance: Allowance,
+}
+
+impl Left {
+    pub(super) fn new(job: &Job, exact: &Exact, read: &ReadBack) -> Self {
+        let [added_rms_mm, added_max_mm] = exact.added(read, false);
+        Self {
+            added_rms_mm,
+            added_max_mm,
+            gap_mm: (job.calibration.model.robot.joints.len() == 1).then(|| gaps(job, read)),
+            allowance: Allowance::of(job.calibration),
+        }
+    }
+
+    /// Whether it adds no more than it may.
+    pub fn met(&self) -> bool {
+        self.added_rms_mm <= self.allowance.mm
+    }
+
+    /// In words.
+    pub fn says(&self, rules: &Rules, sheet: &Sheet, asked: bool) -> String {
+        let gap = self.gap_mm.map_or(String::new(), |[with, exact]| {
+            format!(
+                "with this table the controller leaves {with:.4} mm over the measured range, where \
+                 an exact correction leaves {exact:.4} mm; "
+            )
+        });
+        let (entries, may) = (sheet.places.len(), self.allowance);
+        let added = format!("{gap}its {entries} entries add {:.5} mm", self.added_rms_mm);
+        if self.met() {
+            format!("{added}, less than {} ({:.5} mm)", may.is, may.mm)
+        } else if asked {
+            format!(
+                "{added}, more than {} ({:.5} mm): the step is wide",
+                may.is, may.mm
+            )
+        } else {
+            format!(
+                "{added}, more than {} ({:.5} mm): {} takes at most {} entries in steps of {} {}",
+                may.is,
+                may.mm,
+                rules.format,
+                rules.most_entries,
+                rules.resolution.unwrap_or(0.0),
+                sheet.unit(),
+            )
+        }
+    }
+}
+
+/// The gap with the table and with the exact correction.
+fn gaps(job: &Job, read: &ReadBack) -> [f64; 2] {
+    let compensation = Compensation::new(job.calibration);
+    let (mut sums, mut count) = ([0.0; 2], 0.0);
+    for side in [Side::Forward, Side::Reverse] {
+        let inputs = poses(job, side);
+        let q = &inputs.q[0];
+        let by_table = q.iter().map(|q| read.correction(*q, side.sign()));
+        let by_table: Vec<f64> = by_table.collect();
+        let by_model = compensation.joint_corrections(&inputs);
+        let nominal = compensation.nominal.predict(&inputs);
+        for (sum, corrections) in sums.iter_mut().zip([vec![by_table], by_model]) {
+            let reached = compensation.reached(&inputs, &corrections);
+            for i in 0..inputs.len() {
+                let off = compensation.deviation(reached.get(i), nominal.get(i));
+                *sum += dot(off, off);
+            }
+        }
+        count += inputs.len() as f64;
+    }
+    sums.map(|sum| (sum / f64::max(count, 1.0)).sqrt())
+}

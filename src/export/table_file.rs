@@ -1,0 +1,113 @@
+//! The way from a model to the file of a table format, the same for all of them:
+//!
+//! 1. the exact correction, closely spaced; formats for one direction refuse a backlash here;
+//! 2. the entries ([`grid`](super::grid));
+//! 3. written, and read back by the format's own reader, which has to give the same;
+//! 4. what the controller will make of it ([`left`](super::left)), and the sidecar that says so.
+
+use super::left::{Allowance, Exact, Left};
+use super::rules::Rules;
+use super::sheet::Sheet;
+use super::sidecar::Sidecar;
+use super::{Document, Export, ExportError, Exporter, Job, ReadBack, grid};
+
+/// What tells one table format from another.
+pub(super) struct TableFile {
+    pub(super) rules: &'static Rules,
+    /// The file; the lines are what could stand in a comment.
+    pub(super) write: fn(&Job, &Sheet, &[String]) -> String,
+    /// The numbers of the file.
+    pub(super) read: fn(&Sheet, &str) -> Result<Columns, ExportError>,
+    /// What has to be entered in the controller.
+    pub(super) enter: fn(&Job, &Sheet) -> Vec<String>,
+}
+
+/// Places are counted from the first one in some formats, which costs last bits; degrees or mm.
+const PLACES: f64 = 1e-9;
+
+/// The numbers of a file in degrees or mm, with the file's own sign.
+pub(super) struct Columns {
+    pub(super) places: Vec<f64>,
+    pub(super) forward: Vec<f64>,
+    pub(super) reverse: Vec<f64>,
+    pub(super) repeats: bool,
+}
+
+impl Exporter for TableFile {
+    fn export(&self, job: &Job) -> Result<Export, ExportError> {
+        let rules = self.rules;
+        let exact = Exact::new(job)?;
+        let allowance = Allowance::of(job.calibration);
+        let one_sided = grid::directions(rules, &exact, &allowance)?;
+        let mut sheet = grid::choose(job, rules, &exact, &allowance)?;
+        sheet.notes.extend(one_sided);
+        let reads_as = self.read_back(&sheet, &(self.write)(job, &sheet, &[]))?;
+        let left = Left::new(job, &exact, &reads_as);
+        sheet
+            .notes
+            .push(left.says(rules, &sheet, job.step.is_some()));
+        let mut sidecar = Sidecar::new(job, &sheet, rules, &left, (self.enter)(job, &sheet));
+        let notes = sidecar.notes();
+        let text = (self.write)(job, &sheet, &notes);
+        if self.read_back(&sheet, &text)? != reads_as {
+            return Err(ExportError::ReadBack("comments change it".to_owned()));
+        }
+        sidecar.fingerprint(text.as_bytes());
+        Ok(Export {
+            documents: vec![
+                Document {
+                    name: job.file_name.to_owned(),
+                    bytes: text.into_bytes(),
+                },
+                Document {
+                    name: format!("{}.meta.json", job.file_name),
+                    bytes: sidecar.to_json(),
+                },
+            ],
+            reads_as: Some(reads_as),
+            robot: None,
+            left: Some(left),
+            notes,
+        })
+    }
+}
+
+impl TableFile {
+    /// What the controller makes of a file; it has to be what was meant.
+    fn read_back(&self, sheet: &Sheet, text: &str) -> Result<ReadBack, ExportError> {
+        let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
+        let columns = (self.read)(sheet, text)?;
+        let sign = self.rules.says.sign();
+        let corrections =
+            |values: Vec<f64>| -> Vec<f64> { values.iter().map(|v| sign * v + 0.0).collect() };
+        let (forward, reverse) = (corrections(columns.forward), corrections(columns.reverse));
+        let last_digit = self.rules.resolution.unwrap_or(0.0);
+        let near = |a: &[f64], b: &[f64], slack: f64| {
+            let pairs = a.iter().zip(b);
+            a.len() == b.len()
+                && pairs
+                    .into_iter()
+                    .all(|(a, b)| (a - b).abs() <= slack + 1e-12 * b.abs())
+        };
+        // Positions that are counted in steps from the first one may differ in the last digit.
+        if !near(&columns.places, &sheet.places, last_digit.max(PLACES)) {
+            return Err(wrong("the positions"));
+        }
+        let same = |a: &[f64], b: &[f64]| near(a, b, 0.5 * last_digit);
+        if !same(&forward, &sheet.forward) || !same(&reverse, &sheet.reverse) {
+            return Err(wrong("the corrections"));
+        }
+        if columns.repeats != sheet.repeats {
+            return Err(wrong("whether it repeats"));
+        }
+        let read = ReadBack::new(sheet.joint, sheet.kind, &columns.places, forward, reverse);
+        let read = read.ok_or_else(|| wrong("the positions do not ascend"))?;
+        Ok(read.repeating(columns.repeats))
+    }
+}
+
+/// A finite number; anything else is none.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let value: f64 = text.trim().parse().ok()?;
+    value.is_finite().then_some(value)
+}

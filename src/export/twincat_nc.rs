@@ -1,0 +1,153 @@
+//! TwinCAT 3 NC: structured text with the table of `MC_TableBasedPositionCompensation`.
+//!
+//! ```text
+//! aC : ARRAY[0..N] OF ST_PositionCompensationTableElement :=
+//!     [(Position := 0.0, Compensation := -0.001), …];
+//! ```
+//!
+//! Corrections c in axis units, LREAL, at equal steps, ascending. One table serves both directions:
+//! `Direction` restricts a table to one of them, but the manual does not say what two tables for one
+//! axis do, so a backlash is refused. `Modulo` repeats the table after a turn. What happens beyond
+//! the ends is not said, so the table spans the joint's whole travel.
+//!
+//! Source: Beckhoff Information System, `Tc2_MC2`, `MC_TableBasedPositionCompensation` and
+//! `ST_PositionCompensationTableParameter`.
+
+use std::fmt::Write;
+
+use super::rules::{DECIMALS, Directions, FROM_THE_MANUAL, Rules, Says, Spacing, decimal};
+use super::sheet::Sheet;
+use super::table_file::{Columns, TableFile, number};
+use super::{ExportError, Format, Job};
+
+const RULES: Rules = Rules {
+    format: "twincat-nc",
+    says: Says::Correction,
+    resolution: DECIMALS,
+    units: ["deg", "mm"],
+    per_outer: 1.0,
+    spacing: Spacing::Equal,
+    widest_step: 10.0,
+    most_entries: usize::MAX,
+    limit_because: "it has no limit but the memory",
+    directions: Directions::One {
+        instead: "let the axis' own backlash compensation take it and export a model without \
+                  backlash, or take a format with two columns (linuxcnc, twincat-cnc, csv)",
+    },
+    repeats: true,
+    interpolation: "linear between two elements",
+    outside: "not said in the manual; the table spans the joint's whole travel",
+    direction: "the same for both (WorkDirectionBoth)",
+    full_turn: "with Modulo := TRUE the table repeats after the modulo period, with FALSE it does \
+                not",
+    label: Some(FROM_THE_MANUAL),
+};
+
+pub(super) const FORMAT: Format = Format {
+    id: "twincat-nc",
+    title: "TwinCAT NC structured text",
+    extension: "st",
+    rules: Some(&RULES),
+    exporter: &TableFile {
+        rules: &RULES,
+        write,
+        read,
+        enter,
+    },
+};
+
+fn write(_: &Job, sheet: &Sheet, notes: &[String]) -> String {
+    let mut text = String::new();
+    let line = |text: &mut String, line: &str| {
+        text.push_str(line);
+        text.push('\n');
+    };
+    line(
+        &mut text,
+        &format!(
+            "// Correction of joint {} in {}",
+            sheet.joint + 1,
+            sheet.unit()
+        ),
+    );
+    for note in notes {
+        line(
+            &mut text,
+            &format!("// {}", note.replace(['\n', '\r'], " ")),
+        );
+    }
+    let [from, to] = sheet.ends();
+    let last = sheet.places.len() - 1;
+    line(&mut text, "VAR_GLOBAL");
+    line(
+        &mut text,
+        &format!("    aC : ARRAY[0..{last}] OF ST_PositionCompensationTableElement := ["),
+    );
+    for (k, (place, correction)) in sheet.places.iter().zip(&sheet.forward).enumerate() {
+        let comma = if k < last { "," } else { "" };
+        let (place, correction) = (decimal(*place), decimal(*correction));
+        let _ = writeln!(
+            text,
+            "        (Position := {place}, Compensation := {correction}){comma}"
+        );
+    }
+    line(&mut text, "    ];");
+    let modulo = if sheet.repeats { "TRUE" } else { "FALSE" };
+    line(
+        &mut text,
+        &format!(
+            "    stC : ST_PositionCompensationTableParameter := (MinPosition := {}, MaxPosition := \
+             {}, NoOfTableElements := {}, Modulo := {modulo});",
+            decimal(from),
+            decimal(to),
+            last + 1,
+        ),
+    );
+    line(&mut text, "END_VAR");
+    text
+}
+
+fn read(_: &Sheet, text: &str) -> Result<Columns, ExportError> {
+    let wrong = |what: &str| ExportError::ReadBack(what.to_owned());
+    let code: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.starts_with("//"))
+        .collect();
+    let code = code.join(" ");
+    let table = code
+        .split_once(":= [")
+        .and_then(|(_, rest)| rest.split_once("];"));
+    let (table, rest) = table.ok_or_else(|| wrong("there is no table"))?;
+    let (mut places, mut corrections) = (Vec::new(), Vec::new());
+    for element in table.split('(').skip(1) {
+        let inside = element.split_once(')').map(|(inside, _)| inside);
+        let pair = inside.and_then(|inside| {
+            let (place, correction) = inside.split_once(',')?;
+            let place = place.trim().strip_prefix("Position :=")?;
+            let correction = correction.trim().strip_prefix("Compensation :=")?;
+            Some((number(place)?, number(correction)?))
+        });
+        let (place, correction) = pair.ok_or_else(|| wrong("an element"))?;
+        places.push(place);
+        corrections.push(correction);
+    }
+    Ok(Columns {
+        places,
+        forward: corrections.clone(),
+        reverse: corrections,
+        repeats: rest.contains("Modulo := TRUE"),
+    })
+}
+
+fn enter(_: &Job, sheet: &Sheet) -> Vec<String> {
+    let modulo = if sheet.repeats {
+        "; the axis is a modulo axis of 360, else Modulo is FALSE"
+    } else {
+        ""
+    };
+    vec![format!(
+        "in the PLC: MC_TableBasedPositionCompensation with pTable := ADR(aC), TableSize := \
+         SIZEOF(aC), TableParameter := stC; the axis counts in {}{modulo}",
+        sheet.unit()
+    )]
+}

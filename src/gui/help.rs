@@ -1,0 +1,105 @@
+//! What the words mean, in the technician's own: one table for the tips beside the numbers and for
+//! the sheet that lists them all.
+
+/// A word and what it means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Word {
+    /// The word.
+    pub(crate) name: &'static str,
+    /// What it means, and what to do with it.
+    pub(crate) means: &'static str,
+}
+
+macro_rules! words {
+    ($($id:ident, $name:literal, $means:literal;)*) => {
+        $(pub(crate) const $id: Word = Word { name: $name, means: $means };)*
+        /// All of them, in the order in which the work meets them.
+        pub(crate) const ALL: &[Word] = &[$($id),*];
+    };
+}
+
+words! {
+    DEVIATION, "Deviation",
+        "Where the reflector was measured, minus where the simulation says it should be";
+    GAP, "Gap",
+        "How far measurement and simulation are apart: the root mean square of the length of the deviation over all samples. Suspected outliers do not count in it, but they do in the largest deviation";
+    LARGEST, "Largest deviation",
+        "The one sample that is furthest off, suspected outliers included";
+    TOLERANCE, "Tolerance",
+        "How far a measured position may be off. Samples within it are marked with a disc, those outside with a diamond";
+    NOISE, "Noise, one σ",
+        "How much the instrument's own reading scatters along one axis, as its maker or a repeatability check says. Two of three readings are nearer than this. Without it, it is estimated from the samples";
+    FLOOR, "Noise floor",
+        "The gap that would be left if the model were perfect: the scatter of repeated poses, or of the instrument. No model can come below it, and one that comes close has nothing left to explain";
+    INTERVAL, "Interval, ±",
+        "The true value lies within it in 19 of 20 calibrations like this one. It shrinks with more samples and with poses that differ more";
+    HELD_OUT, "Held out",
+        "Samples that no fit has seen. The model has to predict them; a gap that falls there too is proof, and one that falls only on the others is chance";
+    P_FAMILY, "By chance",
+        "How often noise alone would make some name of the whole list look at least this good. 1 of 2000 is hard evidence, 1 of 20 is not";
+    ODDS, "Odds over the next name",
+        "How many times more likely this name is than the next best one, given the samples. Below about 20 : 1 both stay possible, and the poses that would decide are listed";
+    SHARE, "Share",
+        "Which part of what the identification left over this name explains";
+    UNEXPLAINED, "Unexplained",
+        "Something regular is left that no name of the list fits. It is shown where it is, so that somebody can look there";
+    LIMIT, "Would have been seen above",
+        "The smallest size of an effect that these samples would have shown. What was not found is smaller than this, not necessarily nothing";
+    REGION, "Region",
+        "A range of the joint that gets a constant correction of its own, as older controllers want it";
+    CORRECTION, "Correction",
+        "What to add to the command or the position: the deviation with the opposite sign";
+    EXACT, "Exact fit",
+        "One model for the whole range: all parameters at once, in the frame of the instrument";
+    OUTLIER, "Suspected outlier",
+        "A sample more than five times as far off as the middle one. It is left out of the fit, stays on the screen, and is worth measuring again";
+    NOT_IDENTIFIABLE, "Not identifiable",
+        "Two causes that do the same to every sample measured so far. Poses that differ more, a second reflector, or both directions usually tell them apart";
+    REMAINDER, "What the joint cannot remove",
+        "The gap that is left when the controller does all that the table says: directions in which moving this joint moves nothing";
+    PLANAR, "Planar session",
+        "Only x and y were measured; nothing can be said about what happens along z";
+    DIRECTION, "Direction",
+        "The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible";
+    SETUP, "Setup",
+        "One position of the instrument. Each has a measuring frame of its own, which is fitted";
+    TOOL, "Tool pose",
+        "Position and orientation of the tool frame in the base frame when every joint is at zero";
+    AXIS, "Axis",
+        "The line about which, or along which, a joint moves when every joint is at zero: a direction and any point on it, in the base frame";
+}
+
+/// What is said about this name of a number, where something is.
+pub(crate) fn about(name: &str) -> Option<Word> {
+    let word = match name {
+        "gap" | "nominal robot" | "identified" | "with all that was found" | "what is left" => GAP,
+        "largest deviation" | "largest" | "largest then" => LARGEST,
+        "tolerance" | "within tolerance" => TOLERANCE,
+        "noise, one σ" | "noise" => NOISE,
+        "noise floor" => FLOOR,
+        "held out" | "held-out gap" => HELD_OUT,
+        "regions" => REGION,
+        "coordinates" => PLANAR,
+        "no joint can remove" => REMAINDER,
+        _ => return None,
+    };
+    Some(word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_is_explained_once_and_reads_like_the_rest_of_the_window() {
+        for (k, word) in ALL.iter().enumerate() {
+            assert!(
+                ALL[..k].iter().all(|w| w.name != word.name),
+                "{}",
+                word.name
+            );
+            assert!(word.means.len() > 40, "{}", word.name);
+            assert!(!word.means.ends_with('.'), "{}", word.name);
+        }
+    }
+}

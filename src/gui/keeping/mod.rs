@@ -1,0 +1,19 @@
+//! What outlives the window, and what changes under it.
+//!
+//! - `settings`: preferences and recent files, in one small file of the data folder;
+//! - `recovery`: what is not saved, kept against a crash;
+//! - `disk`: what a file looked like when it was read, and whether it still does;
+//! - `watcher`: looks at open files from time to time, and reads a file that grows.
+
+pub(crate) mod disk;
+pub(crate) mod recovery;
+pub(crate) mod settings;
+pub(crate) mod watcher;
+
+use std::path::PathBuf;
+
+/// The folder where this user's programs keep their data, and this program's in it; `None` where
+/// the system names none.
+pub(crate) fn home() -> Option<PathBuf> {
+    eframe::storage_dir("truepose")
+}

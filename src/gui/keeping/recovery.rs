@@ -1,0 +1,330 @@
+//! What is not saved, kept against a crash.
+//!
+//! While a document has changes that no file holds, it is written to a file of its own in the data
+//! folder: one line that says what follows and how long it is, with its hash, then the session as a
+//! document. A window holds a lock on its file for as long as it lives; the system gives the lock
+//! back when the program ends, however it ends. A file whose lock nobody holds was left behind, and
+//! the next window offers it. Two windows never touch the same file.
+
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use crate::atomic::{WriteError, write_atomically};
+use crate::gui::document::{Document, Method};
+use crate::sessions::{self, Session};
+
+const FORMAT: &str = "truepose-recovery/1";
+const ENDING: &str = "recovery";
+
+/// This window's own file.
+#[derive(Debug)]
+pub(crate) struct Keeper {
+    path: PathBuf,
+    /// Held, never read.
+    _lock: File,
+    lock_path: PathBuf,
+}
+
+/// What stands in the first line.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Header {
+    format: String,
+    name: String,
+    /// The file that the session was opened from, if there is one.
+    file: Option<PathBuf>,
+    samples: usize,
+    identified: bool,
+    regional: bool,
+    effects: Vec<String>,
+    bytes: u64,
+    sha256: String,
+}
+
+/// What is to be kept of a document.
+#[derive(Debug, Clone)]
+pub(crate) struct Kept {
+    /// The session with the changes.
+    pub(crate) session: Session,
+    /// The file that it was opened from.
+    pub(crate) file: Option<PathBuf>,
+    /// Whether it was identified.
+    pub(crate) identified: bool,
+    /// How.
+    pub(crate) method: Method,
+    /// Effects of the exact fit.
+    pub(crate) effects: Vec<String>,
+}
+
+impl Kept {
+    /// What is to be kept of this document.
+    pub(crate) fn of(document: &Document, file: Option<PathBuf>) -> Self {
+        Self {
+            session: document.session_to_save(),
+            file,
+            identified: document.identified && document.given.is_none(),
+            method: document.method,
+            effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
+        }
+    }
+}
+
+/// A file that a window left behind, with its lock: nobody else offers it.
+#[derive(Debug)]
+pub(crate) struct LeftBehind {
+    path: PathBuf,
+    lock: (PathBuf, File),
+    /// When it was written.
+    pub(crate) when: Option<SystemTime>,
+    /// What it holds, or what is wrong with it.
+    pub(crate) kept: Result<Kept, String>,
+}
+
+impl Keeper {
+    /// A file of its own for this window.
+    pub(crate) fn new(folder: &Path) -> io::Result<Self> {
+        let folder = folder.join("recovery");
+        fs::create_dir_all(&folder)?;
+        // A name that nobody has, from the system's own source of such names.
+        let lock = tempfile::Builder::new()
+            .prefix("window-")
+            .suffix(".lock")
+            .tempfile_in(&folder)?;
+        let (file, lock_path) = lock.keep().map_err(|failure| failure.error)?;
+        file.try_lock().map_err(|error| match error {
+            TryLockError::Error(error) => error,
+            TryLockError::WouldBlock => io::ErrorKind::WouldBlock.into(),
+        })?;
+        Ok(Self {
+            path: lock_path.with_extension(ENDING),
+            _lock: file,
+            lock_path,
+        })
+    }
+
+    /// Where it keeps what is not saved.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Leaves nothing behind: the window closes as it should.
+    pub(crate) fn tidy(&self) {
+        let _ = fs::remove_file(&self.path);
+        let _ = fs::remove_file(&self.lock_path);
+    }
+}
+
+/// Keeps it in this file, whole or not at all.
+pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
+    let failed = |source| WriteError::Io {
+        path: path.to_path_buf(),
+        source,
+    };
+    let mut document = Vec::new();
+    sessions::write_inline(&kept.session, &mut document).map_err(failed)?;
+    let header = Header {
+        format: FORMAT.to_owned(),
+        name: kept.session.name.clone(),
+        file: kept.file.clone(),
+        samples: kept.session.samples.len(),
+        identified: kept.identified,
+        regional: kept.method == Method::Regional,
+        effects: kept.effects.clone(),
+        bytes: document.len() as u64,
+        sha256: hex(&Sha256::digest(&document)),
+    };
+    let header = serde_json::to_vec(&header).map_err(|e| failed(e.into()))?;
+    write_atomically(path, true, |output| {
+        output.write_all(&header)?;
+        output.write_all(b"\n")?;
+        output.write_all(&document)
+    })
+}
+
+fn hex(bytes: &[u8]) -> String {
+    let mut text = String::with_capacity(2 * bytes.len());
+    for byte in bytes {
+        for digit in [byte >> 4, byte & 15] {
+            text.push(char::from(b"0123456789abcdef"[usize::from(digit)]));
+        }
+    }
+    text
+}
+
+fn read(path: &Path) -> Result<Kept, String> {
+    let bytes = fs::read(path).map_err(|e| e.to_string())?;
+    let end = memchr::memchr(b'\n', &bytes).ok_or("its first line is not complete")?;
+    let (first, document) = (&bytes[..end], &bytes[end + 1..]);
+    let header: Header =
+        serde_json::from_slice(first).map_err(|_| "its first line cannot be read")?;
+    if header.format != FORMAT {
+        return Err(format!("expected the format {FORMAT}"));
+    }
+    if header.bytes != document.len() as u64 {
+        return Err(format!(
+            "{} of {} bytes are there",
+            document.len(),
+            header.bytes
+        ));
+    }
+    if hex(&Sha256::digest(document)) != header.sha256 {
+        return Err("its contents do not agree with their hash".to_owned());
+    }
+    let loaded = sessions::parse(document).map_err(|e| e.to_string())?;
+    Ok(Kept {
+        session: loaded.session,
+        file: header.file,
+        identified: header.identified,
+        method: if header.regional {
+            Method::Regional
+        } else {
+            Method::Exact
+        },
+        effects: header.effects,
+    })
+}
+
+/// What windows that are gone have left behind, newest first. Locks without anything beside them
+/// are cleared away.
+pub(crate) fn left_behind(folder: &Path) -> Vec<LeftBehind> {
+    let folder = folder.join("recovery");
+    let Ok(entries) = fs::read_dir(&folder) else {
+        return Vec::new();
+    };
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    let locks = paths
+        .iter()
+        .filter(|p| p.extension().is_some_and(|e| e == "lock"));
+    let mut left = Vec::new();
+    for lock in locks {
+        let Ok(file) = File::options().write(true).open(lock) else {
+            continue;
+        };
+        // Somebody lives.
+        if file.try_lock().is_err() {
+            continue;
+        }
+        let path = lock.with_extension(ENDING);
+        let Ok(metadata) = fs::metadata(&path) else {
+            let _ = fs::remove_file(lock);
+            continue;
+        };
+        left.push(LeftBehind {
+            kept: read(&path),
+            when: metadata.modified().ok(),
+            lock: (lock.clone(), file),
+            path,
+        });
+    }
+    left.sort_by_key(|l| std::cmp::Reverse(l.when));
+    left
+}
+
+impl LeftBehind {
+    /// Its file.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Removes it: it was restored and is kept elsewhere, or nobody wants it.
+    pub(crate) fn remove(self) {
+        let _ = fs::remove_file(&self.path);
+        let _ = fs::remove_file(&self.lock.0);
+    }
+
+    /// Puts a damaged file aside, so that nobody is asked about it again, and says where it is.
+    pub(crate) fn put_aside(self) -> PathBuf {
+        let aside = self.path.with_extension("damaged");
+        let moved = fs::rename(&self.path, &aside);
+        let _ = fs::remove_file(&self.lock.0);
+        if moved.is_ok() { aside } else { self.path }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::files::first_example;
+
+    fn kept() -> Kept {
+        let document = Document::new(first_example());
+        Kept::of(&document, Some("a b.json".into()))
+    }
+
+    /// A window that keeps something and is killed.
+    fn killed(folder: &Path) -> PathBuf {
+        let keeper = Keeper::new(folder).unwrap();
+        write(keeper.path(), &kept()).unwrap();
+        keeper.path().to_path_buf()
+    }
+
+    #[test]
+    fn what_a_killed_window_kept_is_there_to_the_last_bit() {
+        let folder = tempfile::tempdir().unwrap();
+        killed(folder.path());
+        let mut left = left_behind(folder.path());
+        assert_eq!(left.len(), 1);
+        let left = left.remove(0);
+        let found = left.kept.as_ref().unwrap();
+        assert_eq!(found.session.samples.x_mm, kept().session.samples.x_mm);
+        assert_eq!(found.session.regions, kept().session.regions);
+        assert_eq!(found.file, Some("a b.json".into()));
+        assert!(
+            left_behind(folder.path()).is_empty(),
+            "offered to one window only"
+        );
+        left.remove();
+        assert!(left_behind(folder.path()).is_empty());
+        let entries = fs::read_dir(folder.path().join("recovery")).unwrap();
+        assert_eq!(entries.count(), 0);
+    }
+
+    #[test]
+    fn a_window_that_lives_keeps_its_file_to_itself() {
+        let folder = tempfile::tempdir().unwrap();
+        let (one, two) = (
+            Keeper::new(folder.path()).unwrap(),
+            Keeper::new(folder.path()).unwrap(),
+        );
+        assert_ne!(one.path(), two.path());
+        write(one.path(), &kept()).unwrap();
+        write(two.path(), &kept()).unwrap();
+        assert!(left_behind(folder.path()).is_empty());
+        drop(one);
+        assert_eq!(left_behind(folder.path()).len(), 1);
+        two.tidy();
+        assert!(!two.path().exists());
+    }
+
+    #[test]
+    fn damage_anywhere_is_noticed_and_the_file_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = killed(folder.path());
+        let whole = fs::read(&path).unwrap();
+        let first_line = memchr::memchr(b'\n', &whole).unwrap();
+        let cuts = [
+            0,
+            5,
+            first_line,
+            first_line + 1,
+            whole.len() / 2,
+            whole.len() - 1,
+        ];
+        let mut flipped = whole.clone();
+        flipped[whole.len() / 2] ^= 1;
+        let damaged = cuts.map(|cut| whole[..cut].to_vec());
+        for bytes in damaged.into_iter().chain([flipped]) {
+            fs::write(&path, &bytes).unwrap();
+            let mut left = left_behind(folder.path());
+            assert!(left.remove(0).kept.is_err(), "{} bytes", bytes.len());
+            assert_eq!(fs::read(&path).unwrap(), bytes);
+        }
+        let aside = left_behind(folder.path()).remove(0).put_aside();
+        assert!(aside.exists() && left_behind(folder.path()).is_empty());
+    }
+}

@@ -1,0 +1,186 @@
+//! Preferences and recent files: one small JSON document in the data folder, read when the window
+//! opens and written whole whenever something in it changes.
+//!
+//! Several windows share it. Each reads the document again before it changes its own part, so that
+//! the last word counts for a preference and the recent files are those of all windows.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::atomic::{WriteError, write_atomically};
+use crate::gui::preferences::Preferences;
+
+/// Recent files that are kept.
+const MOST_RECENT: usize = 10;
+const FORMAT: &str = "truepose-settings/1";
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Settings {
+    format: String,
+    /// How numbers and colours are shown.
+    #[serde(default)]
+    pub(crate) preferences: Preferences,
+    /// Files that were opened or saved, newest first.
+    #[serde(default)]
+    pub(crate) recent: Vec<PathBuf>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            preferences: Preferences::default(),
+            recent: Vec::new(),
+        }
+    }
+}
+
+/// A change of the recent files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Recent {
+    /// This file was opened or saved.
+    Used(PathBuf),
+    /// This one is not wanted in the list.
+    Forgotten(PathBuf),
+}
+
+impl Recent {
+    fn apply(&self, recent: &mut Vec<PathBuf>) {
+        match self {
+            Self::Used(path) => {
+                recent.retain(|other| other != path);
+                recent.insert(0, path.clone());
+                recent.truncate(MOST_RECENT);
+            }
+            Self::Forgotten(path) => recent.retain(|other| other != path),
+        }
+    }
+}
+
+fn file(folder: &Path) -> PathBuf {
+    folder.join("settings.json")
+}
+
+/// What was kept; the defaults where nothing was, or where it cannot be read. Then the second is a
+/// sentence about it, and the document stays under another name.
+pub(crate) fn read(folder: &Path) -> (Settings, Option<String>) {
+    let path = file(folder);
+    let Ok(bytes) = fs::read(&path) else {
+        return (Settings::default(), None);
+    };
+    match serde_json::from_slice::<Settings>(&bytes) {
+        Ok(mut settings) if settings.format == FORMAT => {
+            settings.preferences = settings.preferences.sound();
+            (settings, None)
+        }
+        _ => {
+            let aside = folder.join("settings.damaged.json");
+            let says = match fs::rename(&path, &aside) {
+                Ok(()) => format!("they were damaged and are kept as {}", aside.display()),
+                Err(_) => format!("{} is damaged", path.display()),
+            };
+            (Settings::default(), Some(says))
+        }
+    }
+}
+
+/// Keeps other preferences.
+pub(crate) fn keep_preferences(folder: &Path, preferences: Preferences) -> Result<(), WriteError> {
+    change(folder, |settings| settings.preferences = preferences)
+}
+
+/// Keeps a change of the recent files.
+pub(crate) fn keep_recent(folder: &Path, recent: &Recent) -> Result<(), WriteError> {
+    change(folder, |settings| recent.apply(&mut settings.recent))
+}
+
+/// The recent files after a change.
+pub(crate) fn with_recent(list: &[PathBuf], recent: &Recent) -> Vec<PathBuf> {
+    let mut list = list.to_vec();
+    recent.apply(&mut list);
+    list
+}
+
+fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Result<(), WriteError> {
+    let path = file(folder);
+    let failed = |source| WriteError::Io {
+        path: path.clone(),
+        source,
+    };
+    fs::create_dir_all(folder).map_err(failed)?;
+    let (mut settings, _) = read(folder);
+    change(&mut settings);
+    let document = serde_json::to_vec_pretty(&settings).map_err(|e| failed(e.into()))?;
+    write_atomically(&path, true, |output| output.write_all(&document))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::view::LengthUnit;
+
+    #[test]
+    fn what_is_kept_comes_back_and_two_windows_share_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path().join("data");
+        let inches = Preferences {
+            length: LengthUnit::Inch,
+            ..Preferences::default()
+        };
+        keep_preferences(&folder, inches).unwrap();
+        for name in ["a.json", "b.json", "a.json"] {
+            keep_recent(&folder, &Recent::Used(name.into())).unwrap();
+        }
+        let (settings, says) = read(&folder);
+        assert_eq!(settings.preferences, inches);
+        assert_eq!(settings.recent, [PathBuf::from("a.json"), "b.json".into()]);
+        assert!(says.is_none());
+        keep_recent(&folder, &Recent::Forgotten("a.json".into())).unwrap();
+        assert_eq!(read(&folder).0.recent, [PathBuf::from("b.json")]);
+        assert_eq!(read(&folder).0.preferences, inches);
+    }
+
+    #[test]
+    fn the_list_has_an_end() {
+        let list = (0..30).fold(Vec::new(), |list, k| {
+            with_recent(&list, &Recent::Used(format!("{k}").into()))
+        });
+        assert_eq!(list.len(), MOST_RECENT);
+        assert_eq!(list[0], PathBuf::from("29"));
+    }
+
+    #[test]
+    fn a_damaged_file_costs_the_preferences_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        for damaged in [
+            "",
+            "{",
+            "[]",
+            "\u{0}",
+            r#"{"format":"truepose-settings/9"}"#,
+        ] {
+            fs::write(file(folder.path()), damaged).unwrap();
+            let (settings, says) = read(folder.path());
+            assert_eq!(settings, Settings::default());
+            assert!(
+                says.is_some_and(|says| says.contains("damaged")),
+                "{damaged}"
+            );
+            let aside = folder.path().join("settings.damaged.json");
+            assert_eq!(fs::read_to_string(aside).unwrap(), damaged);
+        }
+        assert_eq!(read(folder.path()).1, None, "said once");
+    }
+
+    #[test]
+    fn numbers_that_make_no_sense_are_brought_into_range() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = r#"{"format":"truepose-settings/1","preferences":{"decimals":200,"zoom":1e9}}"#;
+        fs::write(file(folder.path()), text).unwrap();
+        let preferences = read(folder.path()).0.preferences;
+        assert!(preferences.zoom <= 3.0 && preferences.decimals.is_none_or(|d| d <= 6));
+    }
+}

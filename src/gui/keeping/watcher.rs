@@ -1,0 +1,123 @@
+//! Looks at open files from time to time: whether they are what they were, and whether a file that
+//! is followed has grown.
+//!
+//! The looking itself is [`Watched::look`]; the window's tests call it. In the window a thread does,
+//! once a second, and speaks only when something happened.
+
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::Duration;
+
+use crate::diagnostic::Rejected;
+use crate::sessions::{Growing, Growth};
+
+use super::disk::{Fate, Print};
+
+/// Between two looks.
+pub(crate) const EVERY: Duration = Duration::from_secs(1);
+
+/// What to look at from now on.
+#[derive(Debug, Clone)]
+pub(crate) enum Order {
+    /// These files, as they looked when they were read.
+    Files(Vec<Print>),
+    /// This file grows; `None`: follow none.
+    Follow(Option<Box<Growing>>),
+    /// Whether these files are there.
+    Recent(Vec<PathBuf>),
+}
+
+/// What was seen.
+#[derive(Debug)]
+pub(crate) enum Seen {
+    /// A file is not what it was.
+    Fate(PathBuf, Fate),
+    /// The followed file has grown, was rewritten, or cannot be followed any more.
+    Grew(Box<Result<Growth, Rejected>>),
+    /// A file that was followed, as it is now that it was read to its end.
+    Read(Print),
+    /// Which of the recent files are not there.
+    Missing(Vec<PathBuf>),
+}
+
+/// See the module.
+#[derive(Debug, Default)]
+pub(crate) struct Watched {
+    files: Vec<Print>,
+    followed: Option<Box<Growing>>,
+    recent: Vec<PathBuf>,
+    missing: Vec<PathBuf>,
+}
+
+impl Watched {
+    /// Looks at something else.
+    pub(crate) fn order(&mut self, order: Order) -> Option<Seen> {
+        match order {
+            Order::Files(files) => self.files = files,
+            Order::Recent(recent) => self.recent = recent,
+            Order::Follow(followed) => {
+                let before = std::mem::replace(&mut self.followed, followed)?;
+                let print = Print::of(before.path())?;
+                // What was not read is a change that has to be told.
+                if before.has_read(print.length()) {
+                    let same = self.files.iter_mut().find(|f| f.path == print.path);
+                    if let Some(file) = same {
+                        *file = print.clone();
+                    }
+                    return Some(Seen::Read(print));
+                }
+            }
+        }
+        None
+    }
+
+    /// Looks at everything once. What was said is not said again.
+    pub(crate) fn look(&mut self) -> Vec<Seen> {
+        let mut seen = Vec::new();
+        let followed = self.followed.as_ref().map(|f| f.path().to_path_buf());
+        self.files.retain_mut(|print| {
+            if Some(&print.path) == followed.as_ref() {
+                return true;
+            }
+            match print.look() {
+                None => true,
+                Some(fate) => {
+                    seen.push(Seen::Fate(print.path.clone(), fate));
+                    false
+                }
+            }
+        });
+        if let Some(growing) = &mut self.followed {
+            match growing.look() {
+                Ok(Growth::Nothing) => {}
+                Ok(growth) => seen.push(Seen::Grew(Box::new(Ok(growth)))),
+                Err(rejected) => {
+                    seen.push(Seen::Grew(Box::new(Err(rejected))));
+                    self.followed = None;
+                }
+            }
+        }
+        let missing: Vec<PathBuf> = self
+            .recent
+            .iter()
+            .filter(|p| !p.exists())
+            .cloned()
+            .collect();
+        if missing != self.missing {
+            self.missing.clone_from(&missing);
+            seen.push(Seen::Missing(missing));
+        }
+        seen
+    }
+
+    /// Looks once a second until nobody gives orders any more.
+    pub(crate) fn keep_looking(mut self, orders: &Receiver<Order>, tell: impl Fn(Seen)) {
+        loop {
+            match orders.recv_timeout(EVERY) {
+                Ok(order) => self.order(order).into_iter().for_each(&tell),
+                Err(RecvTimeoutError::Disconnected) => return,
+                Err(RecvTimeoutError::Timeout) => self.look().into_iter().for_each(&tell),
+            }
+        }
+    }
+}

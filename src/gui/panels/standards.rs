@@ -1,0 +1,68 @@
+//! Accuracy and repeatability as the standards state them, before and after.
+
+use egui::{Grid, RichText, Ui};
+
+use crate::gui::commands::Workbench;
+use crate::gui::figures::{Group, Made, as_text};
+use crate::gui::tokens::{Palette, size, strong};
+use crate::gui::widgets;
+
+use super::copies;
+
+/// Shows them, where there is something measured.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let Some(figures) = workbench.figures() else {
+        return;
+    };
+    widgets::card(ui, |ui| {
+        ui.label(RichText::new("Accuracy and repeatability").font(strong(size::BODY)));
+        match &figures.made {
+            None => widgets::hint(ui, "The figures are being worked out"),
+            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Ok(made)) => tables(ui, made),
+        }
+    });
+}
+
+fn tables(ui: &mut Ui, made: &Made) {
+    if made.groups.iter().any(|group| !group.rows.is_empty()) {
+        copies::button(ui, "figures", || as_text(made));
+    }
+    for group in &made.groups {
+        widgets::section(ui, &format!("{}, {}", group.title, group.standard));
+        if !group.says.is_empty() {
+            widgets::hint(ui, &group.says);
+        }
+        if !group.rows.is_empty() {
+            table(ui, group);
+        }
+        for line in &group.missing {
+            widgets::hint(ui, format!("missing: {line}"));
+        }
+    }
+    for line in &made.notes {
+        widgets::hint(ui, line);
+    }
+}
+
+fn table(ui: &mut Ui, group: &Group) {
+    let palette = Palette::of(ui);
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    Grid::new(("standards", &group.title))
+        .num_columns(3)
+        .spacing([20.0, 3.0])
+        .show(ui, |ui| {
+            let measured = format!("measured, {}", group.unit);
+            for head in ["", &measured, "corrected"] {
+                ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
+            }
+            ui.end_row();
+            for row in &group.rows {
+                let [before, after] = row.shown();
+                ui.label(row.symbol).on_hover_text(row.name);
+                ui.label(before);
+                ui.label(RichText::new(after).font(strong(size::BODY)));
+                ui.end_row();
+            }
+        });
+}

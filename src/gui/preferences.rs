@@ -1,0 +1,90 @@
+//! What the user wants to see: units, digits, light or dark, size of text. Kept from one day to the
+//! next by `keeping::settings`.
+
+use egui::ThemePreference;
+use serde::{Deserialize, Serialize};
+
+use super::units::Notation;
+use super::view::{AngleUnit, LengthUnit};
+
+/// Light, dark, or as the system has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Theme {
+    /// As the system has it.
+    #[default]
+    System,
+    /// For a bright hall.
+    Light,
+    /// For a dim one.
+    Dark,
+}
+
+impl Theme {
+    /// What egui calls it.
+    pub(crate) fn preference(self) -> ThemePreference {
+        match self {
+            Self::System => ThemePreference::System,
+            Self::Light => ThemePreference::Light,
+            Self::Dark => ThemePreference::Dark,
+        }
+    }
+}
+
+/// Smallest and largest size of text, in parts of the usual one.
+pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
+/// Most decimals of a length.
+pub(crate) const MOST_DECIMALS: u8 = 6;
+
+/// See the module.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub(crate) struct Preferences {
+    /// Unit of lengths.
+    pub(crate) length: LengthUnit,
+    /// Unit of angles.
+    pub(crate) angle: AngleUnit,
+    /// Decimals of lengths; `None`: as many as can be read.
+    pub(crate) decimals: Option<u8>,
+    /// Whether decimals follow a comma.
+    pub(crate) decimal_comma: bool,
+    /// Light or dark.
+    pub(crate) theme: Theme,
+    /// Size of text, in parts of the usual one.
+    pub(crate) zoom: f32,
+}
+
+impl Default for Preferences {
+    fn default() -> Self {
+        Self {
+            length: LengthUnit::default(),
+            angle: AngleUnit::default(),
+            decimals: None,
+            decimal_comma: false,
+            theme: Theme::default(),
+            zoom: 1.0,
+        }
+    }
+}
+
+impl Preferences {
+    /// How numbers are written.
+    pub(crate) fn notation(&self) -> Notation {
+        Notation {
+            decimals: self.decimals,
+            comma: self.decimal_comma,
+        }
+    }
+
+    /// The same, with every number in the range that it can have.
+    #[must_use]
+    pub(crate) fn sound(mut self) -> Self {
+        self.decimals = self.decimals.map(|d| d.min(MOST_DECIMALS));
+        self.zoom = if self.zoom.is_finite() {
+            self.zoom.clamp(*ZOOM.start(), *ZOOM.end())
+        } else {
+            1.0
+        };
+        self
+    }
+}

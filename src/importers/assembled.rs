@@ -1,0 +1,224 @@
+//! The last step: columns become samples, by the code that reads sessions.
+
+use nalgebra::Point3;
+
+use crate::diagnostic::{Diagnostic, Rejected, Severity};
+use crate::importers::columns::{Column, Columns};
+use crate::importers::headings::Role;
+use crate::importers::session::Job;
+use crate::kinematics::JointKind;
+use crate::sessions::assemble;
+use crate::sessions::columns::{Heading, Layout, Quantity, Unit};
+use crate::sessions::table::{Cells, Table};
+use crate::sessions::{Instrument, Session, Target, validation};
+
+impl Job<'_> {
+    /// A measured position of an axis becomes the point to which the nominal robot would carry the
+    /// tool then: the radius is nominal, only the axis was measured.
+    pub(crate) fn axis_to_points(&mut self, columns: &mut Columns) -> Result<(), Rejected> {
+        let robot = self.settings.robot;
+        let is_axis = |column: &Column| matches!(column.role, Role::Axis(_));
+        let Some(at) = columns.list.iter().position(is_axis) else {
+            return Ok(());
+        };
+        let column = columns.list.remove(at);
+        let (Role::Axis(joint), Cells::Numbers(values)) = (column.role, column.cells) else {
+            return Ok(());
+        };
+        if values.iter().any(|value| value.is_infinite()) {
+            let found = "a position that overflows";
+            return self.refuse(
+                self.place.clone(),
+                found,
+                "numbers that a double can hold in mm",
+            );
+        }
+        let mut q = vec![0.0; robot.joint_count()];
+        let mut points = [Vec::new(), Vec::new(), Vec::new()];
+        let mut moved: f64 = 0.0;
+        let mut first = None;
+        for value in &values {
+            q[joint] = *value;
+            let point = robot.point_in_base(&q, &Point3::origin());
+            let start: Point3<f64> = *first.get_or_insert(point);
+            moved = moved.max((point - start).norm());
+            for (list, coordinate) in points.iter_mut().zip(point.coords.iter()) {
+                list.push(*coordinate);
+            }
+        }
+        if values.len() > 1 && moved < 1e-9 {
+            return self.refuse(
+                self.place.clone(),
+                format!(
+                    "the tool lies on the axis of joint {}: it does not move",
+                    joint + 1
+                ),
+                "a tool off the axis, in the robot",
+            );
+        }
+        for (quantity, list) in [Quantity::X, Quantity::Y, Quantity::Z]
+            .into_iter()
+            .zip(points)
+        {
+            columns.put(Column::made(quantity, Unit::Length(1.0), list));
+        }
+        let rows = columns.rows();
+        for other in (0..robot.joint_count()).filter(|other| *other != joint) {
+            let unit = match robot.joints[other].kind {
+                JointKind::Revolute => Unit::Angle(1.0),
+                JointKind::Prismatic => Unit::Length(1.0),
+            };
+            columns.put(Column::made(
+                Quantity::Commanded(other),
+                unit,
+                vec![0.0; rows],
+            ));
+        }
+        if robot.joint_count() > 1 {
+            self.note(format!(
+                "joints other than {} are taken to stand at home",
+                joint + 1
+            ));
+        }
+        let said = format!(
+            "only the position of joint {} was measured: x, y, z are where the nominal robot carries its tool at that position, so that the radius is nominal",
+            joint + 1
+        );
+        self.note(said.clone());
+        self.said.push(said);
+        Ok(())
+    }
+
+    /// Makes the session.
+    pub(crate) fn session(
+        &mut self,
+        columns: Columns,
+        targets: Vec<Target>,
+    ) -> Result<Session, Rejected> {
+        if let Some(wrong) = self.joints_checked(&columns, &self.place) {
+            return self.refused(wrong);
+        }
+        if let Some(column) = columns.list.iter().find(|column| overflows(column)) {
+            let place = self.place.clone().in_field(column.name.clone());
+            return self.refuse(
+                place,
+                "a number that overflows",
+                "numbers that a double can hold in mm",
+            );
+        }
+        let numbers: Vec<u64> = columns.list.iter().map(|column| column.number).collect();
+        let table = table(columns, self.settings.robot.joint_count());
+        let names = table.names.clone();
+        let lines = table.line.clone();
+        let place = self.place.clone();
+        let locate = |column: usize, row: usize| {
+            let place = match lines.get(row) {
+                Some(line) => place.clone().at_line(line),
+                None => place.clone(),
+            };
+            let place = match numbers.get(column) {
+                Some(0) | None => place,
+                Some(number) => place.at_column(*number),
+            };
+            place.in_field(names[column].as_str())
+        };
+        let mut findings = Vec::new();
+        let samples = assemble::samples(table, &targets, &locate, &place, &mut findings);
+        let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+        let mut session = Session {
+            name: self.settings.name.clone(),
+            note: self.said.join(".\n") + ".",
+            robot: self.settings.robot.clone(),
+            targets,
+            instrument: Instrument::default(),
+            tolerance_mm: None,
+            regions: Vec::new(),
+            compensated_by: None,
+            samples,
+            path: None,
+        };
+        if !findings.iter().any(is_error) {
+            findings.extend(validation::findings(&session, &place));
+        }
+        if findings.iter().any(is_error) {
+            return self.refused(findings);
+        }
+        self.findings.append(&mut findings);
+        // The lines are those of the foreign file, not of the one that will be saved.
+        session.samples.line = crate::sessions::Lines::default();
+        Ok(session)
+    }
+}
+
+/// Whether a number became infinite on the way.
+fn overflows(column: &Column) -> bool {
+    matches!(&column.cells, Cells::Numbers(values) if values.iter().any(|value| value.is_infinite()))
+}
+
+/// The columns as a session's reader would have them.
+fn table(columns: Columns, joints: usize) -> Table {
+    let mut table = Table {
+        layout: Layout {
+            headings: Vec::new(),
+            joints,
+        },
+        names: Vec::new(),
+        columns: Vec::new(),
+        line: columns.lines,
+    };
+    for column in columns.list {
+        let (heading, cells) = match column.role {
+            Role::Known(quantity, unit) => (
+                Heading::Known(quantity, unit.unwrap_or(Unit::Fixed)),
+                column.cells,
+            ),
+            Role::Time(_) => (Heading::Known(Quantity::Time, Unit::Fixed), column.cells),
+            Role::Point | Role::Group | Role::Kept => match column.cells {
+                Cells::Text(cells) => {
+                    let cells = cells.into_iter().map(|cell| plain(cell, true)).collect();
+                    (Heading::Unknown { hint: None }, Cells::Text(cells))
+                }
+                _ => continue,
+            },
+            Role::Left | Role::Axis(_) => continue,
+        };
+        let mut name = plain(column.name, false);
+        if matches!(heading, Heading::Unknown { .. }) {
+            name = own_name(name, column.number, &table.names);
+        }
+        table.layout.headings.push(heading);
+        table.names.push(name);
+        table.columns.push(cells);
+    }
+    table
+}
+
+/// Text that a CSV file brings back as it is.
+fn plain(text: String, with_line_feeds: bool) -> String {
+    if !text.contains(|c: char| c.is_control()) {
+        return text;
+    }
+    let text = text.replace("\r\n", "\n").replace('\r', "\n");
+    let keeps = |c: char| !c.is_control() || c == '\t' || (c == '\n' && with_line_feeds);
+    text.chars()
+        .map(|c| if keeps(c) { c } else { ' ' })
+        .collect::<String>()
+        .trim()
+        .to_owned()
+}
+
+/// A heading that no other column has and that a session does not take for one of its own.
+fn own_name(name: String, number: u64, others: &[String]) -> String {
+    let base = match name.as_str() {
+        "" | "-" => format!("column {number}"),
+        _ => name,
+    };
+    let is_free = |name: &String| {
+        !others.contains(name) && matches!(Heading::read(name), Heading::Unknown { .. })
+    };
+    if is_free(&base) {
+        return base;
+    }
+    let numbered = (2..).map(|count: u32| format!("{base} ({count})"));
+    numbered.into_iter().find(is_free).unwrap_or(base)
+}

@@ -1,0 +1,115 @@
+//! The mean of what was measured during a stop.
+
+use crate::importers::columns::{Column, Columns};
+use crate::sessions::columns::{Quantity, Unit};
+
+/// A point in a stop that is this many median deviations from the median strays.
+const STRAY: f64 = 6.0;
+
+/// Measurements that are averaged.
+pub(crate) struct Group {
+    /// Which stop.
+    pub(crate) stop: usize,
+    /// Rows of the measurements; never empty.
+    pub(crate) rows: Vec<usize>,
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// The rows without those that stray.
+pub(crate) fn without_strays(rows: Vec<usize>, coordinates: &[&Vec<f64>]) -> Vec<usize> {
+    if rows.len() < 4 {
+        return rows;
+    }
+    let of = |values: &Vec<f64>| rows.iter().map(|&row| values[row]).collect::<Vec<f64>>();
+    let middle: Vec<f64> = coordinates
+        .iter()
+        .map(|values| median(of(values)))
+        .collect();
+    let distance = |row: usize| {
+        let parts = coordinates.iter().zip(&middle);
+        parts
+            .map(|(values, middle)| (values[row] - middle).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    let usual = median(rows.iter().map(|&row| distance(row)).collect());
+    let kept: Vec<usize> = rows
+        .iter()
+        .copied()
+        .filter(|&row| distance(row) <= STRAY * usual)
+        .collect();
+    if kept.is_empty() { rows } else { kept }
+}
+
+/// Means of what was measured, one for each group.
+pub(crate) struct Means(Vec<Column>);
+
+impl Means {
+    pub(crate) fn of(measured: &Columns, groups: &[Group]) -> Self {
+        let mut columns = Vec::new();
+        let mean = |values: &[f64], group: &Group| {
+            let sum: f64 = group.rows.iter().map(|&row| values[row]).sum();
+            sum / group.rows.len() as f64
+        };
+        for quantity in [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Time] {
+            if let Some(values) = measured.numbers(quantity) {
+                let means = groups.iter().map(|group| mean(&values, group)).collect();
+                let unit = if quantity == Quantity::Time {
+                    Unit::Fixed
+                } else {
+                    Unit::Length(1.0)
+                };
+                columns.push(Column::made(quantity, unit, means));
+            }
+        }
+        let parts: Vec<Vec<f64>> = (0..4)
+            .filter_map(|part| measured.numbers(Quantity::Orientation(part)))
+            .collect();
+        if parts.len() == 4 {
+            let means: Vec<[f64; 4]> = groups
+                .iter()
+                .map(|group| mean_orientation(&parts, group))
+                .collect();
+            for part in 0..4 {
+                let values = means.iter().map(|mean| mean[part]).collect();
+                columns.push(Column::made(
+                    Quantity::Orientation(part),
+                    Unit::Fixed,
+                    values,
+                ));
+            }
+        }
+        Self(columns)
+    }
+
+    pub(crate) fn put_into(self, columns: &mut Columns) {
+        for column in self.0 {
+            columns.put(column);
+        }
+    }
+}
+
+/// The normalised mean of quaternions, which may have either sign.
+fn mean_orientation(parts: &[Vec<f64>], group: &Group) -> [f64; 4] {
+    let of = |row: usize| [0, 1, 2, 3].map(|part| parts[part][row]);
+    let first = of(group.rows[0]);
+    let mut sum = [0.0; 4];
+    for &row in &group.rows {
+        let q = of(row);
+        let dot: f64 = q.iter().zip(&first).map(|(a, b)| a * b).sum();
+        let sign = if dot < 0.0 { -1.0 } else { 1.0 };
+        for (sum, part) in sum.iter_mut().zip(q) {
+            *sum += sign * part;
+        }
+    }
+    let norm = sum.iter().map(|part| part * part).sum::<f64>().sqrt();
+    if norm > 0.0 {
+        sum.map(|part| part / norm)
+    } else {
+        first
+    }
+}

@@ -1,0 +1,233 @@
+//! Brings measured points into the base frame, and says how well.
+
+use std::collections::BTreeSet;
+
+use nalgebra::{Point3, Quaternion, UnitQuaternion};
+
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::importers::beside::points_of;
+use crate::importers::columns::{Column, Columns};
+use crate::importers::csv;
+use crate::importers::matching::{self, Matching, listed};
+use crate::importers::reference::{Alignment, Landmark, align};
+use crate::importers::session::Job;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::number::quoted;
+
+impl Job<'_> {
+    /// Where the instrument had lost its reflector it says (0, 0, 0): once points are moved or
+    /// averaged nobody could see that any more.
+    pub(crate) fn lost_become_missing(&mut self, columns: &mut Columns) {
+        let Some(points) = points_of(columns) else {
+            return;
+        };
+        let is_lost = |row: &usize| points[*row] == Point3::origin();
+        let lost: Vec<usize> = (0..points.len()).filter(is_lost).collect();
+        if lost.is_empty() {
+            return;
+        }
+        for quantity in [Quantity::X, Quantity::Y, Quantity::Z] {
+            if let Some(mut values) = columns.numbers(quantity) {
+                for &row in &lost {
+                    values[row] = f64::NAN;
+                }
+                columns.put(Column::made(quantity, Unit::Length(1.0), values));
+            }
+        }
+        let found = format!(
+            "the instrument lost the reflector (0, 0, 0) in {} measurements: {}",
+            lost.len(),
+            matching::listed_rows(columns, &lost)
+        );
+        self.warn(found, "");
+    }
+
+    /// Brings the points into the base frame, if points are known there.
+    pub(crate) fn in_base_frame(
+        &mut self,
+        columns: Columns,
+    ) -> Result<(Columns, Option<Alignment>), Rejected> {
+        let Some(companion) = &self.settings.reference else {
+            return Ok((columns, None));
+        };
+        let known = self.named_points(companion, "reference points")?;
+        let place = companion.place();
+        let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
+            return self.refuse(
+                self.place.clone(),
+                "no names, or not all of x, y and z",
+                "names and points in space to align by",
+            );
+        };
+        let is_there = |point: &Point3<f64>| point.coords.iter().all(|v| v.is_finite());
+        let landmarks: Vec<Landmark> = names
+            .iter()
+            .zip(&points)
+            .filter(|(_, point)| is_there(point))
+            .filter_map(|(name, point)| {
+                let known = known.get(*name)?;
+                Some(Landmark {
+                    name: (*name).to_owned(),
+                    measured: *point,
+                    known: *known,
+                })
+            })
+            .collect();
+        let measured: BTreeSet<&str> = landmarks
+            .iter()
+            .map(|landmark| landmark.name.as_str())
+            .collect();
+        let missing: Vec<String> = known
+            .keys()
+            .filter(|name| !measured.contains(name.as_str()))
+            .map(|name| quoted(name))
+            .collect();
+        let alignment = match align(&landmarks, self.settings.scale) {
+            Ok(alignment) => alignment,
+            Err(error) => {
+                let found = if missing.is_empty() {
+                    error.to_string()
+                } else {
+                    format!("{error}; not measured: {}", listed(&missing))
+                };
+                return self.refuse(
+                    place,
+                    found,
+                    "at least 3 points that are not on one line, with the same names in both files",
+                );
+            }
+        };
+        if !missing.is_empty() {
+            let found = format!(
+                "left out reference points that were not measured: {}",
+                listed(&missing)
+            );
+            self.findings
+                .push(Diagnostic::warning(place.clone(), found, ""));
+        }
+        self.say_alignment(&alignment, &place);
+        // The points that fix the frame are no poses of the robot, unless a command says so.
+        let commanded = self.commanded_names();
+        let is_pose = |name: &&str| !known.contains_key(*name) || commanded.contains(*name);
+        let rows: Vec<usize> = (0..names.len())
+            .filter(|&row| is_pose(&names[row]))
+            .collect();
+        if rows.is_empty() {
+            return self.refuse(
+                self.place.clone(),
+                "nothing but reference points",
+                "measured poses as well",
+            );
+        }
+        let dropped = names.len() - rows.len();
+        if dropped > 0 {
+            self.note(format!(
+                "{dropped} measurements of reference points are no samples"
+            ));
+        }
+        Ok((
+            aligned(columns, &points, &alignment).only(&rows),
+            Some(alignment),
+        ))
+    }
+
+    /// Names in the commands; what is wrong with them is said when they are matched.
+    pub(crate) fn commanded_names(&mut self) -> BTreeSet<String> {
+        let by_name = self.settings.matching == Matching::Name;
+        let Some(companion) = self.settings.commands.as_ref().filter(|_| by_name) else {
+            return BTreeSet::new();
+        };
+        let (findings, said) = (self.findings.len(), self.said.len());
+        let columns = self.companion(companion, "commands", "q1_deg", csv::read_any);
+        self.findings.truncate(findings);
+        self.said.truncate(said);
+        let names = columns
+            .as_ref()
+            .ok()
+            .and_then(Columns::points)
+            .unwrap_or_default();
+        names.into_iter().map(str::to_owned).collect()
+    }
+
+    pub(crate) fn say_alignment(&mut self, alignment: &Alignment, place: &Place) {
+        let kept = alignment.residuals.len() - alignment.outliers().count();
+        let mut said = format!(
+            "brought into the base frame by {kept} reference points, which fit with {:.4} mm (root mean square)",
+            alignment.rms_mm
+        );
+        if self.settings.scale {
+            said += &format!(
+                ", scaled by {:.6} ({:+.1} ppm)",
+                alignment.scale,
+                1e6 * (alignment.scale - 1.0)
+            );
+        }
+        let each: Vec<String> = alignment
+            .residuals
+            .iter()
+            .filter(|residual| !residual.is_outlier)
+            .map(|residual| {
+                format!(
+                    "{} {:.4} mm",
+                    quoted(&residual.name),
+                    residual.vector_mm.norm()
+                )
+            })
+            .collect();
+        let found = format!("{said}: {}", matching::listed_up_to(&each, 40));
+        self.findings.push(Diagnostic::note(place.clone(), found));
+        for outlier in alignment.outliers() {
+            let found = format!(
+                "reference point {} is {:.3} mm off: left out of the alignment",
+                quoted(&outlier.name),
+                outlier.vector_mm.norm()
+            );
+            self.findings
+                .push(Diagnostic::warning(place.clone(), found, ""));
+        }
+        if !self.settings.scale && (alignment.best_scale - 1.0).abs() > 1e-3 {
+            let found = format!(
+                "the reference points would fit better scaled by {:.5}",
+                alignment.best_scale
+            );
+            let expected = "the right unit in both files, or --scale";
+            self.findings
+                .push(Diagnostic::warning(place.clone(), found, expected));
+        }
+        self.said.push(said);
+    }
+}
+
+/// The columns with points and orientations in the base frame.
+fn aligned(mut columns: Columns, points: &[Point3<f64>], alignment: &Alignment) -> Columns {
+    let points: Vec<Point3<f64>> = points
+        .iter()
+        .map(|point| alignment.to_base(point))
+        .collect();
+    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .enumerate()
+    {
+        let values = points.iter().map(|point| point[axis]).collect();
+        columns.put(Column::made(quantity, Unit::Length(1.0), values));
+    }
+    let parts: Vec<Vec<f64>> = (0..4)
+        .filter_map(|part| columns.numbers(Quantity::Orientation(part)))
+        .collect();
+    if let [w, x, y, z] = &parts[..] {
+        let rotation: UnitQuaternion<f64> = alignment.base_from_instrument.rotation;
+        let turned: Vec<Quaternion<f64>> = (0..w.len())
+            .map(|row| rotation.into_inner() * Quaternion::new(w[row], x[row], y[row], z[row]))
+            .collect();
+        let part = |of: fn(&Quaternion<f64>) -> f64| turned.iter().map(of).collect();
+        let parts: [Vec<f64>; 4] = [part(|q| q.w), part(|q| q.i), part(|q| q.j), part(|q| q.k)];
+        for (part, values) in parts.into_iter().enumerate() {
+            columns.put(Column::made(
+                Quantity::Orientation(part),
+                Unit::Fixed,
+                values,
+            ));
+        }
+    }
+    columns
+}

@@ -1,0 +1,193 @@
+//! Files beside the measured one: commands, reference points, targets.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+
+use nalgebra::Point3;
+use sha2::{Digest, Sha256};
+
+use crate::diagnostic::Rejected;
+use crate::importers::case::Case;
+use crate::importers::columns::Columns;
+use crate::importers::headings::Role;
+use crate::importers::matching::listed;
+use crate::importers::session::{Companion, Job};
+use crate::importers::settings::{About, Inspection, Reading};
+use crate::importers::{text, tracker};
+use crate::sessions::Target;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::format_v1::read::default_targets;
+use crate::sessions::number::quoted;
+
+impl Job<'_> {
+    /// Reads a file beside the measured one.
+    pub(crate) fn companion(
+        &mut self,
+        companion: &Companion<'_>,
+        what: &str,
+        header: &str,
+        reader: fn(&mut Case<'_>) -> Option<Columns>,
+    ) -> Result<Columns, Rejected> {
+        let mut findings = Vec::new();
+        let decoded = text::decode(companion.bytes, &companion.place(), &mut findings);
+        let (text, encoding) = match decoded {
+            Ok(decoded) => decoded,
+            Err(error) => return self.refused(vec![*error]),
+        };
+        let read_with = |asked: &[About]| {
+            let given = self.reading;
+            // What was said about the measured file holds here only where this file does not tell.
+            let asks = |about| asked.contains(&about);
+            let reading = Reading {
+                file: companion.file.clone(),
+                unit: given.unit.filter(|_| asks(About::Unit)),
+                angle_unit: given.angle_unit.filter(|_| asks(About::AngleUnit)),
+                decimal: given.decimal.filter(|_| asks(About::Decimal)),
+                reach_mm: given.reach_mm,
+                ..Reading::default()
+            };
+            let mut case = Case {
+                text: &text,
+                reading: &reading,
+                place: companion.place(),
+                found: Inspection::default(),
+            };
+            let columns = reader(&mut case);
+            let columns = columns.filter(|_| !case.is_open());
+            (case.found, columns)
+        };
+        let (mut found, mut columns) = read_with(&[]);
+        if !found.questions.is_empty() {
+            let asked: Vec<About> = found
+                .questions
+                .iter()
+                .map(|question| question.about)
+                .collect();
+            (found, columns) = read_with(&asked);
+        }
+        findings.append(&mut found.findings);
+        let Some(columns) = columns else {
+            findings.extend(found.questions.iter().map(|question| {
+                let mut diagnostic = question.as_diagnostic();
+                if question.about == About::Columns {
+                    diagnostic.expected = format!("a header such as {header}");
+                }
+                diagnostic
+            }));
+            return self.refused(findings);
+        };
+        self.findings.append(&mut findings);
+        self.said.push(format!(
+            "{what} from {}: {encoding}",
+            file_in_words(companion.file.as_ref(), companion.bytes)
+        ));
+        Ok(columns)
+    }
+
+    /// Points with their names, mm.
+    pub(crate) fn named_points(
+        &mut self,
+        companion: &Companion<'_>,
+        what: &str,
+    ) -> Result<BTreeMap<String, Point3<f64>>, Rejected> {
+        let columns = self.companion(companion, what, "name,x_mm,y_mm,z_mm", tracker::read)?;
+        let place = companion.place();
+        let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {
+            return self.refuse(
+                place,
+                "no names, or not all of x, y and z",
+                "name,x_mm,y_mm,z_mm",
+            );
+        };
+        let mut named = BTreeMap::new();
+        for (row, (name, point)) in names.iter().zip(points).enumerate() {
+            let place = match columns.lines.get(row) {
+                Some(line) => place.clone().at_line(line),
+                None => place.clone(),
+            };
+            if name.is_empty() || point.coords.iter().any(|v| !v.is_finite()) {
+                return self.refuse(
+                    place,
+                    "a point without a name or a coordinate",
+                    "name, x, y and z",
+                );
+            }
+            if named.insert((*name).to_owned(), point).is_some() {
+                return self.refuse(
+                    place,
+                    format!("{} a second time", quoted(name)),
+                    "each name once",
+                );
+            }
+        }
+        Ok(named)
+    }
+
+    /// Reflectors: those of the file that was given, or one at the tool's origin.
+    pub(crate) fn targets(&mut self, columns: &Columns) -> Result<Vec<Target>, Rejected> {
+        if let Some(companion) = &self.settings.targets {
+            let named = self.named_points(companion, "targets")?;
+            let targets = named
+                .into_iter()
+                .map(|(name, position_mm)| Target { name, position_mm });
+            return Ok(targets.collect());
+        }
+        let used = columns.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
+        let used: BTreeSet<&str> = used
+            .unwrap_or_default()
+            .into_iter()
+            .filter(|name| !name.is_empty())
+            .collect();
+        let used: Vec<&str> = used.into_iter().collect();
+        match used[..] {
+            [] => Ok(default_targets()),
+            [name] => {
+                self.note(format!(
+                    "target {} is taken to sit at the tool's origin",
+                    quoted(name)
+                ));
+                Ok(vec![at_origin(name)])
+            }
+            _ => {
+                let names: Vec<String> = used.iter().map(|name| quoted(name)).collect();
+                let found = format!(
+                    "several targets, and nothing says where they sit: {}",
+                    listed(&names)
+                );
+                self.refuse(
+                    self.place.clone(),
+                    found,
+                    "--targets with their names and positions in the tool frame",
+                )
+            }
+        }
+    }
+}
+
+fn at_origin(name: &str) -> Target {
+    Target {
+        name: name.to_owned(),
+        position_mm: Point3::origin(),
+    }
+}
+
+/// A file by its name and what is in it.
+pub(crate) fn file_in_words(file: Option<&PathBuf>, bytes: &[u8]) -> String {
+    let name = file.and_then(|file| file.file_name());
+    let name = name.map_or("a file".into(), |name| name.to_string_lossy());
+    let digest = Sha256::digest(bytes);
+    let mut hash = String::new();
+    for byte in digest {
+        hash += &format!("{byte:02x}");
+    }
+    format!("{name} (sha256 {hash})")
+}
+
+/// Points in mm, if all three coordinates are there.
+pub(crate) fn points_of(columns: &Columns) -> Option<Vec<Point3<f64>>> {
+    let x = columns.numbers(Quantity::X)?;
+    let y = columns.numbers(Quantity::Y)?;
+    let z = columns.numbers(Quantity::Z)?;
+    let points = x.iter().zip(&y).zip(&z);
+    Some(points.map(|((x, y), z)| Point3::new(*x, *y, *z)).collect())
+}

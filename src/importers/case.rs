@@ -1,0 +1,426 @@
+//! One file being read: what is given, what was found out, and the cells of a table whose columns
+//! are known.
+
+use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::importers::columns::{Column, Columns};
+use crate::importers::decimals::{Decimal, value};
+use crate::importers::grid::{Complaints, Grid};
+use crate::importers::headings::{Role, session_heading};
+use crate::importers::settings::{About, ColumnGuess, Inspection, Question, Reading};
+use crate::importers::units::AngleUnit;
+use crate::importers::{clock_text, units};
+use crate::sessions::Lines;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::number::{NotANumber, quoted};
+use crate::sessions::table::{Cells, Names};
+
+/// Rows that are kept to be shown.
+const SHOWN_ROWS: usize = 8;
+/// Names that are kept to be shown.
+const SHOWN_NAMES: usize = 100;
+
+/// See the module.
+pub(crate) struct Case<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) reading: &'a Reading,
+    pub(crate) place: Place,
+    pub(crate) found: Inspection,
+}
+
+impl<'a> Case<'a> {
+    pub(crate) fn ask(&mut self, about: About, says: impl Into<String>, answers: &[&str]) {
+        let place = self.place.clone();
+        self.found
+            .questions
+            .push(Question::new(about, place, says, answers));
+    }
+
+    pub(crate) fn note(&mut self, found: impl Into<String>) {
+        let place = self.place.clone();
+        self.found.findings.push(Diagnostic::note(place, found));
+    }
+
+    pub(crate) fn warn(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+        let place = self.place.clone();
+        self.found
+            .findings
+            .push(Diagnostic::warning(place, found, expected));
+    }
+
+    pub(crate) fn refuse(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+        let place = self.place.clone();
+        self.found
+            .findings
+            .push(Diagnostic::error(place, found, expected));
+    }
+
+    /// Whether something stands in the way.
+    pub(crate) fn is_open(&self) -> bool {
+        let errors = |finding: &Diagnostic| finding.severity == Severity::Error;
+        !self.found.questions.is_empty() || self.found.findings.iter().any(errors)
+    }
+
+    /// Finds the table and notes what it looks like.
+    pub(crate) fn grid(&mut self) -> Option<Grid<'a>> {
+        match Grid::find(self.text, self.reading.separator, &self.place) {
+            Ok(grid) => {
+                self.found.separator = Some(grid.separator);
+                self.found.preamble = grid.preamble.iter().map(|line| line.join(" ")).collect();
+                self.found.header_line = grid.header.as_ref().map(|header| header.0);
+                self.found.first_rows = grid.first_rows(SHOWN_ROWS);
+                Some(grid)
+            }
+            Err(error) => {
+                self.found.findings.push(*error);
+                None
+            }
+        }
+    }
+
+    /// The roles that the person gave, one for each column; `None` if there are none, or wrong ones.
+    pub(crate) fn given_roles(&mut self, width: usize) -> Option<Vec<Role>> {
+        let words = &self.reading.columns;
+        if words.is_empty() {
+            return None;
+        }
+        let mut roles = Vec::new();
+        for word in words {
+            let Some(role) = Role::from_word(word.trim()) else {
+                self.refuse(
+                    format!("{} among the columns given", quoted(word)),
+                    "name, group, -, or a session's columns such as x, x_mm, q1_deg, time_s",
+                );
+                return None;
+            };
+            roles.push(role);
+        }
+        if roles.len() > width {
+            let found = format!("{} columns given for a table of {width}", roles.len());
+            self.refuse(found, "at most as many as the table has; - leaves one out");
+            return None;
+        }
+        roles.resize(width, Role::Left);
+        Some(roles)
+    }
+
+    /// Reads the cells of a table whose columns have these roles. `None` while something is asked
+    /// or wrong.
+    pub(crate) fn columns(&mut self, grid: &Grid<'a>, mut roles: Vec<Role>) -> Option<Columns> {
+        let headings: Vec<String> = match &grid.header {
+            Some((_, names)) => names.clone(),
+            None => Vec::new(),
+        };
+        let heading = |index: usize| heading_at(&headings, index);
+        self.ask_about_twins(&roles, &headings);
+        let is_number = |index: usize| roles.get(index).is_some_and(|role| role.is_number());
+        let decimal = grid.decimal(
+            self.reading.decimal,
+            &is_number,
+            &self.place,
+            &mut self.found.questions,
+            &mut self.found.findings,
+        );
+        self.found.decimal = decimal;
+        // While the sign is being asked for, a comma is good enough to know how far points spread.
+        let mut reader = CellReader::new(&roles, decimal.unwrap_or(Decimal::Comma));
+        let mut complaints = Complaints::default();
+        let asked = !self.found.questions.is_empty();
+        if decimal.is_some() || asked {
+            grid.each_row(&self.place, &mut complaints, |row, complaints| {
+                reader.read(row, &headings, &self.place, complaints);
+            });
+        }
+        complaints.into(&self.place, &mut self.found.findings);
+        let (cells, lines) = (reader.cells, reader.lines);
+        self.found.rows = lines.len();
+        self.found.names = distinct(&roles, &cells);
+        self.settle_units(grid, &mut roles, &cells);
+        self.found.columns = roles
+            .iter()
+            .enumerate()
+            .map(|(index, role)| ColumnGuess {
+                heading: heading(index).to_owned(),
+                meaning: role.to_string(),
+            })
+            .collect();
+        if self.found.rows == 0 && !self.is_open() {
+            self.refuse("no row that can be read", "at least one");
+        }
+        if self.is_open() {
+            return None;
+        }
+        let list = roles
+            .into_iter()
+            .zip(cells)
+            .enumerate()
+            .filter_map(|(index, (role, cells))| {
+                let name = match (heading(index), role.quantity()) {
+                    ("", Some(quantity)) => session_heading(quantity, None),
+                    ("", None) => role.to_string(),
+                    (heading, _) => heading.to_owned(),
+                };
+                Some(Column {
+                    name,
+                    number: index as u64 + 1,
+                    role,
+                    cells: cells?,
+                })
+            })
+            .collect();
+        Some(Columns { list, lines })
+    }
+
+    /// Two columns for one quantity: only a person can say which is meant.
+    fn ask_about_twins(&mut self, roles: &[Role], headings: &[String]) {
+        let heading = |index: usize| heading_at(headings, index);
+        for (index, role) in roles.iter().enumerate() {
+            let same = |other: &Role| match role.quantity() {
+                Some(quantity) => other.quantity() == Some(quantity),
+                None => *role == Role::Point && *other == Role::Point,
+            };
+            if let Some(first) = roles[..index].iter().position(same) {
+                let says = format!(
+                    "columns {} {} and {} {} could both be {}",
+                    first + 1,
+                    quoted(heading(first)),
+                    index + 1,
+                    quoted(heading(index)),
+                    role
+                );
+                self.ask(About::Columns, says, &[]);
+                return;
+            }
+        }
+    }
+
+    /// Gives every quantity its unit, or asks for it.
+    fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
+        let position = |q| matches!(q, Quantity::X | Quantity::Y | Quantity::Z);
+        let named = grid.unit_in_preamble();
+        let mut spread: f64 = 0.0;
+        let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
+        for (role, cells) in roles.iter().zip(cells) {
+            match (role, cells) {
+                (Role::Known(quantity, None), Some(Cells::Numbers(values))) => {
+                    if position(*quantity) {
+                        lacks_length = true;
+                        spread = spread.max(extent(values));
+                    } else {
+                        lacks_angle = true;
+                    }
+                }
+                (Role::Known(quantity, Some(unit)), _) if position(*quantity) => {
+                    says_length = Some(*unit);
+                }
+                _ => {}
+            }
+        }
+        let given = self.reading.unit.map(|unit| (unit.unit(), unit.symbol()));
+        let length = match (given, &named) {
+            (Some((unit, symbol)), _) => {
+                self.found.unit = format!("{symbol}, as was said");
+                Some(unit)
+            }
+            (None, Some((text, unit))) => {
+                self.found.unit = format!("{text}, from the lines before the table");
+                Some(*unit)
+            }
+            (None, None) => None,
+        };
+        if let (Some((unit, symbol)), Some(heading)) = (given, says_length)
+            && !lacks_length
+        {
+            if unit != heading {
+                let found = format!("the headings name another unit than {symbol}");
+                self.warn(found, "the same unit as the headings, which are believed");
+            }
+            "from the headings".clone_into(&mut self.found.unit);
+        } else if says_length.is_some() {
+            "from the headings".clone_into(&mut self.found.unit);
+        }
+        if lacks_length {
+            match length {
+                Some(_) if named.is_some() && given.is_none() => {
+                    let found = format!("the unit is {}", self.found.unit);
+                    self.note(found);
+                }
+                Some(_) => {}
+                None => {
+                    let says = format!(
+                        "the unit of x, y, z is not said: {}",
+                        units::hint(spread, self.reading.reach_mm)
+                    );
+                    self.ask(About::Unit, says, &["mm", "m", "in"]);
+                }
+            }
+        }
+        let angle = self.reading.angle_unit.map(AngleUnit::unit);
+        if lacks_angle && angle.is_none() {
+            let says = "the unit of the joint values is not said";
+            self.ask(About::AngleUnit, says, &["deg", "rad"]);
+        }
+        for role in roles {
+            if let Role::Known(quantity, unit @ None) = role {
+                *unit = if position(*quantity) { length } else { angle };
+            }
+        }
+    }
+
+    /// What is measured has to be there.
+    pub(crate) fn require_position(&mut self, roles: &[Role], headings: &str) -> bool {
+        let lacks = |wanted| roles.iter().all(|role| role.quantity() != Some(wanted));
+        let missing: Vec<&str> = [(Quantity::X, "x"), (Quantity::Y, "y")]
+            .into_iter()
+            .filter(|(quantity, _)| lacks(*quantity))
+            .map(|(_, name)| name)
+            .collect();
+        if missing.is_empty() {
+            return true;
+        }
+        let says = format!(
+            "no column is {} for certain{headings}",
+            missing.join(" or ")
+        );
+        self.ask(About::Columns, says, &[]);
+        false
+    }
+}
+
+fn heading_at(headings: &[String], index: usize) -> &str {
+    headings.get(index).map_or("", String::as_str)
+}
+
+/// Distinct names of points, in the order in which they come.
+fn distinct(roles: &[Role], cells: &[Option<Cells>]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for (role, cells) in roles.iter().zip(cells) {
+        if let (Role::Point, Some(Cells::Text(cells))) = (role, cells) {
+            for cell in cells {
+                if names.len() >= SHOWN_NAMES {
+                    break;
+                }
+                if !names.contains(cell) {
+                    names.push(cell.clone());
+                }
+            }
+        }
+    }
+    names
+}
+
+/// Largest less smallest value.
+pub(crate) fn extent(values: &[f64]) -> f64 {
+    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if largest > smallest {
+        largest - smallest
+    } else {
+        0.0
+    }
+}
+
+/// Reads cells by the roles of their columns.
+struct CellReader<'a> {
+    roles: &'a [Role],
+    decimal: Decimal,
+    cells: Vec<Option<Cells>>,
+    lines: Lines,
+}
+
+impl<'a> CellReader<'a> {
+    fn new(roles: &'a [Role], decimal: Decimal) -> Self {
+        let empty = |role: &Role| match role {
+            Role::Left => None,
+            Role::Point | Role::Group | Role::Kept => Some(Cells::Text(Vec::new())),
+            Role::Known(Quantity::Target | Quantity::Setup | Quantity::Use, _) => {
+                Some(Cells::Names(Names::default()))
+            }
+            Role::Known(..) | Role::Time(_) | Role::Axis(_) => Some(Cells::Numbers(Vec::new())),
+        };
+        Self {
+            roles,
+            decimal,
+            cells: roles.iter().map(empty).collect(),
+            lines: Lines::default(),
+        }
+    }
+
+    fn read(
+        &mut self,
+        row: &crate::importers::rows::Row<'_>,
+        headings: &[String],
+        file: &Place,
+        complaints: &mut Complaints,
+    ) {
+        self.lines.add(row.line, 1);
+        for (index, (role, cells)) in self.roles.iter().zip(&mut self.cells).enumerate() {
+            let Some(cells) = cells else { continue };
+            let cell = row.cells.get(index).map_or("", |cell| cell.as_ref());
+            match cells {
+                Cells::Text(list) => list.push(cell.to_owned()),
+                Cells::Names(names) => names.push(cell),
+                Cells::Numbers(values) => {
+                    let read = if cell.is_empty() {
+                        Ok(f64::NAN)
+                    } else {
+                        number(cell, *role, self.decimal)
+                    };
+                    values.push(read.unwrap_or(f64::NAN));
+                    if let Err(expected) = read {
+                        complaints.add(|| {
+                            let place = file.clone().at_line(row.line);
+                            let place = place.at_column(index as u64 + 1);
+                            let place = match heading_at(headings, index) {
+                                "" => place,
+                                heading => place.in_field(heading),
+                            };
+                            Diagnostic::error(place, quoted(cell), expected)
+                        });
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A number in a column of this role.
+pub(crate) fn number(cell: &str, role: Role, decimal: Decimal) -> Result<f64, &'static str> {
+    if let Role::Known(Quantity::Direction(_), _) = role {
+        return direction(cell).ok_or("1, -1 or 0 (unknown), + or -, forward or backward");
+    }
+    match (value(cell, decimal), role) {
+        (Ok(value), Role::Time(seconds)) => Ok(value * seconds),
+        (Ok(value), _) => Ok(value),
+        (Err(_), Role::Time(_)) => {
+            clock_text::seconds(cell, decimal).ok_or("a time: seconds, or 12:34:56.7")
+        }
+        (Err(NotANumber::NotFinite), _) => {
+            Err("a finite number, or an empty cell where it is missing")
+        }
+        (Err(NotANumber::Overflow), _) => Err("a number that a double can hold"),
+        (Err(NotANumber::DecimalComma), _) => Err("a number with a decimal point"),
+        (Err(NotANumber::Garbage), _) => match decimal {
+            Decimal::Point => Err("a number"),
+            Decimal::Comma => Err("a number with a decimal comma"),
+        },
+    }
+}
+
+/// The side from which a joint came, as people write it.
+pub(crate) fn direction(text: &str) -> Option<f64> {
+    let plain = text.trim().to_lowercase();
+    match plain.as_str() {
+        "+" | "+1" | "1" | "1.0" | "up" | "forward" | "fwd" | "f" | "positive" | "pos" | "cw+"
+        | "↑" | "→" | "vor" | "vorwärts" | "auf" | "plus" => Some(1.0),
+        "-" | "-1" | "-1.0" | "\u{2212}" | "\u{2212}1" | "\u{2013}" | "down" | "backward"
+        | "back" | "bwd" | "b" | "reverse" | "rev" | "r" | "negative" | "neg" | "↓" | "←"
+        | "zurück" | "rückwärts" | "ab" | "minus" => Some(-1.0),
+        "0" | "0.0" | "?" => Some(0.0),
+        _ => None,
+    }
+}
+
+/// The unit of a table's quantity for a reader that knows it.
+pub(crate) fn fixed(quantity: Quantity, unit: Unit) -> Role {
+    Role::Known(quantity, Some(unit))
+}

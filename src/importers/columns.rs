@@ -1,0 +1,140 @@
+//! The columns of a foreign file once they are read: every format ends here.
+
+use crate::importers::headings::{Role, session_heading};
+use crate::sessions::Lines;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::table::{Cells, Names};
+
+/// One column.
+#[derive(Debug, Clone)]
+pub(crate) struct Column {
+    /// Its heading in the file, or what it is.
+    pub(crate) name: String,
+    /// Its number in the file, counted from 1.
+    pub(crate) number: u64,
+    pub(crate) role: Role,
+    pub(crate) cells: Cells,
+}
+
+impl Column {
+    /// A column of numbers that a reader made itself, in inner units or degrees.
+    pub(crate) fn made(quantity: Quantity, unit: Unit, values: Vec<f64>) -> Self {
+        Self {
+            name: session_heading(quantity, Some(unit)),
+            number: 0,
+            role: Role::Known(quantity, Some(unit)),
+            cells: Cells::Numbers(values),
+        }
+    }
+
+    /// The numbers in inner units.
+    pub(crate) fn inner(&self) -> Option<Vec<f64>> {
+        let factor = match self.role {
+            Role::Known(_, Some(unit)) => unit.factor(),
+            Role::Known(_, None) | Role::Time(_) | Role::Axis(_) => 1.0,
+            _ => return None,
+        };
+        match &self.cells {
+            Cells::Numbers(values) => Some(values.iter().map(|value| value * factor).collect()),
+            _ => None,
+        }
+    }
+}
+
+/// All columns of a file, of the same length.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Columns {
+    pub(crate) list: Vec<Column>,
+    /// The line of each row.
+    pub(crate) lines: Lines,
+}
+
+impl Columns {
+    pub(crate) fn rows(&self) -> usize {
+        self.list.first().map_or(0, |column| column.cells.len())
+    }
+
+    pub(crate) fn find(&self, quantity: Quantity) -> Option<&Column> {
+        let is = |column: &&Column| column.role.quantity() == Some(quantity);
+        self.list.iter().find(is)
+    }
+
+    /// A quantity's numbers in inner units.
+    pub(crate) fn numbers(&self, quantity: Quantity) -> Option<Vec<f64>> {
+        self.find(quantity)?.inner()
+    }
+
+    /// The text of each row in the column with this role.
+    pub(crate) fn texts(&self, role: Role) -> Option<Vec<&str>> {
+        let column = self.list.iter().find(|column| column.role == role)?;
+        match &column.cells {
+            Cells::Text(cells) => Some(cells.iter().map(String::as_str).collect()),
+            Cells::Names(Names { list, index, .. }) => {
+                let name = |&i: &u32| list[i as usize].as_str();
+                Some(index.iter().map(name).collect())
+            }
+            Cells::Numbers(_) => None,
+        }
+    }
+
+    /// The name of one measured point.
+    pub(crate) fn point(&self, row: usize) -> Option<&str> {
+        let column = self.list.iter().find(|column| column.role == Role::Point)?;
+        match &column.cells {
+            Cells::Text(cells) => cells.get(row).map(String::as_str),
+            _ => None,
+        }
+    }
+
+    /// The names of the measured points.
+    pub(crate) fn points(&self) -> Option<Vec<&str>> {
+        self.texts(Role::Point)
+    }
+
+    /// The rows that are listed, in that order.
+    pub(crate) fn only(self, rows: &[usize]) -> Self {
+        let mut lines = Lines::default();
+        if !self.lines.is_empty() {
+            for &row in rows {
+                lines.add(self.lines.get(row).unwrap_or(0), 1);
+            }
+        }
+        let list = self
+            .list
+            .into_iter()
+            .map(|column| Column {
+                cells: only(column.cells, rows),
+                ..column
+            })
+            .collect();
+        Self { list, lines }
+    }
+
+    /// Puts a column in the place of the one with the same quantity, or behind the others.
+    pub(crate) fn put(&mut self, column: Column) {
+        let same = |other: &&mut Column| {
+            other.role.quantity().is_some() && other.role.quantity() == column.role.quantity()
+        };
+        match self.list.iter_mut().find(same) {
+            Some(old) => *old = column,
+            None => self.list.push(column),
+        }
+    }
+}
+
+fn only(cells: Cells, rows: &[usize]) -> Cells {
+    match cells {
+        Cells::Numbers(values) => Cells::Numbers(rows.iter().map(|&row| values[row]).collect()),
+        Cells::Text(mut cells) => {
+            let take = |&row: &usize| std::mem::take(&mut cells[row]);
+            Cells::Text(rows.iter().map(take).collect())
+        }
+        Cells::Names(names) => {
+            let mut taken = Names::default();
+            for &row in rows {
+                taken.push(&names.list[names.index[row] as usize]);
+            }
+            Cells::Names(taken)
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Adds to what was measured where the robot was sent.
+
+use nalgebra::Point3;
+
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::importers::clock::ClockOffset;
+use crate::importers::columns::Columns;
+use crate::importers::csv;
+use crate::importers::headings::Role;
+use crate::importers::join::{self, Timing};
+use crate::importers::matching::{self, Matching, Pairs, listed};
+use crate::importers::session::{Job, Matched};
+use crate::kinematics::JointKind;
+use crate::sessions::Target;
+use crate::sessions::columns::{Quantity, Unit, check_joint};
+
+impl Job<'_> {
+    /// Adds the commands.
+    pub(crate) fn with_commands(
+        &mut self,
+        columns: Columns,
+        targets: &[Target],
+    ) -> Result<(Columns, Option<Matched>), Rejected> {
+        let joints = self.settings.robot.joint_count();
+        let own: Vec<usize> = (0..joints)
+            .filter(|&joint| columns.find(Quantity::Commanded(joint)).is_some())
+            .collect();
+        let Some(companion) = &self.settings.commands else {
+            if let Some(joint) = (0..joints).find(|joint| !own.contains(joint)) {
+                let found = format!("nothing says where joint {} was sent", joint + 1);
+                let expected = format!(
+                    "--commands with a column q{}_deg, or such a column in the measured file",
+                    joint + 1
+                );
+                return self.refuse(self.place.clone(), found, expected);
+            }
+            return Ok((columns, None));
+        };
+        if let Some(joint) = own.first() {
+            let found = format!(
+                "commands are given, and the measured file has those of joint {} too",
+                joint + 1
+            );
+            return self.refuse(self.place.clone(), found, "one of the two");
+        }
+        let header: Vec<String> = (1..=joints).map(|joint| format!("q{joint}_deg")).collect();
+        let commands = self.companion(companion, "commands", &header.join(","), csv::read_any)?;
+        let place = companion.place();
+        if let Some(joint) =
+            (0..joints).find(|&joint| commands.find(Quantity::Commanded(joint)).is_none())
+        {
+            let found = format!("no column for the commanded value of joint {}", joint + 1);
+            return self.refuse(
+                place,
+                found,
+                format!("a header such as {}", header.join(",")),
+            );
+        }
+        if let Some(wrong) = self.joints_checked(&commands, &place) {
+            return self.refused(wrong);
+        }
+        let by = self.settings.matching;
+        let time_heading = commands
+            .find(Quantity::Time)
+            .map_or_else(String::new, |column| column.name.clone());
+        let mut matched = Matched {
+            by,
+            samples: 0,
+            lonely_measurements: Vec::new(),
+            lonely_commands: Vec::new(),
+            clock: None,
+        };
+        let (columns, left) = match by {
+            Matching::Order => match matching::by_order(&columns, &commands) {
+                Ok(pairs) => matching::join(columns, commands, &pairs),
+                Err((found, expected)) => return self.refuse(self.place.clone(), found, expected),
+            },
+            Matching::Name => match matching::by_name(&columns, &commands) {
+                Ok(pairs) => {
+                    self.say_lonely(&pairs, &place);
+                    let joined = matching::join(columns, commands, &pairs);
+                    matched.lonely_measurements = pairs.lonely_measured;
+                    matched.lonely_commands = pairs.lonely_commands;
+                    joined
+                }
+                Err((found, expected)) => return self.refuse(self.place.clone(), found, expected),
+            },
+            Matching::Time => {
+                let (columns, mut left, clock) =
+                    self.by_time(columns, commands, targets, &place)?;
+                // Both have a time, of course.
+                left.retain(|name| name != &time_heading);
+                matched.clock = Some(clock);
+                (columns, left)
+            }
+        };
+        if !left.is_empty() {
+            let found = format!(
+                "both files have {}: the measured ones are taken",
+                left.join(", ")
+            );
+            self.note(found);
+        }
+        matched.samples = columns.rows();
+        self.said.push(format!("commands matched by {}", by.id()));
+        Ok((columns, Some(matched)))
+    }
+
+    pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
+        if !pairs.lonely_measured.is_empty() {
+            let found = format!(
+                "left out {} measurements without a command: {}",
+                pairs.lonely_measured.len(),
+                listed(&pairs.lonely_measured)
+            );
+            self.warn(found, "");
+        }
+        if !pairs.lonely_commands.is_empty() {
+            let found = format!(
+                "left out {} commands without a measurement: {}",
+                pairs.lonely_commands.len(),
+                listed(&pairs.lonely_commands)
+            );
+            self.findings
+                .push(Diagnostic::warning(commands.clone(), found, ""));
+        }
+    }
+
+    pub(crate) fn by_time(
+        &mut self,
+        columns: Columns,
+        commands: Columns,
+        targets: &[Target],
+        place: &Place,
+    ) -> Result<(Columns, Vec<String>, ClockOffset), Rejected> {
+        let positions: Vec<Point3<f64>> = targets.iter().map(|target| target.position_mm).collect();
+        let used = columns.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
+        let index = |name: &str| {
+            targets
+                .iter()
+                .position(|target| target.name == name)
+                .unwrap_or(0)
+        };
+        let used: Vec<usize> = used.unwrap_or_default().into_iter().map(index).collect();
+        let timing = Timing {
+            motion: self.settings.motion,
+            offset_s: self.settings.clock_offset_s,
+        };
+        let robot = self.settings.robot;
+        let done = join::by_time(
+            columns,
+            commands,
+            robot,
+            (&positions, &used),
+            timing,
+            (&self.place, place),
+        );
+        let done = match done {
+            Ok(done) => done,
+            Err(error) => return self.refused(vec![*error]),
+        };
+        let clock = done.clock;
+        let said = match clock.sigma_s {
+            Some(sigma) => format!(
+                "the clocks are {:+.4} s apart (command less measurement; standard deviation {sigma:.4} s, {:.3} mm left)",
+                clock.offset_s, clock.rms_mm
+            ),
+            None => format!("the clocks are {:+.4} s apart, as was said", clock.offset_s),
+        };
+        self.note(said.clone());
+        self.said.push(said);
+        self.findings.extend(done.findings);
+        Ok((done.columns, done.left, clock))
+    }
+
+    /// Joints that do not exist, and units that do not suit them.
+    pub(crate) fn joints_checked(
+        &self,
+        columns: &Columns,
+        place: &Place,
+    ) -> Option<Vec<Diagnostic>> {
+        let kinds: Vec<JointKind> = self
+            .settings
+            .robot
+            .joints
+            .iter()
+            .map(|joint| joint.kind)
+            .collect();
+        let mut findings = Vec::new();
+        for column in &columns.list {
+            if let Role::Known(quantity, Some(unit)) = column.role {
+                let place = place.clone().in_field(column.name.clone());
+                check_joint(quantity, unit, &kinds, place, &mut findings);
+            }
+        }
+        (!findings.is_empty()).then_some(findings)
+    }
+}

@@ -1,0 +1,454 @@
+//! What a column of a foreign table is, by its heading.
+//!
+//! A heading of the session format (`x_mm`, `q1_deg`) means what it means there. Others are taken
+//! apart into words and a unit: `X [mm]`, `Point Name`, `Theta(deg)`, `Actual J2 / °`. What is
+//! nominal or a deviation is no measurement. A heading that fits nothing is kept and ignored, as in
+//! a session.
+
+use std::fmt;
+
+use crate::importers::units::{self, Word};
+use crate::sessions::columns::{Heading, Quantity, Unit};
+
+/// What a column is for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Role {
+    /// The measured point's name.
+    Point,
+    /// The group that the point's name is in.
+    Group,
+    /// A quantity of a session, in this unit; `None` where the heading does not say.
+    Known(Quantity, Option<Unit>),
+    /// A time in a unit of so many seconds.
+    Time(f64),
+    /// The measured position of a joint itself, in rad or mm; joints count from 0.
+    Axis(usize),
+    /// Kept and ignored.
+    Kept,
+    /// Not even kept.
+    Left,
+}
+
+impl Role {
+    /// Whether its cells are numbers.
+    pub(crate) fn is_number(self) -> bool {
+        match self {
+            Self::Known(quantity, _) => !matches!(
+                quantity,
+                Quantity::Target | Quantity::Setup | Quantity::Use | Quantity::Direction(_)
+            ),
+            Self::Time(_) => true,
+            _ => false,
+        }
+    }
+
+    /// The quantity, where it is one.
+    pub(crate) fn quantity(self) -> Option<Quantity> {
+        match self {
+            Self::Known(quantity, _) => Some(quantity),
+            Self::Time(_) => Some(Quantity::Time),
+            _ => None,
+        }
+    }
+
+    /// Reads a word of `--columns`: a session's heading, with or without its unit, `name`, `group`,
+    /// or `-`.
+    pub(crate) fn from_word(word: &str) -> Option<Self> {
+        match word {
+            "" | "-" => return Some(Self::Left),
+            "name" | "point" => return Some(Self::Point),
+            "group" => return Some(Self::Group),
+            "time" => return Some(Self::Time(1.0)),
+            _ => {}
+        }
+        if let Heading::Known(quantity, unit) = Heading::read(word) {
+            return Some(known(quantity, Some(unit)));
+        }
+        // The same heading with a unit added is known: only the unit is missing.
+        ["mm", "deg"].iter().find_map(|unit| {
+            let full = if word.starts_with("speed") {
+                format!("{word}_{unit}_s")
+            } else {
+                format!("{word}_{unit}")
+            };
+            match Heading::read(&full) {
+                Heading::Known(quantity, _) => Some(Self::Known(quantity, None)),
+                Heading::Unknown { .. } => None,
+            }
+        })
+    }
+}
+
+fn known(quantity: Quantity, unit: Option<Unit>) -> Role {
+    match quantity {
+        Quantity::Time => Role::Time(1.0),
+        _ => Role::Known(quantity, unit),
+    }
+}
+
+/// As `--columns` takes it: `name`, `x_mm`, `q1`, `-`.
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Point => f.write_str("name"),
+            Self::Group => f.write_str("group"),
+            Self::Time(_) => f.write_str("time_s"),
+            Self::Axis(_) => f.write_str("position"),
+            Self::Kept | Self::Left => f.write_str("-"),
+            Self::Known(quantity, unit) => f.write_str(&session_heading(*quantity, *unit)),
+        }
+    }
+}
+
+/// The heading that a session has for a quantity; without a unit where it is not known or not one
+/// of a session's.
+pub(crate) fn session_heading(quantity: Quantity, unit: Option<Unit>) -> String {
+    let degree = AngleFactor::degrees();
+    let suffix = match unit {
+        Some(Unit::Length(factor)) => match factor {
+            1000.0 => "_m",
+            1.0 => "_mm",
+            1e-3 => "_um",
+            25.4 => "_in",
+            _ => "",
+        },
+        Some(Unit::Angle(1.0)) => "_rad",
+        Some(Unit::Angle(factor)) if factor == degree => "_deg",
+        _ => "",
+    };
+    match quantity {
+        Quantity::Commanded(joint) => format!("q{}{suffix}", joint + 1),
+        Quantity::ReadBack(joint) => format!("q{}_read{suffix}", joint + 1),
+        Quantity::X => format!("x{suffix}"),
+        Quantity::Y => format!("y{suffix}"),
+        Quantity::Z => format!("z{suffix}"),
+        Quantity::Orientation(part) => format!("q{}", ["w", "x", "y", "z"][part]),
+        Quantity::Target => "target".to_owned(),
+        Quantity::Direction(joint) => format!("dir{}", joint + 1),
+        Quantity::Speed(joint) if suffix.is_empty() => format!("speed{}", joint + 1),
+        Quantity::Speed(joint) => format!("speed{}{suffix}_s", joint + 1),
+        Quantity::Load => "load_kg".to_owned(),
+        Quantity::Temperature => "temperature_c".to_owned(),
+        Quantity::Time => "time_s".to_owned(),
+        Quantity::Setup => "setup".to_owned(),
+        Quantity::Use => "use".to_owned(),
+    }
+}
+
+struct AngleFactor;
+
+impl AngleFactor {
+    fn degrees() -> f64 {
+        crate::units::rad_from_deg(1.0)
+    }
+}
+
+/// What a heading says.
+pub(crate) fn understand(heading: &str) -> Role {
+    let plain = heading.trim().trim_matches('"').to_lowercase();
+    if let Heading::Known(quantity, unit) = Heading::read(&plain) {
+        return known(quantity, Some(unit));
+    }
+    let (words, unit) = words_and_unit(&plain);
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let role = role_of(&words);
+    match (role, unit) {
+        (Role::Known(quantity, _), Some(Word::Unit(unit))) => match (quantity, unit) {
+            (Quantity::X | Quantity::Y | Quantity::Z, Unit::Length(_))
+            | (Quantity::Commanded(_) | Quantity::ReadBack(_) | Quantity::Speed(_), _) => {
+                Role::Known(quantity, Some(unit))
+            }
+            // An angle called x is an angle about x; a load in mm is no load.
+            _ => Role::Kept,
+        },
+        (Role::Time(_), Some(Word::Time(seconds))) => Role::Time(seconds),
+        (Role::Time(_), Some(_))
+        | (Role::Known(Quantity::Load | Quantity::Temperature, _), Some(Word::Time(_))) => {
+            Role::Kept
+        }
+        (role, _) => role,
+    }
+}
+
+/// The words of a heading and its unit: in brackets, behind a slash, or as the last word.
+pub(crate) fn words_and_unit(heading: &str) -> (Vec<String>, Option<Word>) {
+    let brackets = [('[', ']'), ('(', ')'), ('<', '>'), ('{', '}')];
+    let mut name = heading.to_owned();
+    let mut unit = None;
+    for (open, close) in brackets {
+        if let (Some(from), Some(to)) = (heading.find(open), heading.rfind(close))
+            && from < to
+            && let Some(found) = units::word(&heading[from + open.len_utf8()..to])
+        {
+            unit = Some(found);
+            name = format!("{} {}", &heading[..from], &heading[to + close.len_utf8()..]);
+            break;
+        }
+    }
+    if unit.is_none()
+        && let Some((before, last)) = heading.rsplit_once('/')
+        && let Some(found) = units::word(last)
+    {
+        // `speed deg/s` is no `speed deg` in seconds.
+        if !matches!(found, Word::Time(_)) {
+            unit = Some(found);
+            before.clone_into(&mut name);
+        }
+    }
+    let separates = |c: char| !(c.is_alphanumeric() || matches!(c, '°' | 'µ' | '"' | '/'));
+    let mut words: Vec<String> = name
+        .split(separates)
+        .filter(|word| !word.is_empty())
+        .map(str::to_owned)
+        .collect();
+    if unit.is_none() && words.len() > 1 {
+        let last = words.last().map(String::as_str).and_then(units::word);
+        if last.is_some() {
+            unit = last;
+            words.pop();
+            if words.len() > 1 && words.last().is_some_and(|word| word == "in") {
+                words.pop();
+            }
+        }
+    }
+    (words, unit)
+}
+
+/// Words that say nothing more than that something was measured.
+const MEASURED: [&str; 14] = [
+    "actual",
+    "act",
+    "measured",
+    "meas",
+    "ist",
+    "istwert",
+    "position",
+    "pos",
+    "coordinate",
+    "coord",
+    "koordinate",
+    "value",
+    "wert",
+    "messwert",
+];
+/// Words that say that a column was commanded.
+const COMMANDED: [&str; 9] = [
+    "commanded",
+    "command",
+    "cmd",
+    "setpoint",
+    "soll",
+    "sollwert",
+    "demand",
+    "angle",
+    "winkel",
+];
+/// Words that say that the controller read it back.
+const READ_BACK: [&str; 6] = ["read", "feedback", "actual", "act", "ist", "measured"];
+
+fn role_of(words: &[&str]) -> Role {
+    match words.join(" ").as_str() {
+        "name" | "point" | "point name" | "pointname" | "point id" | "pointid" | "point no"
+        | "point number" | "punkt" | "punktname" | "punktnummer" | "pkt" | "pt" | "pose"
+        | "pose name" | "posename" => return Role::Point,
+        "group" | "group name" | "groupname" | "collection" | "gruppe" => return Role::Group,
+        "target" | "target name" | "reflector" | "smr" => {
+            return Role::Known(Quantity::Target, Some(Unit::Fixed));
+        }
+        "time" | "timestamp" | "time stamp" | "t" | "zeit" | "zeitstempel" | "elapsed time"
+        | "datetime" | "date time" => return Role::Time(1.0),
+        "load" | "payload" | "nutzlast" | "load kg" => {
+            return Role::Known(Quantity::Load, Some(Unit::Fixed));
+        }
+        "temperature" | "temp" | "temperatur" => {
+            return Role::Known(Quantity::Temperature, Some(Unit::Fixed));
+        }
+        "setup" | "station" | "aufstellung" => {
+            return Role::Known(Quantity::Setup, Some(Unit::Fixed));
+        }
+        _ => {}
+    }
+    let rest_in = |at: usize, allowed: &[&str]| {
+        let mut others = words.iter().enumerate().filter(|(index, _)| *index != at);
+        others.all(|(_, word)| allowed.contains(word))
+    };
+    for (at, word) in words.iter().enumerate() {
+        let measured = match *word {
+            "x" | "tx" | "posx" => Some(Quantity::X),
+            "y" | "ty" | "posy" => Some(Quantity::Y),
+            "z" | "tz" | "posz" => Some(Quantity::Z),
+            _ => None,
+        };
+        if let Some(quantity) = measured
+            && rest_in(at, &MEASURED)
+        {
+            return Role::Known(quantity, None);
+        }
+    }
+    if let Some(role) = orientation(words) {
+        return role;
+    }
+    joint_role(words)
+}
+
+/// `qw`, `quat w`, `Rotation X`.
+fn orientation(words: &[&str]) -> Option<Role> {
+    let part = |letter: &str| {
+        ["w", "x", "y", "z"]
+            .iter()
+            .position(|other| *other == letter)
+    };
+    let part = match words {
+        ["quat" | "quaternion" | "orientation", letter] => part(letter)?,
+        [word] => part(word.strip_prefix("quat")?)?,
+        _ => return None,
+    };
+    Some(Role::Known(Quantity::Orientation(part), Some(Unit::Fixed)))
+}
+
+/// `J1`, `joint 2 actual`, `Theta`, `dir 1`, `speed1`.
+fn joint_role(words: &[&str]) -> Role {
+    // `j1` and `joint 1` alike: a word of letters, then a number.
+    let mut parts: Vec<&str> = Vec::new();
+    for word in words {
+        match word.find(|c: char| c.is_ascii_digit()) {
+            Some(at) if at > 0 => parts.extend([&word[..at], &word[at..]]),
+            _ => parts.push(word),
+        }
+    }
+    let numbers: Vec<usize> = parts.iter().filter_map(|part| part.parse().ok()).collect();
+    let joint = match numbers[..] {
+        [] => 0,
+        [number @ 1..=9999] => number - 1,
+        _ => return Role::Kept,
+    };
+    let names: Vec<&str> = parts
+        .iter()
+        .copied()
+        .filter(|part| part.parse::<usize>().is_err())
+        .collect();
+    let Some((first, others)) = names.split_first() else {
+        return Role::Kept;
+    };
+    let mut others = others.to_vec();
+    let name = match *first {
+        // The qualifier may come first: `actual j1`.
+        word if READ_BACK.contains(&word) || COMMANDED.contains(&word) => {
+            let at = others.iter().position(|word| is_joint(word));
+            match at {
+                Some(at) => {
+                    let name = others.remove(at);
+                    others.push(word);
+                    name
+                }
+                None => word,
+            }
+        }
+        word => word,
+    };
+    // `axis 1` alone is a joint, `a` and `j` only with a number.
+    let numbered = !numbers.is_empty();
+    let all = |list: &[&str]| {
+        others
+            .iter()
+            .all(|word| list.contains(word) || *word == "position")
+    };
+    match name {
+        "dir" | "direction" | "approach" | "richtung" if others.is_empty() => {
+            Role::Known(Quantity::Direction(joint), Some(Unit::Fixed))
+        }
+        "speed" | "velocity" | "geschwindigkeit" if others.is_empty() => {
+            Role::Known(Quantity::Speed(joint), None)
+        }
+        "a" | "j" | "q" if !numbered => Role::Kept,
+        name if is_joint(name) && all(&COMMANDED) => Role::Known(Quantity::Commanded(joint), None),
+        name if is_joint(name) && all(&READ_BACK) => Role::Known(Quantity::ReadBack(joint), None),
+        _ => Role::Kept,
+    }
+}
+
+fn is_joint(word: &str) -> bool {
+    matches!(
+        word,
+        "q" | "j" | "a" | "joint" | "axis" | "achse" | "theta" | "θ" | "angle" | "winkel"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn word(heading: &str) -> String {
+        understand(heading).to_string()
+    }
+
+    #[test]
+    fn headings_are_understood_as_people_write_them() {
+        for (heading, meant) in [
+            ("x_mm", "x_mm"),
+            ("X [mm]", "x_mm"),
+            ("Y (m)", "y_m"),
+            ("Z/in", "z_in"),
+            ("X in mm", "x_mm"),
+            ("Measured X (µm)", "x_um"),
+            ("x Istwert", "x"),
+            ("Point Name", "name"),
+            ("Punktname", "name"),
+            ("Group", "group"),
+            ("Theta(deg)", "q1_deg"),
+            ("θ [°]", "q1_deg"),
+            ("J2 [rad]", "q2_rad"),
+            ("Joint 3", "q3"),
+            ("joint 1 actual [deg]", "q1_read_deg"),
+            ("Actual J2 (deg)", "q2_read_deg"),
+            ("q1_read_deg", "q1_read_deg"),
+            ("Speed 1 [deg/s]", "speed1_deg_s"),
+            ("Time (Seconds)", "time_s"),
+            ("Timestamp [ms]", "time_s"),
+            ("Payload [kg]", "load_kg"),
+            ("Temperature (°C)", "temperature_c"),
+            ("Direction", "dir1"),
+            ("qw", "qw"),
+            ("Quat X", "qx"),
+        ] {
+            assert_eq!(word(heading), meant, "{heading}");
+        }
+        assert_eq!(understand("Timestamp [ms]"), Role::Time(1e-3));
+    }
+
+    #[test]
+    fn what_was_not_measured_is_not_taken_for_it() {
+        for heading in [
+            "X nominal",
+            "dX",
+            "Dev X [mm]",
+            "X Sigma",
+            "rx [deg]",
+            "X [deg]",
+            "Remark",
+            "",
+            "1",
+            "A",
+            "Temperature [min]",
+            "J0",
+            "x y",
+        ] {
+            assert_eq!(word(heading), "-", "{heading}");
+        }
+    }
+
+    #[test]
+    fn the_words_of_the_option_are_those_of_a_session() {
+        assert_eq!(Role::from_word("x"), Some(Role::Known(Quantity::X, None)));
+        assert_eq!(
+            Role::from_word("speed2"),
+            Some(Role::Known(Quantity::Speed(1), None))
+        );
+        assert_eq!(
+            Role::from_word("y_in"),
+            Some(Role::Known(Quantity::Y, Some(Unit::Length(25.4))))
+        );
+        assert_eq!(Role::from_word("-"), Some(Role::Left));
+        assert_eq!(Role::from_word("furlongs"), None);
+    }
+}

@@ -1,0 +1,260 @@
+//! Which command belongs to which measurement, where both come in the same order or carry names.
+//!
+//! By order the counts have to agree: one measurement too many would shift all that follow. By name
+//! the first occurrence of a name belongs to the first, the second to the second; what is left on
+//! either side is listed.
+
+use std::collections::BTreeMap;
+
+use crate::importers::columns::Columns;
+use crate::importers::headings::Role;
+use crate::sessions::number::quoted;
+
+/// How commands find their measurements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Matching {
+    /// The first belongs to the first, and so on.
+    #[default]
+    Order,
+    /// By clock.
+    Time,
+    /// By the points' names.
+    Name,
+}
+
+impl Matching {
+    /// As `--match` takes it.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Order => "order",
+            Self::Time => "time",
+            Self::Name => "name",
+        }
+    }
+}
+
+/// Rows that belong together, and what has no partner.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Pairs {
+    /// Rows of measurements, increasing, and the command of each.
+    pub(crate) measured: Vec<usize>,
+    pub(crate) commands: Vec<usize>,
+    /// Names of measurements without a command, and of commands without a measurement, in words.
+    pub(crate) lonely_measured: Vec<String>,
+    pub(crate) lonely_commands: Vec<String>,
+}
+
+/// Pairs by order. The error says what differs.
+pub(crate) fn by_order(
+    measured: &Columns,
+    commands: &Columns,
+) -> Result<Pairs, (String, &'static str)> {
+    let (m, c) = (measured.rows(), commands.rows());
+    if m == c {
+        return Ok(Pairs {
+            measured: (0..m).collect(),
+            commands: (0..c).collect(),
+            ..Pairs::default()
+        });
+    }
+    let (more, fewer) = (m.max(c), m.min(c));
+    let (which, longer) = if m > c {
+        ("measurements", measured)
+    } else {
+        ("commands", commands)
+    };
+    let mut found = format!("{m} measurements and {c} commands");
+    let rest: Vec<usize> = (fewer..more).collect();
+    found += &format!(
+        "; {which} beyond the {fewer} of the other side: {}",
+        listed_rows(longer, &rest)
+    );
+    // Names on both sides show where the first gap is.
+    if let (Some(a), Some(b)) = (measured.points(), commands.points())
+        && let Some(row) = (0..fewer).find(|&row| a[row] != b[row])
+    {
+        found += &format!(
+            "; the first difference: measurement {} is {}, command {} is {}",
+            row + 1,
+            quoted(a[row]),
+            row + 1,
+            quoted(b[row])
+        );
+    }
+    Err((
+        found,
+        "as many of one as of the other, or --match name or time",
+    ))
+}
+
+/// Pairs by name. Without names on both sides, or without a common one, the error says so.
+pub(crate) fn by_name(
+    measured: &Columns,
+    commands: &Columns,
+) -> Result<Pairs, (String, &'static str)> {
+    let lacks = |side: &str| {
+        (
+            format!("{side} have no column of names"),
+            "names on both sides, or --match order",
+        )
+    };
+    let names = measured.points().ok_or_else(|| lacks("the measurements"))?;
+    let wanted = commands
+        .points()
+        .or_else(|| {
+            let target = |column: &&crate::importers::columns::Column| {
+                column.role.quantity() == Some(crate::sessions::columns::Quantity::Target)
+            };
+            let column = commands.list.iter().find(target)?;
+            commands.texts(column.role)
+        })
+        .ok_or_else(|| lacks("the commands"))?;
+    // Rows of each name that are still free, the next one last.
+    let mut free: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (row, name) in wanted.iter().enumerate().rev() {
+        free.entry(name).or_default().push(row);
+    }
+    let mut pairs = Pairs::default();
+    for (row, name) in names.iter().enumerate() {
+        let command = if name.is_empty() {
+            None
+        } else {
+            free.get_mut(name).and_then(Vec::pop)
+        };
+        match command {
+            Some(command) => {
+                pairs.measured.push(row);
+                pairs.commands.push(command);
+            }
+            None => pairs.lonely_measured.push(row_in_words(measured, row)),
+        }
+    }
+    let mut rest: Vec<usize> = free.into_values().flatten().collect();
+    rest.sort_unstable();
+    pairs.lonely_commands = rest
+        .into_iter()
+        .map(|row| row_in_words(commands, row))
+        .collect();
+    if pairs.measured.is_empty() {
+        let found = format!(
+            "no name is on both sides: measured {}, commanded {}",
+            listed(&pairs.lonely_measured),
+            listed(&pairs.lonely_commands)
+        );
+        return Err((found, "the same names on both sides"));
+    }
+    Ok(pairs)
+}
+
+/// A row by its name and line.
+pub(crate) fn row_in_words(columns: &Columns, row: usize) -> String {
+    let name = columns.point(row);
+    let line = columns.lines.get(row);
+    match (name.filter(|name| !name.is_empty()), line) {
+        (Some(name), Some(line)) => format!("{} (line {line})", quoted(name)),
+        (Some(name), None) => quoted(name),
+        (None, Some(line)) => format!("line {line}"),
+        (None, None) => format!("row {}", row + 1),
+    }
+}
+
+/// Rows by their names and lines, the first ones.
+pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> String {
+    const SHOWN: usize = 8;
+    let named = rows.iter().take(SHOWN);
+    let named: Vec<String> = named.map(|&row| row_in_words(columns, row)).collect();
+    match rows.len().saturating_sub(SHOWN) {
+        0 => named.join(", "),
+        more => format!("{} and {more} more", named.join(", ")),
+    }
+}
+
+/// A list that a line can bear.
+pub(crate) fn listed(words: &[String]) -> String {
+    listed_up_to(words, 8)
+}
+
+/// A list of at most so many words, and how many more there are.
+pub(crate) fn listed_up_to(words: &[String], shown: usize) -> String {
+    match words.len().saturating_sub(shown) {
+        0 => words.join(", "),
+        more => format!("{} and {more} more", words[..shown].join(", ")),
+    }
+}
+
+/// Puts the columns of matched rows side by side. What both sides have is taken from the
+/// measurements; the headings of what was not taken come back.
+pub(crate) fn join(measured: Columns, commands: Columns, pairs: &Pairs) -> (Columns, Vec<String>) {
+    let mut joined = measured.only(&pairs.measured);
+    let mut left = Vec::new();
+    for mut column in commands.only(&pairs.commands).list {
+        match column.role {
+            Role::Point | Role::Group | Role::Left => continue,
+            Role::Kept => {
+                if joined.list.iter().any(|other| other.name == column.name) {
+                    column.name = format!("{} (commands)", column.name);
+                }
+            }
+            role => {
+                let quantity = role.quantity();
+                if joined
+                    .list
+                    .iter()
+                    .any(|other| other.role.quantity() == quantity)
+                {
+                    left.push(column.name);
+                    continue;
+                }
+            }
+        }
+        joined.list.push(column);
+    }
+    (joined, left)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::importers::columns::Column;
+    use crate::sessions::table::Cells;
+
+    fn points(names: &[&str]) -> Columns {
+        let mut columns = Columns::default();
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        columns.lines.add(2, names.len());
+        columns.list.push(Column {
+            name: "name".to_owned(),
+            number: 1,
+            role: Role::Point,
+            cells: Cells::Text(names),
+        });
+        columns
+    }
+
+    #[test]
+    fn names_that_recur_are_matched_by_occurrence() {
+        let measured = points(&["A", "B", "A", "X", "A", ""]);
+        let commands = points(&["B", "A", "A", "C"]);
+        let pairs = by_name(&measured, &commands).unwrap();
+        assert_eq!(pairs.measured, [0, 1, 2]);
+        assert_eq!(pairs.commands, [1, 0, 2]);
+        assert_eq!(
+            pairs.lonely_measured,
+            ["'X' (line 5)", "'A' (line 6)", "line 7"]
+        );
+        assert_eq!(pairs.lonely_commands, ["'C' (line 5)"]);
+        assert!(by_name(&points(&["P"]), &points(&["Q"])).is_err());
+    }
+
+    #[test]
+    fn counts_that_differ_are_listed() {
+        let (found, _) = by_order(&points(&["A", "X", "B"]), &points(&["A", "B"])).unwrap_err();
+        for part in [
+            "3 measurements and 2 commands",
+            "'B' (line 4)",
+            "measurement 2 is 'X', command 2 is 'B'",
+        ] {
+            assert!(found.contains(part), "{found}");
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! From the columns of a foreign file to a session: commands, targets, the base frame, and a note
+//! that says where everything came from.
+
+use std::path::PathBuf;
+
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::importers::beside::file_in_words;
+use crate::importers::clock::ClockOffset;
+use crate::importers::join::Motion;
+use crate::importers::matching::Matching;
+use crate::importers::reference::Alignment;
+use crate::importers::settings::{Inspection, Question, Reading};
+use crate::importers::{optitrack, read};
+use crate::kinematics::{JointKind, Robot};
+use crate::sessions::Session;
+
+/// A file beside the measured one.
+#[derive(Debug, Clone)]
+pub struct Companion<'a> {
+    /// What it holds.
+    pub bytes: &'a [u8],
+    /// Its name, for messages and the note.
+    pub file: Option<PathBuf>,
+}
+
+impl Companion<'_> {
+    pub(crate) fn place(&self) -> Place {
+        self.file.as_ref().map(Place::file).unwrap_or_default()
+    }
+}
+
+/// What makes a session of a measured file.
+#[derive(Debug, Clone)]
+pub struct Settings<'a> {
+    /// What is known about the measured file.
+    pub reading: Reading,
+    /// The robot that was measured.
+    pub robot: &'a Robot,
+    /// The session's name.
+    pub name: String,
+    /// Where the robot was sent; not needed if the measured file says it.
+    pub commands: Option<Companion<'a>>,
+    /// How commands find their measurements.
+    pub matching: Matching,
+    /// Which points of a recording become samples, matched by time.
+    pub motion: Motion,
+    /// What to add to a measured time to get the time of the commands, s; `None`: it is found.
+    pub clock_offset_s: Option<f64>,
+    /// Points that are known in the base frame, by name.
+    pub reference: Option<Companion<'a>>,
+    /// Whether the alignment may scale.
+    pub scale: bool,
+    /// Reflectors in the tool frame, by name.
+    pub targets: Option<Companion<'a>>,
+}
+
+impl<'a> Settings<'a> {
+    /// Nothing but the file and the robot.
+    pub fn new(reading: Reading, robot: &'a Robot) -> Self {
+        Self {
+            reading,
+            robot,
+            name: "imported".to_owned(),
+            commands: None,
+            matching: Matching::Order,
+            motion: Motion::Auto,
+            clock_offset_s: None,
+            reference: None,
+            scale: false,
+            targets: None,
+        }
+    }
+}
+
+/// How measurements and commands came together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Matched {
+    /// By what.
+    pub by: Matching,
+    /// Number of samples.
+    pub samples: usize,
+    /// Measurements without a command, in words.
+    pub lonely_measurements: Vec<String>,
+    /// Commands without a measurement, in words.
+    pub lonely_commands: Vec<String>,
+    /// How far the clocks are apart, matched by time.
+    pub clock: Option<ClockOffset>,
+}
+
+/// A session made of a foreign file.
+#[derive(Debug, Clone)]
+pub struct Imported {
+    /// The session, ready to be saved.
+    pub session: Session,
+    /// Notes and warnings; no errors.
+    pub findings: Vec<Diagnostic>,
+    /// What was found out about the measured file.
+    pub inspection: Inspection,
+    /// How commands were matched; `None` if the measured file has them.
+    pub matched: Option<Matched>,
+    /// How the points came into the base frame; `None` if they were taken as they are.
+    pub alignment: Option<Alignment>,
+}
+
+/// Imports a file.
+///
+/// # Errors
+/// [`Rejected`] with every question that is open and every problem, each with its place.
+pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejected> {
+    let reading = suited(&settings.reading, settings.robot)?;
+    let (inspection, columns) = read(bytes, &reading);
+    let mut findings = inspection.findings.clone();
+    let Some(mut columns) = columns else {
+        findings.extend(inspection.questions.iter().map(Question::as_diagnostic));
+        return Err(Rejected {
+            diagnostics: findings,
+        });
+    };
+    let mut job = Job {
+        settings,
+        reading: &reading,
+        place: reading.place(),
+        findings,
+        said: Vec::new(),
+    };
+    job.say_source(bytes, &inspection);
+    let by_time = settings.commands.is_some() && settings.matching == Matching::Time;
+    if settings.reference.is_some() || by_time {
+        job.lost_become_missing(&mut columns);
+    }
+    if reading.z_up {
+        optitrack::turn_up(&mut columns);
+        job.said
+            .push("turned so that z points up: (x, y, z) became (x, -z, y)".to_owned());
+    } else if inspection.kind == Some(super::Kind::Optitrack) && settings.reference.is_none() {
+        let found = "Motive exports with y upwards, and the coordinates are taken as they are: --z-up turns them, --reference aligns them";
+        job.warn(found, "");
+    }
+    job.axis_to_points(&mut columns)?;
+    let targets = job.targets(&columns)?;
+    let (columns, alignment) = job.in_base_frame(columns)?;
+    let (columns, matched) = job.with_commands(columns, &targets)?;
+    let session = job.session(columns, targets)?;
+    Ok(Imported {
+        session,
+        findings: job.findings,
+        inspection,
+        matched,
+        alignment,
+    })
+}
+
+/// The reading with what the robot tells.
+fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
+    let Some(joint) = robot.joints.get(reading.joint) else {
+        let found = format!("joint {} does not exist", reading.joint + 1);
+        let expected = format!("--joint from 1 to {}", robot.joint_count());
+        return Err(Rejected::because(Diagnostic::error(
+            Place::default(),
+            found,
+            expected,
+        )));
+    };
+    let mut reading = reading.clone();
+    reading.slides = joint.kind == JointKind::Prismatic;
+    let reach = robot.base_from_tool.translation.vector.norm();
+    reading.reach_mm = reading
+        .reach_mm
+        .or(Some(reach).filter(|reach| *reach > 0.0));
+    Ok(reading)
+}
+
+/// An import at work.
+pub(crate) struct Job<'s> {
+    pub(crate) settings: &'s Settings<'s>,
+    pub(crate) reading: &'s Reading,
+    pub(crate) place: Place,
+    pub(crate) findings: Vec<Diagnostic>,
+    /// Sentences of the note.
+    pub(crate) said: Vec<String>,
+}
+
+impl Job<'_> {
+    /// Refuses for these reasons, with everything that was found before.
+    pub(crate) fn refused<T>(&self, diagnostics: Vec<Diagnostic>) -> Result<T, Rejected> {
+        let mut all = self.findings.clone();
+        all.extend(diagnostics);
+        Err(Rejected { diagnostics: all })
+    }
+
+    /// Refuses for one reason.
+    pub(crate) fn refuse<T>(
+        &self,
+        place: Place,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Result<T, Rejected> {
+        self.refused(vec![Diagnostic::error(place, found, expected)])
+    }
+
+    pub(crate) fn note(&mut self, found: impl Into<String>) {
+        self.findings
+            .push(Diagnostic::note(self.place.clone(), found));
+    }
+
+    pub(crate) fn warn(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+        self.findings
+            .push(Diagnostic::warning(self.place.clone(), found, expected));
+    }
+
+    fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
+        let kind = inspection.kind.map_or("", super::Kind::id);
+        let mut said = format!(
+            "imported from {} as {kind}: {}",
+            file_in_words(self.reading.file.as_ref(), bytes),
+            inspection.encoding
+        );
+        if let Some(separator) = inspection.separator {
+            said += &format!(", {separator}");
+        }
+        if let Some(decimal) = inspection.decimal {
+            said += &format!(", {decimal}");
+        }
+        if !inspection.unit.is_empty() {
+            said += &format!(", unit {}", inspection.unit);
+        }
+        self.said.push(said);
+    }
+}

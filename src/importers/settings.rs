@@ -1,0 +1,191 @@
+//! What a person can say about a file, what the program found out by itself, and what it has to
+//! ask.
+
+use std::path::PathBuf;
+
+use crate::diagnostic::{Diagnostic, Place};
+use crate::importers::decimals::Decimal;
+use crate::importers::rows::Separator;
+use crate::importers::text::Encoding;
+use crate::importers::units::{AngleUnit, LengthUnit};
+
+/// Where a program wrote the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Any table.
+    Csv,
+    /// Laser tracker or `SpatialAnalyzer` text: names and coordinates, no header.
+    Tracker,
+    /// ISO 230-2 runs of one axis.
+    Iso230,
+    /// `OptiTrack` Motive.
+    Optitrack,
+    /// A TUM trajectory.
+    Tum,
+}
+
+impl Kind {
+    /// As `--as` takes it.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Tracker => "tracker",
+            Self::Iso230 => "iso230",
+            Self::Optitrack => "optitrack",
+            Self::Tum => "tum",
+        }
+    }
+}
+
+/// What a person says about a file. Everything may be left open; what cannot be found out is
+/// asked.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Reading {
+    /// What wrote it.
+    pub kind: Option<Kind>,
+    /// Its name, for messages.
+    pub file: Option<PathBuf>,
+    /// The unit of coordinates that do not say theirs.
+    pub unit: Option<LengthUnit>,
+    /// The unit of angles that do not say theirs.
+    pub angle_unit: Option<AngleUnit>,
+    /// The decimal sign.
+    pub decimal: Option<Decimal>,
+    /// What separates cells.
+    pub separator: Option<Separator>,
+    /// What the columns are, in the words of a session: `name`, `group`, `x`, `x_mm`, `q1_deg`,
+    /// `time_s`, …; `-` leaves one out. Empty: the header says.
+    pub columns: Vec<String>,
+    /// Rigid bodies or markers to take.
+    pub names: Vec<String>,
+    /// Whether to turn coordinates with y upwards so that z points upwards.
+    pub z_up: bool,
+    /// The joint that an axis measurement is about, counted from 0.
+    pub joint: usize,
+    /// Whether that joint slides, so that its positions are lengths.
+    pub slides: bool,
+    /// How far the robot reaches, mm: helps to ask for the unit.
+    pub reach_mm: Option<f64>,
+}
+
+impl Reading {
+    /// The file as a place for messages.
+    pub(crate) fn place(&self) -> Place {
+        self.file.as_ref().map(Place::file).unwrap_or_default()
+    }
+}
+
+/// What a question is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum About {
+    /// The unit of lengths: [`Reading::unit`].
+    Unit,
+    /// The unit of angles: [`Reading::angle_unit`].
+    AngleUnit,
+    /// The decimal sign: [`Reading::decimal`].
+    Decimal,
+    /// What the columns are: [`Reading::columns`].
+    Columns,
+    /// Which rigid body or marker: [`Reading::names`].
+    Name,
+    /// What wrote the file: [`Reading::kind`].
+    Kind,
+}
+
+impl About {
+    /// The option that answers it on the command line.
+    pub fn option(self) -> &'static str {
+        match self {
+            Self::Unit => "--unit",
+            Self::AngleUnit => "--angle-unit",
+            Self::Decimal => "--decimal",
+            Self::Columns => "--columns",
+            Self::Name => "--name",
+            Self::Kind => "--as",
+        }
+    }
+}
+
+/// Something that only a person can say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// What it is about.
+    pub about: About,
+    /// Where in the file it came up.
+    pub place: Place,
+    /// What is not known, and what the answers would mean.
+    pub says: String,
+    /// Possible answers as the command line takes them; empty where there are too many.
+    pub answers: Vec<String>,
+}
+
+impl Question {
+    pub(crate) fn new(
+        about: About,
+        place: Place,
+        says: impl Into<String>,
+        answers: &[&str],
+    ) -> Self {
+        Self {
+            about,
+            place,
+            says: says.into(),
+            answers: answers.iter().map(|&answer| answer.to_owned()).collect(),
+        }
+    }
+
+    /// The question as the reason why a file is refused.
+    pub fn as_diagnostic(&self) -> Diagnostic {
+        let option = self.about.option();
+        let expected = match (&self.answers[..], self.about) {
+            ([], About::Columns) => {
+                format!(
+                    "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-"
+                )
+            }
+            ([], _) => option.to_owned(),
+            (answers, _) => format!("{option} {}", answers.join(" or ")),
+        };
+        Diagnostic::error(self.place.clone(), self.says.clone(), expected)
+    }
+}
+
+/// A column and what it is taken for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColumnGuess {
+    /// Its heading in the file; empty without a header.
+    pub heading: String,
+    /// What it is taken for, in the words of [`Reading::columns`].
+    pub meaning: String,
+}
+
+/// What was found out about a file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Inspection {
+    /// What wrote it.
+    pub kind: Option<Kind>,
+    /// How its characters are stored.
+    pub encoding: Encoding,
+    /// What separates cells.
+    pub separator: Option<Separator>,
+    /// The decimal sign; `None` while it is asked for.
+    pub decimal: Option<Decimal>,
+    /// Lines before the table, the last ones.
+    pub preamble: Vec<String>,
+    /// The line of the header, if there is one.
+    pub header_line: Option<u64>,
+    /// The columns of the table.
+    pub columns: Vec<ColumnGuess>,
+    /// The first rows as they stand.
+    pub first_rows: Vec<Vec<String>>,
+    /// Number of rows.
+    pub rows: usize,
+    /// Rigid bodies, markers or points that the file names, the first ones.
+    pub names: Vec<String>,
+    /// Where the unit of length comes from, in words.
+    pub unit: String,
+    /// What has to be answered before the file can be imported.
+    pub questions: Vec<Question>,
+    /// Errors, warnings and notes.
+    pub findings: Vec<Diagnostic>,
+}

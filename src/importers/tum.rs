@@ -1,0 +1,41 @@
+//! A trajectory in the format of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw`, in
+//! seconds and metres, comments behind `#`. The quaternion's real part comes last.
+
+use crate::importers::case::{Case, fixed};
+use crate::importers::columns::Columns;
+use crate::importers::headings::Role;
+use crate::importers::units::LengthUnit;
+use crate::sessions::columns::{Quantity, Unit};
+
+/// The columns as the format calls them.
+pub(crate) const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+
+/// Reads a trajectory.
+pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    if grid.width != 8 {
+        let found = format!("{} columns", grid.width);
+        case.refuse(found, "8: timestamp tx ty tz qx qy qz qw");
+        return None;
+    }
+    let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
+    if unit != LengthUnit::Metres {
+        let found = format!("lengths are taken in {}, as was said", unit.symbol());
+        case.warn(found, "m, which the format has");
+    }
+    let position = |quantity| fixed(quantity, unit.unit());
+    let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
+    let roles = vec![
+        Role::Time(1.0),
+        position(Quantity::X),
+        position(Quantity::Y),
+        position(Quantity::Z),
+        part(1),
+        part(2),
+        part(3),
+        part(0),
+    ];
+    let columns = case.columns(&grid, roles);
+    case.found.unit = format!("{}, as the format has it", unit.symbol());
+    columns
+}

@@ -1,0 +1,194 @@
+//! The report of a model file: what it holds, and what only a session can show.
+
+use crate::identification::Estimate;
+use crate::identification::uncertainty::estimates;
+use crate::model::Calibration;
+use crate::model::format_v1::model_hash;
+use crate::units::deg_from_rad;
+
+use super::Extras;
+use super::document::{Block, Figure, Report, Section, Table, clean};
+use super::numbers::{mm, plain};
+use super::parts::{
+    fact, foot, gap, or_unnamed, parameters, robot_facts, signatures, tables, tolerance,
+};
+use super::plots::waterfall;
+
+/// Half of a 95 % interval in standard errors, for many degrees of freedom.
+const NORMAL: f64 = 1.959964;
+
+impl Report {
+    /// The report of a model file.
+    pub fn of_model(calibration: &Calibration, extras: &Extras) -> Self {
+        let hash = model_hash(calibration);
+        let mut sections = vec![
+            origin(calibration, &hash),
+            history(calibration),
+            values(calibration),
+        ];
+        sections.extend(tables(extras, &calibration.samples_hash, &hash));
+        sections.push(missing());
+        sections.push(signatures(extras));
+        let subject = or_unnamed(&calibration.session);
+        Self {
+            title: "Calibration report of a model".to_owned(),
+            answer:
+                "What the model file holds; the evidence for it is in the session that it came \
+                     from"
+                    .to_owned(),
+            headline: headline(calibration),
+            foot: foot(&subject, &calibration.samples_hash),
+            subject,
+            sections,
+        }
+    }
+}
+
+fn headline(c: &Calibration) -> Vec<Figure> {
+    let step = |name: &str, step: Option<&crate::model::GapStep>| {
+        step.map(|s| Figure {
+            name: name.to_owned(),
+            value: mm(s.gap_mm),
+            beside: s
+                .held_out_mm
+                .map_or_else(String::new, |u| format!("{} on unseen samples", mm(u))),
+        })
+    };
+    let ends = [
+        step("Gap as measured", c.history.first()),
+        step(
+            "Gap to the model",
+            c.history.last().filter(|_| c.history.len() > 1),
+        ),
+    ];
+    ends.into_iter().flatten().collect()
+}
+
+fn origin(c: &Calibration, hash: &str) -> Section {
+    let mut facts = vec![fact("Session", or_unnamed(&c.session))];
+    facts.extend(robot_facts(&c.model.robot, &c.measured));
+    facts.push(tolerance(c.tolerance_mm));
+    if let Some(by) = &c.compensated_by {
+        facts.push(fact(
+            "Measured with a table active",
+            format!("of model {}", clean(by)),
+        ));
+    }
+    facts.push(fact(
+        "Made by",
+        format!("truepose {}", clean(&c.program_version)),
+    ));
+    facts.push(fact(
+        "Reported by",
+        format!("truepose {}", env!("CARGO_PKG_VERSION")),
+    ));
+    facts.push(fact("Hash of robot and samples", clean(&c.samples_hash)));
+    facts.push(fact("Hash of the model", hash));
+    Section {
+        title: "Where the model comes from".to_owned(),
+        blocks: vec![Block::Facts(facts)],
+    }
+}
+
+fn history(c: &Calibration) -> Section {
+    let mut table = Table::new(&["Step", ">Gap on the fit, mm", ">On unseen samples, mm"]);
+    let mut steps = c.history.clone();
+    for step in &mut steps {
+        step.what = clean(&step.what);
+        table.row([step.what.clone(), plain(step.gap_mm), gap(step.held_out_mm)]);
+    }
+    Section {
+        title: "The gap step by step".to_owned(),
+        blocks: vec![
+            Block::Table(table),
+            Block::Plot(
+                waterfall(&steps, None, c.tolerance_mm),
+                "Each step keeps what the ones before it brought".to_owned(),
+            ),
+        ],
+    }
+}
+
+fn values(c: &Calibration) -> Section {
+    let mut blocks = Vec::new();
+    let all = all_estimates(c);
+    if !all.is_empty() {
+        blocks.push(Block::Text(
+            "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
+             Intervals are from the covariance in the file, for many samples"
+                .to_owned(),
+        ));
+        blocks.push(parameters(all.iter(), &c.model.robot));
+    }
+    if !c.regions.is_empty() {
+        let mut table = Table::new(&[
+            "Region",
+            ">From, °",
+            ">To, °",
+            ">Samples",
+            ">Δθ, °",
+            ">Δl1, mm",
+        ]);
+        for region in &c.regions {
+            table.row([
+                clean(&region.name),
+                plain(deg_from_rad(region.from_rad)),
+                plain(deg_from_rad(region.to_rad)),
+                region.samples.to_string(),
+                plain(deg_from_rad(region.theta_rad)),
+                plain(region.l1_mm),
+            ]);
+        }
+        blocks.push(Block::Text(
+            "Corrections by region: what to add to the joint's command and along the radius at home"
+                .to_owned(),
+        ));
+        blocks.push(Block::Table(table));
+    }
+    if blocks.is_empty() {
+        blocks.push(Block::Text(
+            "The model is the nominal robot: no effect is in it".to_owned(),
+        ));
+    }
+    Section {
+        title: "Parameters of the real robot".to_owned(),
+        blocks,
+    }
+}
+
+fn all_estimates(c: &Calibration) -> Vec<Estimate> {
+    let mut all = Vec::new();
+    let mut first = 0;
+    for term in c.model.terms() {
+        let k = term.coefficients.len();
+        let fits = c.covariance.as_ref().filter(|m| m.nrows() >= first + k);
+        let own = fits.map(|m| m.view((first, first), (k, k)).into_owned());
+        let kind = c.model.robot.joints[term.joint].kind;
+        all.extend(estimates(
+            term,
+            own.as_ref(),
+            NORMAL,
+            &vec![own.is_none(); k],
+            kind,
+        ));
+        first += k;
+    }
+    all
+}
+
+fn missing() -> Section {
+    Section {
+        title: "What only a session can show".to_owned(),
+        blocks: vec![Block::List(
+            [
+                "the evidence for each name: how rarely noise alone would look like it, the odds \
+                 over other names, what stays unexplained, what could not be tested",
+                "deviations in the workspace and over the joints",
+                "accuracy and repeatability after ISO 230-2 and ISO 9283",
+                "what corrected commands leave on measured samples",
+            ]
+            .map(str::to_owned)
+            .to_vec(),
+        )],
+    }
+}

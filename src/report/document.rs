@@ -1,0 +1,127 @@
+//! What a report says, once, for every format: sections of a few kinds of blocks. Texts are already
+//! in the reader's units; whatever a user named has passed [`clean`].
+
+use super::drawing::Drawing;
+
+/// A report.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// The heading.
+    pub title: String,
+    /// What it is about: the session's name.
+    pub subject: String,
+    /// The answer in one sentence.
+    pub answer: String,
+    /// The figures that answer it.
+    pub headline: Vec<Figure>,
+    /// The sections in order.
+    pub sections: Vec<Section>,
+    /// What stands at the foot of every page.
+    pub foot: String,
+}
+
+/// A figure with its name and what to hold it against.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Figure {
+    /// Name.
+    pub name: String,
+    /// Value with its unit.
+    pub value: String,
+    /// What to hold it against; may be empty.
+    pub beside: String,
+}
+
+/// A part of the report.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// Heading.
+    pub title: String,
+    /// What is in it.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// A heading inside the section.
+    Heading(String),
+    /// A paragraph.
+    Text(String),
+    /// Points one below another.
+    List(Vec<String>),
+    /// Names with what belongs to them.
+    Facts(Vec<(String, String)>),
+    /// A table.
+    Table(Table),
+    /// A plot with its caption.
+    Plot(Drawing, String),
+    /// Lines to fill in by hand: label and what is there already.
+    Sign(Vec<(String, String)>),
+}
+
+/// A table.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Table {
+    /// Headings; `true` sets a column to the right, for numbers.
+    pub columns: Vec<(String, bool)>,
+    /// Rows, each with one cell per column.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// An empty table; a heading that starts with `>` is that of a column of numbers.
+    pub fn new(columns: &[&str]) -> Self {
+        let column = |name: &&str| {
+            let right = name.strip_prefix('>');
+            (right.unwrap_or(name).to_owned(), right.is_some())
+        };
+        Self {
+            columns: columns.iter().map(column).collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a row.
+    pub fn row<const N: usize>(&mut self, cells: [String; N]) {
+        self.rows.push(cells.into());
+    }
+}
+
+/// Longest text of a user that a report repeats.
+const LONGEST: usize = 400;
+
+/// A user's text as it can be shown: control characters and those that turn the direction of what
+/// follows are written as codes, so that a name cannot make a report read differently than it is.
+pub fn clean(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for (k, c) in text.chars().enumerate() {
+        if k == LONGEST {
+            shown.push('…');
+            break;
+        }
+        match c {
+            '\n' | '\r' | '\t' | '\u{2028}' | '\u{2029}' => shown.push(' '),
+            c if c.is_control() || turns_direction(c) => {
+                shown.push_str(&format!("[U+{:04X}]", u32::from(c)));
+            }
+            c => shown.push(c),
+        }
+    }
+    shown
+}
+
+fn turns_direction(c: char) -> bool {
+    matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_cannot_turn_the_text_after_it() {
+        assert_eq!(clean("a\u{202e}b\u{0}c\nd"), "a[U+202E]b[U+0000]c d");
+        assert_eq!(clean(&"x".repeat(5000)).chars().count(), LONGEST + 1);
+        assert_eq!(clean("Prüfung Ось 检"), "Prüfung Ось 检");
+    }
+}

@@ -1,0 +1,112 @@
+//! Tables that were written for a controller, as a report names them: the file with its hash, and
+//! what `FILE.meta.json` beside it says it came from.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+/// A table file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ExportedTable {
+    /// Name of the file, without its folder.
+    pub name: String,
+    /// SHA-256 of the file, hexadecimal.
+    pub hash: String,
+    /// Its format.
+    pub format: String,
+    /// The joint, as it is named.
+    pub joint: String,
+    /// Hash of the model that it came from.
+    pub model_hash: String,
+    /// Hash of the samples that the model came from.
+    pub samples_hash: String,
+}
+
+/// Why a table cannot be named in a report.
+#[derive(Debug, thiserror::Error)]
+pub enum TableFileError {
+    /// A file cannot be read.
+    #[error("{path}: {source}")]
+    Unreadable {
+        /// Which file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The sidecar is not one.
+    #[error("{path}: line {line}, column {column}: {what}")]
+    NoSidecar {
+        /// Which file.
+        path: PathBuf,
+        /// Line of the problem.
+        line: usize,
+        /// Column of the problem.
+        column: usize,
+        /// What was expected.
+        what: String,
+    },
+}
+
+impl ExportedTable {
+    /// Reads a table and the sidecar beside it.
+    ///
+    /// # Errors
+    /// If one of the two cannot be read, or the sidecar is not `truepose-table/1`.
+    pub fn read(path: &Path) -> Result<Self, TableFileError> {
+        let read = |path: &Path| {
+            std::fs::read(path).map_err(|source| TableFileError::Unreadable {
+                path: path.to_path_buf(),
+                source,
+            })
+        };
+        let bytes = read(path)?;
+        let beside = sidecar_of(path);
+        let text = read(&beside)?;
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
+        let refuse = |line: usize, column: usize, what: String| TableFileError::NoSidecar {
+            path: beside.clone(),
+            line,
+            column,
+            what,
+        };
+        let meta: Value = serde_json::from_slice(text)
+            .map_err(|e| refuse(e.line(), e.column(), format!("expected JSON: {e}")))?;
+        if meta["format"] != "truepose-table/1" {
+            return Err(refuse(
+                1,
+                1,
+                "expected \"format\": \"truepose-table/1\"".to_owned(),
+            ));
+        }
+        let word = |key: &str| meta[key].as_str().unwrap_or("not stated").to_owned();
+        let joint = meta["joint"]
+            .as_u64()
+            .map_or_else(String::new, |j| format!("{j} "));
+        Ok(Self {
+            name: path
+                .file_name()
+                .map_or_else(String::new, |n| n.to_string_lossy().into_owned()),
+            hash: hexadecimal(&Sha256::digest(&bytes)),
+            format: word("table_format"),
+            joint: format!("{joint}({})", word("joint_name")),
+            model_hash: word("model_hash"),
+            samples_hash: word("samples_hash"),
+        })
+    }
+}
+
+/// `FILE.meta.json`.
+pub fn sidecar_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".meta.json");
+    PathBuf::from(name)
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}

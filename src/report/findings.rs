@@ -1,0 +1,243 @@
+//! What a diagnosis found, what it leaves open, and what it could not see.
+
+use crate::diagnosis::Found;
+use crate::diagnosis::anonymous::Where;
+use crate::effects;
+
+use super::accuracy::sides;
+use super::document::{Block, Section, Table, clean};
+use super::numbers::{in_words, mm, plain, short, three_digits};
+use super::parts::{fact, of_joint, title, unit_of_joint};
+use super::session::{MOST_ROWS, Told};
+
+/// A limit above this, in the parameter's unit, is no limit: the poses hide the effect.
+const UNSEEN: f64 = 1e6;
+
+impl Told<'_> {
+    pub(super) fn effects(&self) -> Option<Section> {
+        let found = &self.found.found;
+        if found.is_empty() {
+            return None;
+        }
+        Some(Section {
+            title: "What was missing, by name".to_owned(),
+            blocks: found.iter().flat_map(|f| self.effect(f)).collect(),
+        })
+    }
+
+    fn effect(&self, f: &Found) -> [Block; 2] {
+        let about = effects::find(f.effect).map(effects::Effect::about);
+        let percent = format!("{:.1} %", f.share * 100.0);
+        let unseen = f.held_out_mm.map_or_else(
+            || "too few samples".to_owned(),
+            |[before, after]| format!("{} → {} mm", plain(before), plain(after)),
+        );
+        let fit = format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1]));
+        let mut facts = vec![
+            fact("Evidence", sentence(&f.says)),
+            fact("Gap on the fit, unseen", format!("{fit}; {unseen}")),
+            fact("Share of what was explained", percent),
+        ];
+        if let Some(about) = about {
+            facts.push(fact("Usual cause", about.cause));
+        }
+        facts.push(fact("Check on the machine", f.check));
+        [
+            Block::Heading(title(f.effect, f.joint, self.robot())),
+            Block::Facts(facts),
+        ]
+    }
+
+    pub(super) fn open(&self) -> Section {
+        let d = self.found;
+        let mut blocks = Vec::new();
+        for problem in &d.data_problems {
+            blocks.push(Block::Heading(format!("Data: {}", clean(&problem.what))));
+            blocks.push(Block::Facts(vec![
+                fact("Evidence", clean(&problem.evidence)),
+                fact("Proposal", clean(&problem.proposal)),
+            ]));
+        }
+        if d.unexplained.present {
+            blocks.push(Block::Heading("Left without a name".to_owned()));
+            let mut facts = vec![
+                fact(
+                    "Size",
+                    format!("{} root mean square", mm(d.unexplained.rms_mm)),
+                ),
+                fact("Evidence", clean(&d.unexplained.says)),
+            ];
+            if let Some(place) = &d.unexplained.place {
+                facts.push(fact("Where", clean(&place_in_words(place))));
+            }
+            if !d.unexplained.resembles.is_empty() {
+                let names = d
+                    .unexplained
+                    .resembles
+                    .iter()
+                    .map(|n| title(n, None, self.robot()));
+                facts.push(fact(
+                    "Resembles in part",
+                    names.collect::<Vec<_>>().join(", "),
+                ));
+            }
+            blocks.push(Block::Facts(facts));
+        }
+        if !d.equivalent.is_empty() {
+            blocks.push(Block::Heading(
+                "Names that the samples cannot tell apart".to_owned(),
+            ));
+            let mut table = Table::new(&[
+                "In the model",
+                "Could be instead",
+                ">Odds against",
+                "What would tell",
+            ]);
+            for rival in &d.equivalent {
+                table.row([
+                    rival.explanation.join(" + "),
+                    rival.instead.join(" + "),
+                    format!("{:.1} : 1", rival.odds),
+                    clean(&rival.separate_by),
+                ]);
+            }
+            blocks.push(Block::Table(table));
+        }
+        blocks.extend(self.next_poses());
+        blocks.extend(self.outliers());
+        if blocks.is_empty() {
+            blocks.push(Block::Text(
+                "Nothing: no data problem, no rival explanation, nothing left without a name, no \
+                 suspected sample"
+                    .to_owned(),
+            ));
+        }
+        Section {
+            title: "What stays open".to_owned(),
+            blocks,
+        }
+    }
+
+    fn next_poses(&self) -> Vec<Block> {
+        let poses = &self.found.next_poses;
+        if poses.is_empty() {
+            return Vec::new();
+        }
+        let mut table = Table::new(&["Joints", "Side", "Reflector", "Speed", ">Load", "Why"]);
+        let joints = &self.robot().joints;
+        let values = |q: &[f64]| {
+            let each = joints.iter().zip(q).map(|(joint, q)| {
+                format!("{}{}", short(of_joint(*q, joint)), unit_of_joint(joint))
+            });
+            each.collect::<Vec<_>>().join(", ")
+        };
+        for pose in poses.iter().take(MOST_ROWS) {
+            let place = pose
+                .target_mm
+                .map(|[x, y, z]| format!(" at ({}, {}, {}) mm", short(x), short(y), short(z)));
+            let target = pose.target.as_deref().map_or_else(|| "–".to_owned(), clean);
+            table.row([
+                values(&pose.q),
+                sides(&pose.dir),
+                target + &place.unwrap_or_default(),
+                pose.speed
+                    .as_ref()
+                    .map_or_else(|| "–".to_owned(), |s| values(s) + "/s"),
+                pose.load_kg
+                    .map_or_else(|| "–".to_owned(), |kg| format!("{} kg", short(kg))),
+                clean(&pose.why),
+            ]);
+        }
+        let mut blocks = vec![
+            Block::Heading("Poses that would decide".to_owned()),
+            Block::Table(table),
+        ];
+        if poses.len() > MOST_ROWS {
+            blocks.push(Block::Text(format!("and {} more", poses.len() - MOST_ROWS)));
+        }
+        blocks
+    }
+
+    fn outliers(&self) -> Vec<Block> {
+        let outliers = &self.found.outliers;
+        if outliers.is_empty() {
+            return Vec::new();
+        }
+        let mut table = Table::new(&["Sample", ">Off by, mm"]);
+        for outlier in outliers.iter().take(MOST_ROWS) {
+            table.row([
+                (outlier.sample + 1).to_string(),
+                plain(outlier.deviation_mm),
+            ]);
+        }
+        let mut text = "They count in the largest deviation and in no root mean square".to_owned();
+        if outliers.len() > MOST_ROWS {
+            text += &format!("; {} of {} are listed", MOST_ROWS, outliers.len());
+        }
+        vec![
+            Block::Heading(format!("Suspected samples: {}", outliers.len())),
+            Block::Text(text),
+            Block::Table(table),
+        ]
+    }
+
+    pub(super) fn limits(&self) -> Section {
+        let d = self.found;
+        let mut blocks = Vec::new();
+        if !d.not_testable.is_empty() {
+            blocks.push(Block::Heading("Not testable with this session".to_owned()));
+            let mut table = Table::new(&["Effect", "Why"]);
+            for n in d.not_testable.iter().take(4 * MOST_ROWS) {
+                let name = title(n.effect, n.joint.map(|j| j + 1), self.robot());
+                table.row([name, clean(&n.because)]);
+            }
+            blocks.push(Block::Table(table));
+        }
+        if !d.not_found.is_empty() {
+            blocks.push(Block::Heading(
+                "Not found, and how large it could be unseen".to_owned(),
+            ));
+            let mut table = Table::new(&["Effect", "Would have been seen above (95 %)"]);
+            for limit in d.not_found.iter().take(4 * MOST_ROWS) {
+                let sizes = limit.sizes.iter().map(|(name, size)| {
+                    let (stem, unit) = in_words(name);
+                    if *size > UNSEEN {
+                        return format!("{stem}: these poses would not show it at any size");
+                    }
+                    format!("{stem} {} {unit}", three_digits(*size)).replace(" °", "°")
+                });
+                let name = title(limit.effect, limit.joint.map(|j| j + 1), self.robot());
+                table.row([name, sizes.collect::<Vec<_>>().join(", ")]);
+            }
+            blocks.push(Block::Table(table));
+        }
+        if blocks.is_empty() {
+            blocks.push(Block::Text(
+                "Every effect of the catalogue is in the model".to_owned(),
+            ));
+        }
+        Section {
+            title: "What the session could not show".to_owned(),
+            blocks,
+        }
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| {
+        first.to_uppercase().collect::<String>() + chars.as_str()
+    })
+}
+
+fn place_in_words(place: &Where) -> String {
+    match place {
+        Where::Range { variable, from, to } => {
+            format!("{variable} from {} to {}", short(*from), short(*to))
+        }
+        Where::Cycles {
+            variable,
+            cycles_per_turn,
+        } => format!("{} cycles per turn of {variable}", short(*cycles_per_turn)),
+    }
+}

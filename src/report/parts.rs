@@ -1,0 +1,183 @@
+//! Pieces that reports of sessions and of models share.
+
+use crate::effects;
+use crate::identification::Estimate;
+use crate::kinematics::{Joint, JointKind, Range, Robot};
+use crate::sessions::{Instrument, Sigma};
+use crate::units::deg_from_rad;
+
+use super::Extras;
+use super::document::{Block, Section, Table, clean};
+use super::numbers::{in_words, plain, short, with_interval};
+
+/// The name of an effect in words, with its joint where there are several.
+pub(super) fn title(effect: &str, joint: Option<usize>, robot: &Robot) -> String {
+    let name = effects::find(effect).map_or(effect, |e| e.about().title);
+    match joint.filter(|_| robot.joints.len() > 1) {
+        Some(joint) => format!("{name}, joint {joint}"),
+        None => name.to_owned(),
+    }
+}
+
+pub(super) fn of_joint(value: f64, joint: &Joint) -> f64 {
+    match joint.kind {
+        JointKind::Revolute => deg_from_rad(value),
+        JointKind::Prismatic => value,
+    }
+}
+
+pub(super) fn unit_of_joint(joint: &Joint) -> &'static str {
+    match joint.kind {
+        JointKind::Revolute => "°",
+        JointKind::Prismatic => " mm",
+    }
+}
+
+/// The robot's facts.
+pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
+    let mut facts = vec![("Robot".to_owned(), or_unnamed(&robot.name))];
+    for (k, joint) in robot.joints.iter().enumerate() {
+        let kind = match joint.kind {
+            JointKind::Revolute => "turns",
+            JointKind::Prismatic => "slides",
+        };
+        let mut about = format!("{}, {kind}", or_unnamed(&joint.name));
+        let range = |range: &Range| {
+            let unit = unit_of_joint(joint);
+            format!(
+                "{}{unit} to {}{unit}",
+                short(of_joint(range.from, joint)),
+                short(of_joint(range.to, joint))
+            )
+        };
+        if let Some(limits) = &joint.limits {
+            about += &format!(", travel {}", range(limits));
+        }
+        if let Some(measured) = measured.get(k).filter(|r| r.from.is_finite()) {
+            about += &format!(", measured {}", range(measured));
+        }
+        facts.push((format!("Joint {}", k + 1), about));
+    }
+    facts
+}
+
+pub(super) fn or_unnamed(name: &str) -> String {
+    if name.trim().is_empty() {
+        "not named".to_owned()
+    } else {
+        clean(name)
+    }
+}
+
+/// The instrument with its noise.
+pub(super) fn instrument(instrument: &Instrument) -> String {
+    let noise = match instrument.sigma_mm {
+        None => "noise not stated".to_owned(),
+        Some(Sigma::Overall(s)) => format!("noise {} mm (one standard deviation)", short(s)),
+        Some(Sigma::PerAxis(s)) => {
+            let [x, y, z] = s.map(short);
+            format!("noise {x}, {y}, {z} mm along x, y, z (one standard deviation)")
+        }
+    };
+    format!("{}, {noise}", or_unnamed(&instrument.name))
+}
+
+/// Parameters with their intervals.
+pub(super) fn parameters<'a>(
+    estimates: impl Iterator<Item = &'a Estimate>,
+    robot: &Robot,
+) -> Block {
+    let mut table = Table::new(&["Effect", "Parameter", ">Value", "Unit", ">95 % interval"]);
+    let mut last = String::new();
+    for estimate in estimates {
+        let name = title(estimate.effect, estimate.joint, robot);
+        let (mut parameter, unit) = in_words(estimate.name);
+        if let Some(setup) = &estimate.setup {
+            parameter += &format!(", setup {}", clean(setup));
+        }
+        let (value, interval) = with_interval(estimate.value, estimate.ci95);
+        let shown = if name == last {
+            String::new()
+        } else {
+            name.clone()
+        };
+        last = name;
+        table.row([shown, parameter, value, unit.to_owned(), interval]);
+    }
+    Block::Table(table)
+}
+
+/// A gap, or a dash where there is none.
+pub(super) fn gap(value: Option<f64>) -> String {
+    value.map_or_else(|| "–".to_owned(), plain)
+}
+
+/// The exported tables, if any.
+pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> Option<Section> {
+    if extras.tables.is_empty() {
+        return None;
+    }
+    let mut blocks = Vec::new();
+    for table in &extras.tables {
+        let belongs = if table.model_hash == model_hash {
+            "made from the model of this report"
+        } else if table.samples_hash == samples_hash {
+            "made from the samples of this report, by a model with other hash"
+        } else {
+            "NOT made from this report's samples"
+        };
+        blocks.push(Block::Heading(clean(&table.name)));
+        blocks.push(Block::Facts(vec![
+            ("Format".to_owned(), clean(&table.format)),
+            ("Joint".to_owned(), clean(&table.joint)),
+            ("Origin".to_owned(), belongs.to_owned()),
+            ("SHA-256 of the file".to_owned(), table.hash.clone()),
+            ("Model".to_owned(), clean(&table.model_hash)),
+        ]));
+    }
+    Some(Section {
+        title: "Tables for the controller".to_owned(),
+        blocks,
+    })
+}
+
+/// Room for two signatures.
+pub(super) fn signatures(extras: &Extras) -> Section {
+    let date = extras.date.as_deref().map(clean).unwrap_or_default();
+    let line = |name: &str| (name.to_owned(), String::new());
+    Section {
+        title: "Signatures".to_owned(),
+        blocks: vec![
+            Block::Text("The figures above were produced by the program from the samples whose hash is stated; they hold for the measured range and conditions".to_owned()),
+            Block::Sign(vec![
+                line("Calibrated by (name)"),
+                line("Accepted by (name)"),
+                ("Place, date".to_owned(), date),
+                line("Place, date"),
+                line("Signature"),
+                line("Signature"),
+            ]),
+        ],
+    }
+}
+
+/// What stands at the foot of every page.
+pub(super) fn foot(subject: &str, samples_hash: &str) -> String {
+    let hash: String = samples_hash.chars().take(12).collect();
+    format!(
+        "truepose {} · {subject} · samples {hash}",
+        env!("CARGO_PKG_VERSION")
+    )
+}
+
+/// A tolerance or a floor beside a name.
+pub(super) fn fact(name: &str, value: impl Into<String>) -> (String, String) {
+    (name.to_owned(), value.into())
+}
+
+pub(super) fn tolerance(tolerance_mm: Option<f64>) -> (String, String) {
+    fact(
+        "Tolerance",
+        tolerance_mm.map_or_else(|| "not stated".to_owned(), |mm| format!("{} mm", short(mm))),
+    )
+}

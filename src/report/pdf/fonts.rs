@@ -1,0 +1,239 @@
+//! The fonts of a PDF: which face has a character, how wide it is, and which glyphs were used.
+//!
+//! Inter comes first; what its cut lacks (Cyrillic, Vietnamese, …) is taken from Ubuntu Light, then
+//! from Hack. A character that none of them has is written as its code, `[U+4E2D]`, and stands under
+//! the code as itself for whoever copies or searches the text.
+
+use std::collections::BTreeMap;
+
+use subsetter::GlyphRemapper;
+use ttf_parser::Face;
+
+use super::PdfError;
+
+/// Every face, by its number.
+const FILES: [(&str, &[u8]); 4] = [
+    (
+        "Inter-Regular",
+        include_bytes!("../../../assets/fonts/Inter-Regular.ttf"),
+    ),
+    (
+        "Inter-SemiBold",
+        include_bytes!("../../../assets/fonts/Inter-SemiBold.ttf"),
+    ),
+    ("Ubuntu-Light", epaint_default_fonts::UBUNTU_LIGHT),
+    ("Hack-Regular", epaint_default_fonts::HACK_REGULAR),
+];
+
+/// A piece of text in one face.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Run {
+    /// Number of the face.
+    pub(super) face: usize,
+    /// Glyphs, each with the character it stands for.
+    pub(super) glyphs: Vec<(u16, char)>,
+    /// Width at a size of 1.
+    pub(super) width: f64,
+    /// The character that is meant, where a code stands for it.
+    pub(super) instead_of: Option<char>,
+}
+
+/// See the module.
+pub(super) struct Fonts {
+    faces: Vec<Face<'static>>,
+}
+
+impl Fonts {
+    pub(super) fn new() -> Result<Self, PdfError> {
+        let parse = |(name, data): &(&'static str, &'static [u8])| {
+            Face::parse(data, 0).map_err(|_| PdfError::Font((*name).to_owned()))
+        };
+        let faces = FILES.iter().map(parse).collect::<Result<_, _>>()?;
+        Ok(Self { faces })
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.faces.len()
+    }
+
+    pub(super) fn name(face: usize) -> &'static str {
+        FILES[face].0
+    }
+
+    pub(super) fn face(&self, face: usize) -> &Face<'static> {
+        &self.faces[face]
+    }
+
+    /// The text in runs of one face each.
+    pub(super) fn runs(&self, text: &str, bold: bool) -> Vec<Run> {
+        let first = usize::from(bold);
+        let order = [first, 2, 3];
+        let mut runs: Vec<Run> = Vec::new();
+        for c in text.chars() {
+            let found = order.iter().find_map(|face| {
+                let glyph = self.faces[*face].glyph_index(c).filter(|g| g.0 != 0)?;
+                Some((*face, glyph.0))
+            });
+            let Some((face, glyph)) = found else {
+                runs.push(self.code(c, first));
+                continue;
+            };
+            let width = self.advance(face, glyph);
+            match runs.last_mut() {
+                Some(run) if run.face == face && run.instead_of.is_none() => {
+                    run.glyphs.push((glyph, c));
+                    run.width += width;
+                }
+                _ => runs.push(Run {
+                    face,
+                    glyphs: vec![(glyph, c)],
+                    width,
+                    instead_of: None,
+                }),
+            }
+        }
+        runs
+    }
+
+    /// The code of a character that no face has.
+    fn code(&self, c: char, face: usize) -> Run {
+        let text = format!("[U+{:04X}]", u32::from(c));
+        let glyph = |c: char| self.faces[face].glyph_index(c).map_or(0, |g| g.0);
+        let glyphs: Vec<(u16, char)> = text.chars().map(|c| (glyph(c), c)).collect();
+        Run {
+            face,
+            width: glyphs.iter().map(|(g, _)| self.advance(face, *g)).sum(),
+            glyphs,
+            instead_of: Some(c),
+        }
+    }
+
+    /// Width of a glyph at a size of 1.
+    pub(super) fn advance(&self, face: usize, glyph: u16) -> f64 {
+        let face = &self.faces[face];
+        let units = f64::from(face.units_per_em());
+        let advance = face
+            .glyph_hor_advance(ttf_parser::GlyphId(glyph))
+            .unwrap_or(0);
+        f64::from(advance) / units
+    }
+
+    /// Width of a text, points.
+    pub(super) fn width(&self, text: &str, size: f64, bold: bool) -> f64 {
+        self.runs(text, bold).iter().map(|r| r.width).sum::<f64>() * size
+    }
+
+    /// A text in lines that are no wider than `width`; a word that is wider is cut.
+    pub(super) fn wrapped(&self, text: &str, size: f64, bold: bool, width: f64) -> Vec<String> {
+        let space = self.width(" ", size, bold);
+        let mut lines: Vec<String> = Vec::new();
+        let mut line = String::new();
+        let mut used = 0.0;
+        for word in text.split(' ').filter(|w| !w.is_empty()) {
+            let long = self.width(word, size, bold);
+            if !line.is_empty() && used + space + long > width {
+                lines.push(std::mem::take(&mut line));
+                used = 0.0;
+            }
+            if long > width {
+                for c in word.chars() {
+                    let wide = self.width(c.encode_utf8(&mut [0; 4]), size, bold);
+                    if !line.is_empty() && used + wide > width {
+                        lines.push(std::mem::take(&mut line));
+                        used = 0.0;
+                    }
+                    line.push(c);
+                    used += wide;
+                }
+                continue;
+            }
+            if !line.is_empty() {
+                line.push(' ');
+                used += space;
+            }
+            line.push_str(word);
+            used += long;
+        }
+        if !line.is_empty() || lines.is_empty() {
+            lines.push(line);
+        }
+        lines
+    }
+}
+
+/// The glyphs of one face that a document uses, under their numbers in the embedded part.
+#[derive(Default)]
+pub(super) struct Used {
+    numbers: GlyphRemapper,
+    means: BTreeMap<u16, char>,
+}
+
+impl Used {
+    /// The number of a glyph in the embedded part.
+    pub(super) fn number(&mut self, glyph: u16, c: char) -> u16 {
+        let number = self.numbers.remap(glyph);
+        self.means.entry(number).or_insert(c);
+        number
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.means.is_empty()
+    }
+
+    /// What each number means, in ascending order.
+    pub(super) fn meanings(&self) -> impl Iterator<Item = (u16, char)> {
+        self.means.iter().map(|(number, c)| (*number, *c))
+    }
+
+    /// The glyphs in the order of their numbers.
+    pub(super) fn glyphs(&self) -> impl Iterator<Item = u16> {
+        self.numbers.remapped_gids()
+    }
+
+    /// The part of the face that is embedded.
+    pub(super) fn embedded(&self, face: usize) -> Result<Vec<u8>, PdfError> {
+        subsetter::subset(FILES[face].1, 0, &self.numbers)
+            .map_err(|_| PdfError::Font(FILES[face].0.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_character_is_shown_or_named() {
+        let fonts = Fonts::new().unwrap();
+        let runs = fonts.runs("Ось ± 中", false);
+        let faces: Vec<usize> = runs.iter().map(|r| r.face).collect();
+        assert_eq!(faces, [2, 0, 0], "Cyrillic, then Inter, then a code");
+        assert_eq!(runs[2].instead_of, Some('中'));
+        let code: String = runs[2].glyphs.iter().map(|(_, c)| c).collect();
+        assert_eq!(code, "[U+4E2D]");
+    }
+
+    #[test]
+    fn what_the_report_writes_is_in_inter() {
+        let fonts = Fonts::new().unwrap();
+        for bold in [false, true] {
+            let runs = fonts.runs("0123456789.−+–…→↑↓·×°µ≤Δθσχ√ ⅓".trim_end_matches('⅓'), bold);
+            assert_eq!(runs.len(), 1, "{runs:?}");
+            assert_eq!(runs[0].face, usize::from(bold));
+        }
+    }
+
+    #[test]
+    fn lines_keep_within_their_width_and_lose_nothing() {
+        let fonts = Fonts::new().unwrap();
+        let text = "a long line with averyveryveryverylongword in it";
+        let lines = fonts.wrapped(text, 9.0, false, 60.0);
+        assert!(
+            lines
+                .iter()
+                .all(|l| fonts.width(l, 9.0, false) <= 60.0 + 1e-9)
+        );
+        let letters = |s: &str| s.chars().filter(|c| *c != ' ').collect::<String>();
+        assert_eq!(letters(&lines.concat()), letters(text));
+        assert_eq!(fonts.wrapped("", 9.0, false, 60.0), [""]);
+    }
+}

@@ -1,0 +1,391 @@
+//! From blocks to pages of A4: every page is a drawing.
+
+use super::fonts::Fonts;
+use crate::report::document::{Block, Figure, Report, Table};
+use crate::report::drawing::{
+    AFTER, Anchor, Colour, Drawing, GROUND, INK, Item, Label, MUTED, RULE, Stroke,
+};
+use crate::report::plots::FULL_WIDTH;
+
+/// A4, points.
+pub(super) const PAGE: [f64; 2] = [595.28, 841.89];
+const LEFT: f64 = 54.0;
+const TOP: f64 = 52.0;
+const BOTTOM: f64 = PAGE[1] - 62.0;
+/// Size of the running text, points.
+const TEXT: f64 = 8.8;
+const LINE: f64 = 12.6;
+const NAMES: f64 = 132.0;
+const PADDING: f64 = 4.5;
+/// Lines of a cell that are shown, so that a row fits on a page.
+const MOST_LINES: usize = 40;
+
+/// A section's heading as the reader's side bar lists it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Mark {
+    pub(super) title: String,
+    pub(super) page: usize,
+    pub(super) y: f64,
+}
+
+/// All pages of a report.
+pub(super) fn pages(report: &Report, fonts: &Fonts) -> (Vec<Drawing>, Vec<Mark>) {
+    let mut flow = Flow {
+        fonts,
+        pages: vec![Drawing::new(PAGE[0], PAGE[1])],
+        y: TOP,
+    };
+    let mut marks = Vec::new();
+    flow.head(report);
+    for section in &report.sections {
+        // A heading does not stand alone at the foot of a page.
+        let first = section.blocks.first().map_or(0.0, |b| flow.least_height(b));
+        flow.room_for(38.0 + first);
+        if flow.y > TOP {
+            flow.y += 16.0;
+        }
+        marks.push(Mark {
+            title: section.title.clone(),
+            page: flow.pages.len() - 1,
+            y: flow.y,
+        });
+        flow.line_of(&section.title, 12.5, 17.0, true, INK, LEFT);
+        let rule = flow.y + 1.0;
+        flow.rule(rule, 0.7, RULE);
+        flow.y += 7.0;
+        for (k, block) in section.blocks.iter().enumerate() {
+            let next = section
+                .blocks
+                .get(k + 1)
+                .map_or(0.0, |b| flow.least_height(b));
+            flow.block(block, next);
+        }
+    }
+    let count = flow.pages.len();
+    for (k, page) in flow.pages.iter_mut().enumerate() {
+        foot(page, &report.foot, k + 1, count, fonts);
+    }
+    (flow.pages, marks)
+}
+
+fn foot(page: &mut Drawing, text: &str, number: usize, of: usize, fonts: &Fonts) {
+    let y = PAGE[1] - 36.0;
+    page.line(
+        [LEFT, y - 12.0],
+        [LEFT + FULL_WIDTH, y - 12.0],
+        Stroke::new(0.5, RULE),
+    );
+    let lines = fonts.wrapped(text, 7.2, false, FULL_WIDTH - 80.0);
+    let mut shown = lines.first().cloned().unwrap_or_default();
+    if lines.len() > 1 {
+        shown.push('…');
+    }
+    page.text(Label::new([LEFT, y], shown, 7.2, MUTED));
+    let number = format!("page {number} of {of}");
+    let label = Label::new([LEFT + FULL_WIDTH, y], number, 7.2, MUTED);
+    page.text(label.anchored(Anchor::End));
+}
+
+struct Flow<'f> {
+    fonts: &'f Fonts,
+    pages: Vec<Drawing>,
+    y: f64,
+}
+
+impl Flow<'_> {
+    fn page(&mut self) -> &mut Drawing {
+        if self.pages.is_empty() {
+            self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
+        }
+        let last = self.pages.len() - 1;
+        &mut self.pages[last]
+    }
+
+    /// Turns the page where less than `height` is left.
+    fn room_for(&mut self, height: f64) {
+        if self.y + height > BOTTOM && self.y > TOP {
+            self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
+            self.y = TOP;
+        }
+    }
+
+    fn rule(&mut self, y: f64, width: f64, colour: Colour) {
+        self.page().line(
+            [LEFT, y],
+            [LEFT + FULL_WIDTH, y],
+            Stroke::new(width, colour),
+        );
+    }
+
+    /// One line of text, and down by its height.
+    fn line_of(&mut self, text: &str, size: f64, height: f64, bold: bool, colour: Colour, x: f64) {
+        self.room_for(height);
+        let at = [x, self.y + height / 2.0 + size * 0.35];
+        let mut label = Label::new(at, text, size, colour);
+        label.bold = bold;
+        self.page().text(label);
+        self.y += height;
+    }
+
+    fn paragraph(&mut self, text: &str, size: f64, height: f64, colour: Colour) {
+        for line in self.fonts.wrapped(text, size, false, FULL_WIDTH) {
+            self.line_of(&line, size, height, false, colour, LEFT);
+        }
+    }
+
+    fn head(&mut self, report: &Report) {
+        self.line_of(&report.title, 9.5, 14.0, true, AFTER, LEFT);
+        for line in self
+            .fonts
+            .wrapped(&report.subject, 20.0, true, FULL_WIDTH)
+            .iter()
+            .take(4)
+        {
+            self.line_of(line, 20.0, 27.0, true, INK, LEFT);
+        }
+        self.y += 3.0;
+        self.paragraph(&report.answer, 10.5, 15.0, INK);
+        self.y += 10.0;
+        self.headline(&report.headline);
+        let y = self.y;
+        self.rule(y, 1.4, INK);
+    }
+
+    fn headline(&mut self, figures: &[Figure]) {
+        if figures.is_empty() {
+            return;
+        }
+        let width = FULL_WIDTH / figures.len().max(4) as f64;
+        let top = self.y;
+        let mut lowest = top;
+        for (k, figure) in figures.iter().enumerate() {
+            let x = LEFT + width * k as f64 + 8.0;
+            self.y = top;
+            self.line_of(&figure.name, 7.6, 11.0, false, MUTED, x);
+            self.line_of(&figure.value, 13.0, 18.0, true, INK, x);
+            for line in self.fonts.wrapped(&figure.beside, 7.2, false, width - 14.0) {
+                self.line_of(&line, 7.2, 9.6, false, MUTED, x);
+            }
+            lowest = lowest.max(self.y);
+        }
+        for k in 0..figures.len() {
+            let x = LEFT + width * k as f64;
+            let stroke = Stroke::new(1.8, AFTER);
+            self.page()
+                .line([x + 1.0, top + 1.0], [x + 1.0, lowest - 1.0], stroke);
+        }
+        self.y = lowest + 12.0;
+    }
+
+    /// What a block needs at least to begin on a page.
+    fn least_height(&self, block: &Block) -> f64 {
+        match block {
+            Block::Heading(_) => 48.0,
+            Block::Text(_) | Block::List(_) => 2.0 * LINE,
+            Block::Facts(facts) => self.facts_height(facts).min(150.0),
+            Block::Table(table) => 22.0 + 2.0 * (LINE + 4.0) * table.rows.len().min(1) as f64,
+            Block::Plot(drawing, _) => drawing.height + 24.0,
+            Block::Sign(lines) => 46.0 * lines.len().div_ceil(2) as f64 + 16.0,
+        }
+    }
+
+    /// `next`: what the block after it needs to begin.
+    fn block(&mut self, block: &Block, next: f64) {
+        match block {
+            Block::Heading(text) => {
+                self.room_for(26.0 + next.min(160.0));
+                self.y += 7.0;
+                for line in self
+                    .fonts
+                    .wrapped(text, 9.6, true, FULL_WIDTH)
+                    .iter()
+                    .take(4)
+                {
+                    self.line_of(line, 9.6, 14.0, true, INK, LEFT);
+                }
+                self.y += 2.0;
+            }
+            Block::Text(text) => {
+                self.paragraph(text, TEXT, LINE, INK);
+                self.y += 3.0;
+            }
+            Block::List(points) => {
+                for point in points {
+                    let lines = self.fonts.wrapped(point, TEXT, false, FULL_WIDTH - 12.0);
+                    for (k, line) in lines.iter().enumerate() {
+                        self.room_for(LINE);
+                        if k == 0 {
+                            let y = self.y + LINE / 2.0 + TEXT * 0.35;
+                            self.page().text(Label::new([LEFT, y], "–", TEXT, MUTED));
+                        }
+                        self.line_of(line, TEXT, LINE, false, INK, LEFT + 12.0);
+                    }
+                }
+                self.y += 3.0;
+            }
+            Block::Facts(facts) => self.facts(facts),
+            Block::Table(table) => self.table(table),
+            Block::Plot(drawing, caption) => {
+                self.room_for(drawing.height + 26.0);
+                let at = [LEFT, self.y + 4.0];
+                self.page().place(drawing, at);
+                self.y += drawing.height + 8.0;
+                self.paragraph(caption, 7.8, 11.0, MUTED);
+                self.y += 8.0;
+            }
+            Block::Sign(lines) => self.sign(lines),
+        }
+    }
+
+    fn facts_height(&self, facts: &[(String, String)]) -> f64 {
+        let lines = |text: &str, width: f64| self.fonts.wrapped(text, TEXT, false, width).len();
+        let height = |(name, value): &(String, String)| {
+            let most = lines(value, FULL_WIDTH - NAMES).max(lines(name, NAMES - 8.0));
+            LINE * most as f64 + 3.0
+        };
+        facts.iter().map(height).sum()
+    }
+
+    fn facts(&mut self, facts: &[(String, String)]) {
+        for (name, value) in facts {
+            let lines = self.fonts.wrapped(value, TEXT, false, FULL_WIDTH - NAMES);
+            let names = self.fonts.wrapped(name, TEXT, false, NAMES - 8.0);
+            self.room_for((LINE + 3.0).max(LINE * names.len() as f64));
+            self.y += 1.5;
+            let top = self.y;
+            for (k, name) in names.iter().enumerate() {
+                let y = top + LINE * (k as f64 + 0.5) + TEXT * 0.35;
+                self.page()
+                    .text(Label::new([LEFT, y], name.clone(), TEXT, MUTED));
+            }
+            let pages = self.pages.len();
+            for line in lines {
+                self.line_of(&line, TEXT, LINE, false, INK, LEFT + NAMES);
+            }
+            if self.pages.len() == pages {
+                self.y = self.y.max(top + LINE * names.len() as f64);
+            }
+            self.y += 1.5;
+            let y = self.y;
+            self.rule(y, 0.4, RULE);
+        }
+        self.y += 5.0;
+    }
+
+    fn table(&mut self, table: &Table) {
+        let widths = self.column_widths(table);
+        let bold: Vec<String> = table.columns.iter().map(|(name, _)| name.clone()).collect();
+        let head = self.cells(&bold, &widths, true);
+        self.row(&head, &widths, table, true);
+        for row in &table.rows {
+            let cells = self.cells(row, &widths, false);
+            let height = row_height(&cells);
+            if self.y + height > BOTTOM && self.y > TOP {
+                self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
+                self.y = TOP;
+                self.row(&head, &widths, table, true);
+            }
+            self.row(&cells, &widths, table, false);
+        }
+        self.y += 8.0;
+    }
+
+    fn cells(&self, row: &[String], widths: &[f64], bold: bool) -> Vec<Vec<String>> {
+        let wrap = |(text, width): (&String, &f64)| {
+            let mut lines = self.fonts.wrapped(text, 8.2, bold, width - 2.0 * PADDING);
+            if lines.len() > MOST_LINES {
+                lines.truncate(MOST_LINES);
+                lines.push("…".to_owned());
+            }
+            lines
+        };
+        row.iter().zip(widths).map(wrap).collect()
+    }
+
+    fn row(&mut self, cells: &[Vec<String>], widths: &[f64], table: &Table, head: bool) {
+        let height = row_height(cells);
+        let y = self.y;
+        let page = self.page();
+        if head {
+            page.items
+                .push(Item::Box([LEFT, y], [FULL_WIDTH, height], GROUND));
+        }
+        let mut x = LEFT;
+        for ((lines, width), (_, right)) in cells.iter().zip(widths).zip(&table.columns) {
+            for (k, line) in lines.iter().enumerate() {
+                let base = y + 2.6 + 11.0 * (k as f64 + 0.5) + 8.2 * 0.35;
+                let (at, anchor) = if *right {
+                    ([x + width - PADDING, base], Anchor::End)
+                } else {
+                    ([x + PADDING, base], Anchor::Start)
+                };
+                let mut label = Label::new(at, line.clone(), 8.2, INK).anchored(anchor);
+                label.bold = head;
+                page.text(label);
+            }
+            x += width;
+        }
+        self.y += height;
+        let y = self.y;
+        self.rule(
+            y,
+            if head { 0.7 } else { 0.4 },
+            if head { MUTED } else { RULE },
+        );
+    }
+
+    /// As wide as the content wants, where there is room; else the widest give way.
+    fn column_widths(&self, table: &Table) -> Vec<f64> {
+        let wide = |text: &str, bold: bool| self.fonts.width(text, 8.2, bold) + 2.0 * PADDING + 0.5;
+        let natural: Vec<f64> = (0..table.columns.len())
+            .map(|k| {
+                let cells = table.rows.iter().filter_map(|row| row.get(k));
+                let widest = cells.map(|text| wide(text, false)).fold(0.0, f64::max);
+                // A heading may break over two lines.
+                let words = table.columns[k].0.split(' ').map(|w| wide(w, true));
+                widest
+                    .max(words.fold(0.0, f64::max))
+                    .max(wide(&table.columns[k].0, true) * 0.6)
+            })
+            .collect();
+        let total: f64 = natural.iter().sum();
+        if total <= FULL_WIDTH {
+            let each = (FULL_WIDTH - total) / natural.len().max(1) as f64;
+            return natural.iter().map(|w| w + each).collect();
+        }
+        // Columns below the share that is left to the others keep their width.
+        let mut share = FULL_WIDTH / natural.len() as f64;
+        for _ in 0..natural.len() {
+            let narrow: f64 = natural.iter().filter(|w| **w <= share).sum();
+            let others = natural.iter().filter(|w| **w > share).count();
+            if others == 0 {
+                break;
+            }
+            share = (FULL_WIDTH - narrow) / others as f64;
+        }
+        natural.iter().map(|w| w.min(share)).collect()
+    }
+
+    fn sign(&mut self, lines: &[(String, String)]) {
+        let height = 46.0;
+        self.room_for(height * lines.len().div_ceil(2) as f64 + 12.0);
+        self.y += 8.0;
+        let width = (FULL_WIDTH - 28.0) / 2.0;
+        for pair in lines.chunks(2) {
+            for (k, (name, value)) in pair.iter().enumerate() {
+                let x = LEFT + k as f64 * (width + 28.0);
+                let y = self.y + 30.0;
+                let page = self.page();
+                page.line([x, y], [x + width, y], Stroke::new(0.7, INK));
+                page.text(Label::new([x, y + 10.0], name.clone(), 7.6, MUTED));
+                page.text(Label::new([x + 2.0, y - 4.0], value.clone(), 9.0, INK));
+            }
+            self.y += height;
+        }
+    }
+}
+
+fn row_height(cells: &[Vec<String>]) -> f64 {
+    let lines = cells.iter().map(Vec::len).max().unwrap_or(1);
+    11.0 * lines as f64 + 5.2
+}

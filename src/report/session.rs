@@ -1,0 +1,366 @@
+//! The report of a session: runs the diagnosis and says everything that came out.
+
+use crate::compensation::{Remainder, Verification, verify};
+use crate::diagnosis::blunders::mend;
+use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch, diagnose};
+use crate::export::Job;
+use crate::export::sidecar::measured_poses;
+use crate::kinematics::Robot;
+use crate::model::Calibration;
+use crate::model::format_v1::model_hash;
+use crate::sessions::{Session, hash_of_samples};
+use crate::standards::standards;
+
+use super::accuracy;
+use super::document::{Block, Figure, Report, Section, Table, clean};
+use super::numbers::{mm, plain, short};
+use super::parts::{
+    fact, foot, gap, instrument, or_unnamed, parameters, robot_facts, signatures, tables, tolerance,
+};
+use super::plots::waterfall;
+use super::stages::{section as deviations_of, stages};
+use super::{Extras, ReportError};
+
+/// Rows of lists that have no end of their own.
+pub(super) const MOST_ROWS: usize = 20;
+
+impl Report {
+    /// The report of a session. `watch` is told of progress and may stop it.
+    ///
+    /// # Errors
+    /// If the session cannot be diagnosed, or `watch` stops it.
+    pub fn of_session(
+        session: &Session,
+        options: &Options,
+        extras: &Extras,
+        watch: Watch,
+    ) -> Result<Self, ReportError> {
+        let found = diagnose(session, options, watch)?;
+        Self::of_diagnosis(session, &found, options, extras)
+    }
+
+    /// The report of a session whose diagnosis is there already.
+    ///
+    /// # Errors
+    /// If no sample can be used.
+    pub fn of_diagnosis(
+        session: &Session,
+        found: &Diagnosis,
+        options: &Options,
+        extras: &Extras,
+    ) -> Result<Self, ReportError> {
+        // What is reported is the session that was diagnosed: with its blunders mended.
+        let mended = mend(session, options);
+        let calibration = found.calibration(&mended.session);
+        let verification = verify(&calibration, &mended.session)?;
+        let hash = hash_of_samples(session);
+        let told = Told {
+            session: &mended.session,
+            given: session,
+            found,
+            calibration: &calibration,
+            verification: &verification,
+            model_hash: model_hash(&found.calibration(session)),
+        };
+        let mut sections = vec![told.measured(&hash), told.result(), told.parameters()];
+        sections.extend(told.effects());
+        sections.push(told.open());
+        let stages = stages(
+            &mended.session,
+            &calibration,
+            &verification,
+            Some(found.floor.mm),
+        )?;
+        sections.push(deviations_of(&stages));
+        let figures = standards(&mended.session, Some(&calibration))?;
+        sections.push(accuracy::section(&figures));
+        sections.push(told.limits());
+        sections.extend(tables(extras, &hash, &told.model_hash));
+        sections.push(signatures(extras));
+        let subject = or_unnamed(&session.name);
+        Ok(Self {
+            title: "Calibration report".to_owned(),
+            answer: told.answer(),
+            headline: told.headline(),
+            foot: foot(&subject, &hash),
+            subject,
+            sections,
+        })
+    }
+}
+
+/// Everything that is there to be told.
+pub(super) struct Told<'a> {
+    pub(super) session: &'a Session,
+    given: &'a Session,
+    pub(super) found: &'a Diagnosis,
+    calibration: &'a Calibration,
+    verification: &'a Verification,
+    model_hash: String,
+}
+
+impl Told<'_> {
+    pub(super) fn robot(&self) -> &Robot {
+        &self.session.robot
+    }
+
+    fn answer(&self) -> String {
+        let d = self.found;
+        let found = match d.verdict {
+            Verdict::Noise => "Nothing is missing in the model: what is left is noise",
+            Verdict::Explained => "What was missing has a name, and what is left is noise",
+            Verdict::PartlyExplained => {
+                "A part of what was missing has a name; something is left that no name explains"
+            }
+            Verdict::Unexplained => "Something is missing in the model that no name explains",
+        };
+        let mut answer = found.to_owned();
+        if !d.equivalent.is_empty() {
+            answer += "; the samples cannot decide between some names";
+        }
+        if !d.data_problems.is_empty() {
+            answer += "; the data had problems, which are named below";
+        }
+        answer
+    }
+
+    fn headline(&self) -> Vec<Figure> {
+        let (d, v) = (self.found, self.verification);
+        let figure = |name: &str, value: String, beside: String| Figure {
+            name: name.to_owned(),
+            value,
+            beside,
+        };
+        let unseen = d.held_out.gaps.map_or_else(
+            || "too few samples to hold any out".to_owned(),
+            |g| format!("{} on unseen samples", mm(g.end_mm)),
+        );
+        let mut figures = vec![
+            figure(
+                "Gap as measured",
+                mm(d.gap.start_mm),
+                format!("largest {}", mm(v.nominal.max_mm)),
+            ),
+            figure("Gap to the model", mm(d.gap.end_mm), unseen),
+            figure("Noise floor", mm(d.floor.mm), self.floor_from().to_owned()),
+        ];
+        figures.push(match (&v.within_tolerance, self.session.tolerance_mm) {
+            (Some(within), Some(tolerance)) => figure(
+                &format!("Within {} mm", short(tolerance)),
+                format!("{} of {}", within.after, within.of),
+                format!("with the model; {} as measured", within.before),
+            ),
+            _ => figure(
+                "Corrected commands",
+                v.compensated
+                    .map_or_else(|| "–".to_owned(), |c| mm(c.gap.rms_mm)),
+                "gap that the table alone leaves".to_owned(),
+            ),
+        });
+        figures
+    }
+
+    fn floor_from(&self) -> &'static str {
+        match self.found.floor.from {
+            FloorFrom::Repeats => "from returns to the same pose",
+            FloorFrom::Instrument => "from the instrument's noise",
+            FloorFrom::Estimated => "estimated from what is left",
+        }
+    }
+
+    fn measured(&self, hash: &str) -> Section {
+        let s = self.given;
+        let mut facts = vec![fact("Session", or_unnamed(&s.name))];
+        if !s.note.trim().is_empty() {
+            facts.push(fact("Note", clean(&s.note)));
+        }
+        facts.extend(robot_facts(self.robot(), &self.found.measured));
+        facts.push(fact("Instrument", instrument(&s.instrument)));
+        let targets: Vec<String> = s
+            .targets
+            .iter()
+            .take(MOST_ROWS)
+            .map(|t| {
+                let p = t.position_mm;
+                format!(
+                    "{} at ({}, {}, {}) mm",
+                    clean(&t.name),
+                    short(p.x),
+                    short(p.y),
+                    short(p.z)
+                )
+            })
+            .collect();
+        facts.push(fact("Reflectors in the tool", targets.join("; ")));
+        facts.push(fact("Samples", self.samples()));
+        facts.push(fact("Conditions", self.conditions()));
+        facts.push(tolerance(s.tolerance_mm));
+        if let Some(by) = &s.compensated_by {
+            facts.push(fact(
+                "Measured with a table active",
+                format!("of model {}", clean(by)),
+            ));
+        }
+        facts.push(fact(
+            "Method",
+            "robust nonlinear least squares over the effects of the catalogue, found by a forward \
+             search with family-wise significance; intervals allow for the search",
+        ));
+        facts.push(fact(
+            "Program",
+            format!("truepose {}", env!("CARGO_PKG_VERSION")),
+        ));
+        facts.push(fact("Hash of robot and samples", hash));
+        facts.push(fact("Hash of the model", self.model_hash.clone()));
+        Section {
+            title: "What was measured".to_owned(),
+            blocks: vec![Block::Facts(facts)],
+        }
+    }
+
+    fn samples(&self) -> String {
+        let all = self.session.samples.len();
+        let used = self.verification.samples;
+        let mut text = format!("{all}");
+        if used < all {
+            text += &format!(", of which {} cannot be used", all - used);
+        }
+        if let Some(held) = &self.session.samples.held_out {
+            let held = held.iter().filter(|h| **h).count();
+            text += &format!(", {held} held out by the file");
+        }
+        let z = self.session.samples.z_mm.is_some();
+        text += if z { "; x, y, z" } else { "; x, y only" };
+        text
+    }
+
+    fn conditions(&self) -> String {
+        let samples = &self.session.samples;
+        let range = |column: &[f64], unit: &str| {
+            let finite = column.iter().filter(|v| v.is_finite());
+            let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+                (a.min(*v), b.max(*v))
+            });
+            if low > high {
+                "not known".to_owned()
+            } else if low == high {
+                format!("{} {unit}", short(low))
+            } else {
+                format!("{} to {} {unit}", short(low), short(high))
+            }
+        };
+        let column = |name: &str, column: Option<&Vec<f64>>, unit: &str| {
+            let value = column.map_or_else(|| "not recorded".to_owned(), |c| range(c, unit));
+            format!("{name} {value}")
+        };
+        [
+            column("load", samples.load_kg.as_ref(), "kg"),
+            column("temperature", samples.temperature_c.as_ref(), "°C"),
+            column("time", samples.time_s.as_ref(), "s"),
+        ]
+        .join("; ")
+    }
+
+    fn result(&self) -> Section {
+        let (d, v) = (self.found, self.verification);
+        let mut table = Table::new(&["Gap, mm", ">Fit", ">Unseen", ">Largest", ">Over the floor"]);
+        let times = |mm: f64| {
+            if d.floor.mm > 1e-9 {
+                format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
+            } else {
+                "–".to_owned()
+            }
+        };
+        let held = d.held_out.gaps;
+        let mut row = |name: &str, fit: f64, unseen: Option<f64>, largest: Option<f64>| {
+            table.row([
+                name.to_owned(),
+                plain(fit),
+                gap(unseen),
+                gap(largest),
+                times(fit),
+            ]);
+        };
+        row(
+            "nominal robot, as measured",
+            d.gap.start_mm,
+            held.map(|g| g.start_mm),
+            Some(v.nominal.max_mm),
+        );
+        row(
+            "with zero offset and link length",
+            d.gap.identified_mm,
+            held.map(|g| g.identified_mm),
+            None,
+        );
+        row(
+            "with everything that was found",
+            d.gap.end_mm,
+            held.map(|g| g.end_mm),
+            Some(v.model.max_mm),
+        );
+        if let Some(c) = v.compensated {
+            row(
+                "with corrected commands only",
+                c.gap.rms_mm,
+                None,
+                Some(c.gap.max_mm),
+            );
+        }
+        let mut blocks = vec![
+            Block::Text(
+                "The gap is the root mean square of the distance between measured and simulated \
+                 points. Noise alone leaves the floor"
+                    .to_owned(),
+            ),
+            Block::Table(table),
+        ];
+        let mut remarks = vec![format!(
+            "unseen samples: {}",
+            if d.held_out.gaps.is_some() {
+                clean(&d.held_out.how)
+            } else {
+                "none, there are too few samples".to_owned()
+            }
+        )];
+        if let Some(c) = v.compensated {
+            remarks.push(format!(
+                "no joint can remove {}: that stays, whatever a table says",
+                mm(c.cannot_be_removed_by_joints_mm)
+            ));
+            let homes = measured_poses(&Job::new(self.calibration, "report"));
+            remarks.extend(
+                Remainder::new(self.calibration, &homes)
+                    .says()
+                    .iter()
+                    .map(|s| clean(s)),
+            );
+        }
+        remarks.extend(v.notes.iter().map(|n| clean(n)));
+        blocks.push(Block::List(remarks));
+        blocks.push(Block::Plot(
+            waterfall(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
+            "The gap step by step; each step keeps what the ones before it brought".to_owned(),
+        ));
+        Section {
+            title: "Result".to_owned(),
+            blocks,
+        }
+    }
+
+    fn parameters(&self) -> Section {
+        let d = self.found;
+        let found = d.found.iter().flat_map(|f| &f.parameters);
+        Section {
+            title: "Parameters of the real robot".to_owned(),
+            blocks: vec![
+                Block::Text(
+                    "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
+                     What was commanded has to be corrected by the opposite"
+                        .to_owned(),
+                ),
+                parameters(d.identified.iter().chain(found), self.robot()),
+            ],
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! A session's deviations at the stages of the work, and the plots of them.
+
+use crate::compensation::Verification;
+use crate::compensation::verification::moved_by_correction;
+use crate::effects::JointValues;
+use crate::identification::gap::{Deviations, deviations};
+use crate::identification::problem::Problem;
+use crate::model::{Calibration, Model};
+use crate::sessions::Session;
+
+use super::ReportError;
+use super::document::{Block, Section};
+use super::drawing::{AFTER, BEFORE, CORRECTED};
+use super::numbers::short;
+use super::parts::{of_joint, or_unnamed, unit_of_joint};
+use super::plots::{Stage, Stages, deviation, shortened, workspace};
+
+/// A session's samples as measured, with corrected commands, and against the model.
+///
+/// # Errors
+/// If the calibration is another robot's.
+pub fn stages(
+    session: &Session,
+    calibration: &Calibration,
+    verification: &Verification,
+    floor_mm: Option<f64>,
+) -> Result<Stages, ReportError> {
+    let mut all = as_measured(session, floor_mm);
+    let before = &all.stages[0].deviations;
+    let mut more = Vec::new();
+    if let Some(moved) = moved_by_correction(calibration, session)? {
+        let mut corrected = Deviations::default();
+        for i in 0..before.length_mm.len() {
+            let planar = session.samples.z_mm.is_none();
+            let by = moved.get(i);
+            let e: [f64; 3] = std::array::from_fn(|k| {
+                let by = if planar && k == 2 { 0.0 } else { by[k] };
+                before.axes_mm[k][i] + by
+            });
+            corrected.length_mm.push(crate::lanes::dot(e, e).sqrt());
+            for (column, e) in corrected.axes_mm.iter_mut().zip(e) {
+                column.push(e);
+            }
+        }
+        more.push(Stage {
+            name: "With corrected commands".to_owned(),
+            colour: CORRECTED,
+            deviations: corrected,
+        });
+    }
+    more.push(Stage {
+        name: "Against the model".to_owned(),
+        colour: AFTER,
+        deviations: verification.after.clone(),
+    });
+    all.stages.extend(more);
+    Ok(all)
+}
+
+/// A session's samples as measured, held against the nominal robot.
+pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
+    let problem = Problem::new(session, JointValues::Commanded);
+    let nominal = Model::nominal(session.robot.clone());
+    // Deviations are shown over the joint that moved farthest, in its own unit.
+    let joints = &session.robot.joints;
+    let travel = |k: usize| {
+        let finite = session.samples.q[k].iter().filter(|v| v.is_finite());
+        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+            (a.min(*v), b.max(*v))
+        });
+        (high - low).max(0.0)
+    };
+    let farthest = (0..joints.len())
+        .rev()
+        .max_by(|a, b| travel(*a).total_cmp(&travel(*b)));
+    let k = farthest.unwrap_or(0);
+    let dir = session.samples.dir.get(k).and_then(Option::as_ref);
+    let n = session.samples.len();
+    Stages {
+        nominal: nominal.predict(&problem.inputs),
+        over: format!(
+            "joint {} ({}), {}",
+            k + 1,
+            shortened(&or_unnamed(&joints[k].name), 40),
+            unit_of_joint(&joints[k]).trim()
+        ),
+        values: problem.inputs.q[k]
+            .iter()
+            .map(|q| of_joint(*q, &joints[k]))
+            .collect(),
+        side: (0..n)
+            .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))
+            .collect(),
+        stages: vec![Stage {
+            name: "As measured".to_owned(),
+            colour: BEFORE,
+            deviations: deviations(&problem, &nominal),
+        }],
+        floor_mm,
+        tolerance_mm: session.tolerance_mm,
+    }
+}
+
+/// The plots.
+pub(super) fn section(stages: &Stages) -> Section {
+    let (places, magnification) = workspace(stages);
+    let corrected = stages.stages.len() > 2;
+    let caption = format!(
+        "Measured points with their deviations, magnified {} times{}",
+        short(magnification),
+        if corrected {
+            "; corrected commands act through the joints alone, the model holds what a \
+             controller can be told besides"
+        } else {
+            ""
+        }
+    );
+    Section {
+        title: "Deviations".to_owned(),
+        blocks: vec![
+            Block::Plot(places, caption),
+            Block::Plot(
+                deviation(stages),
+                "Length of the deviation; the scales differ from panel to panel".to_owned(),
+            ),
+        ],
+    }
+}

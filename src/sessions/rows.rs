@@ -1,0 +1,241 @@
+//! Samples taken away from, or put behind, others: every column at once, so that they stay as long
+//! as each other.
+
+use super::domain::{Samples, Setups, UnknownColumn};
+use super::lines::Lines;
+
+impl Samples {
+    /// Takes samples away; `rows` count from 0, in any order. Rows that are not there are passed
+    /// over. Lines stay those of the file.
+    pub fn remove(&mut self, rows: &[usize]) {
+        let count = self.len();
+        let mut kept = vec![true; count];
+        for &row in rows {
+            if let Some(kept) = kept.get_mut(row) {
+                *kept = false;
+            }
+        }
+        let keep = |column: &mut Vec<f64>| retain(column, &kept);
+        self.q.iter_mut().for_each(keep);
+        for column in [&mut self.x_mm, &mut self.y_mm] {
+            retain(column, &kept);
+        }
+        self.z_mm.iter_mut().for_each(keep);
+        for columns in [&mut self.q_read, &mut self.dir, &mut self.speed] {
+            columns.iter_mut().flatten().for_each(keep);
+        }
+        self.orientation_wxyz.iter_mut().flatten().for_each(keep);
+        for column in [&mut self.load_kg, &mut self.temperature_c, &mut self.time_s] {
+            column.iter_mut().for_each(keep);
+        }
+        if let Some(target) = &mut self.target {
+            retain(target, &kept);
+        }
+        if let Some(setups) = &mut self.setups {
+            retain(&mut setups.index, &kept);
+        }
+        if let Some(held_out) = &mut self.held_out {
+            retain(held_out, &kept);
+        }
+        for column in &mut self.unknown {
+            retain(&mut column.cells, &kept);
+        }
+        if !self.line.is_empty() {
+            let mut lines = Lines::default();
+            for line in (0..count).filter(|row| kept[*row]) {
+                lines.add(self.line.get(line).unwrap_or(0), 1);
+            }
+            self.line = lines;
+        }
+    }
+
+    /// Puts more samples behind these. A column that only one of them has is filled with missing
+    /// values; both have the same number of joints.
+    pub fn append(&mut self, more: Self) {
+        let (before, added) = (self.len(), more.len());
+        for (column, more) in self.q.iter_mut().zip(more.q) {
+            column.extend(more);
+        }
+        for (columns, more) in [
+            (&mut self.q_read, more.q_read),
+            (&mut self.dir, more.dir),
+            (&mut self.speed, more.speed),
+        ] {
+            for (column, more) in columns.iter_mut().zip(more) {
+                extend(column, more, before, added);
+            }
+        }
+        self.x_mm.extend(more.x_mm);
+        self.y_mm.extend(more.y_mm);
+        for (column, more) in [
+            (&mut self.z_mm, more.z_mm),
+            (&mut self.load_kg, more.load_kg),
+            (&mut self.temperature_c, more.temperature_c),
+            (&mut self.time_s, more.time_s),
+        ] {
+            extend(column, more, before, added);
+        }
+        self.orientation_wxyz = match (self.orientation_wxyz.take(), more.orientation_wxyz) {
+            (None, None) => None,
+            (here, there) => {
+                let missing = |n: usize| std::array::from_fn(|_| vec![f64::NAN; n]);
+                let mut parts: [Vec<f64>; 4] = here.unwrap_or_else(|| missing(before));
+                let there: [Vec<f64>; 4] = there.unwrap_or_else(|| missing(added));
+                for (part, more) in parts.iter_mut().zip(there) {
+                    part.extend(more);
+                }
+                Some(parts)
+            }
+        };
+        self.target = match (self.target.take(), more.target) {
+            (None, None) => None,
+            (here, there) => {
+                let mut target = here.unwrap_or_else(|| vec![0; before]);
+                target.extend(there.unwrap_or_else(|| vec![0; added]));
+                Some(target)
+            }
+        };
+        self.setups = together(self.setups.take(), more.setups, before, added);
+        self.held_out = match (self.held_out.take(), more.held_out) {
+            (None, None) => None,
+            (here, there) => {
+                let mut held_out = here.unwrap_or_else(|| vec![false; before]);
+                held_out.extend(there.unwrap_or_else(|| vec![false; added]));
+                Some(held_out)
+            }
+        };
+        for column in more.unknown {
+            let known = self.unknown.iter().position(|c| c.name == column.name);
+            let known = known.unwrap_or_else(|| {
+                self.unknown.push(UnknownColumn {
+                    name: column.name.clone(),
+                    cells: vec![String::new(); before],
+                });
+                self.unknown.len() - 1
+            });
+            self.unknown[known].cells.extend(column.cells);
+        }
+        for column in &mut self.unknown {
+            column.cells.resize(before + added, String::new());
+        }
+        for row in 0..more.line.len() {
+            self.line.add(more.line.get(row).unwrap_or(0), 1);
+        }
+    }
+}
+
+fn retain<T>(column: &mut Vec<T>, kept: &[bool]) {
+    let mut row = 0;
+    column.retain(|_| {
+        row += 1;
+        kept.get(row - 1).copied().unwrap_or(true)
+    });
+}
+
+fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, added: usize) {
+    *column = match (column.take(), more) {
+        (None, None) => None,
+        (here, there) => {
+            let mut column = here.unwrap_or_else(|| vec![f64::NAN; before]);
+            column.extend(there.unwrap_or_else(|| vec![f64::NAN; added]));
+            Some(column)
+        }
+    };
+}
+
+/// Setups by their names: the same name is the same frame.
+fn together(
+    here: Option<Setups>,
+    there: Option<Setups>,
+    before: usize,
+    added: usize,
+) -> Option<Setups> {
+    if here.is_none() && there.is_none() {
+        return None;
+    }
+    let unnamed = |n: usize| Setups {
+        names: vec![String::new()],
+        index: vec![0; n],
+    };
+    let mut all = here.unwrap_or_else(|| unnamed(before));
+    let more = there.unwrap_or_else(|| unnamed(added));
+    let mut place = Vec::with_capacity(more.names.len());
+    for name in more.names {
+        let known = all.names.iter().position(|n| *n == name);
+        place.push(known.unwrap_or_else(|| {
+            all.names.push(name);
+            all.names.len() - 1
+        }));
+    }
+    let index = more.index.into_iter().map(|i| {
+        let place = place.get(i as usize).copied().unwrap_or(0);
+        u32::try_from(place).unwrap_or(0)
+    });
+    all.index.extend(index);
+    Some(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::sessions::{Samples, parse_with_csv};
+
+    const HEAD: &str = "q1_deg,x_mm,y_mm,z_mm,dir1,target,time_s,setup,use,operator\n";
+    const ROWS: [&str; 4] = [
+        "1,2,3,4,1,T1,0,a,fit,Ann\n",
+        "2,,3,4,-1,T2,1,b,held-out,\n",
+        "3,2,3,,0,T1,,a,fit,Bob\n",
+        "4,2,3,4,1,T2,3,c,fit,Ann\n",
+    ];
+
+    fn samples(rows: &[&str]) -> Samples {
+        let document = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[{"name":"pan",
+            "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},
+            "targets":{"T1":[0,0,0],"T2":[1,2,3]},"samples":{"file":"s.csv"}}"#;
+        let csv = format!("{HEAD}{}", rows.concat());
+        let mut samples = parse_with_csv(document, csv.as_bytes())
+            .unwrap()
+            .session
+            .samples;
+        samples.line = crate::sessions::Lines::default();
+        samples
+    }
+
+    /// NaN equals NaN here.
+    fn same(a: &Samples, b: &Samples) -> bool {
+        format!("{a:?}") == format!("{b:?}")
+    }
+
+    #[test]
+    fn samples_in_two_parts_are_the_samples_in_one() {
+        for cut in 1..ROWS.len() {
+            let mut together = samples(&ROWS[..cut]);
+            together.append(samples(&ROWS[cut..]));
+            assert!(
+                same(&together, &samples(&ROWS)),
+                "cut at {cut}: {together:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn removed_samples_leave_the_others_as_they_were() {
+        let mut left = samples(&ROWS);
+        left.remove(&[3, 1, 99]);
+        let mut expected = samples(&[ROWS[0], ROWS[2]]);
+        // Setups keep their names although nobody is in some any more.
+        expected.setups.as_mut().unwrap().names = vec!["a".into(), "b".into(), "c".into()];
+        assert!(same(&left, &expected), "{left:?}");
+    }
+
+    #[test]
+    fn lines_of_the_file_stay_with_their_samples() {
+        let document = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[{"name":"pan",
+            "kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},
+            "samples":{"file":"s.csv"}}"#;
+        let csv = b"q1_deg,x_mm,y_mm\n1,2,3\n\n2,2,3\n3,2,3\n";
+        let mut samples = parse_with_csv(document, csv).unwrap().session.samples;
+        samples.remove(&[1]);
+        assert_eq!(samples.line.get(0), Some(2));
+        assert_eq!(samples.line.get(1), Some(5));
+    }
+}

@@ -1,0 +1,349 @@
+//! Tests of single axes in a session: the series of samples in which one joint visits positions
+//! while all others stand, and the axis' deviation in each of them.
+//!
+//! A joint that turns: the angle about its axis from where the reflector should be to where it is,
+//!
+//! ```text
+//! x = atan2(a · (r₀ × r), r₀ · r),   r₀, r: from the axis to the points, across the axis
+//! ```
+//!
+//! exact, whatever the size of the error. The axis is where the nominal robot has it: what an
+//! offset of the base does to the angle is part of the deviation. A joint that slides:
+//! x = a · (measured − commanded).
+
+use nalgebra::{Point3, Unit, Vector3};
+
+use crate::kinematics::JointKind;
+use crate::units::deg_from_rad;
+
+use super::grouping::{Keys, once_per_stay, stays};
+use super::points::Points;
+use super::positioning::{Position, Positioning};
+
+/// Approaches from each side that ISO 230-2 asks for.
+pub const STANDARD_RUNS: usize = 5;
+/// Series that are listed for an axis, best first.
+const MOST_SERIES: usize = 12;
+/// Below this radius, mm, a point says nothing of an angle.
+const LEAST_RADIUS_MM: f64 = 1e-3;
+/// One radian in seconds of arc.
+const ARCSEC: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
+
+/// What was held fixed in a series.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Fixed {
+    /// The reflector, where the session has several.
+    pub target: Option<String>,
+    /// Load, kg.
+    pub load_kg: Option<f64>,
+    /// Size of the joint's speed, degrees or mm per second.
+    pub speed: Option<f64>,
+    /// The measuring frame.
+    pub setup: Option<String>,
+    /// The other joints' values, degrees or mm; empty for a single joint.
+    pub others: Vec<f64>,
+}
+
+impl Fixed {
+    /// In words, for the axis that moved.
+    pub fn in_words(&self, axis: &AxisTest) -> String {
+        let mut parts: Vec<String> = Vec::new();
+        parts.extend(self.target.iter().map(|t| format!("reflector {t}")));
+        parts.extend(self.load_kg.map(|kg| format!("load {kg} kg")));
+        if let Some(speed) = self.speed.filter(|v| *v != 0.0) {
+            parts.push(format!("measured at {speed} {}/s", axis.position_unit));
+        }
+        parts.extend(self.setup.iter().map(|s| format!("setup {s}")));
+        if !self.others.is_empty() {
+            let others: Vec<String> = self.others.iter().map(f64::to_string).collect();
+            parts.push(format!("other joints at {}", others.join(", ")));
+        }
+        if parts.is_empty() {
+            parts.push("all samples alike".to_owned());
+        }
+        parts.join(", ")
+    }
+}
+
+/// One axis under one set of conditions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// What was held fixed.
+    pub fixed: Fixed,
+    /// As measured.
+    pub before: Positioning,
+    /// As it would be with corrected commands.
+    pub after: Option<Positioning>,
+    /// What the standard asks for and the session does not have.
+    pub missing: Vec<String>,
+}
+
+/// One axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AxisTest {
+    /// Joint, counted from 0.
+    pub joint: usize,
+    /// Its name.
+    pub name: String,
+    /// How it moves.
+    pub kind: JointKind,
+    /// Unit of all figures: `arcsec` or `mm`.
+    pub unit: &'static str,
+    /// Unit of the positions: `deg` or `mm`.
+    pub position_unit: &'static str,
+    /// The series, best first.
+    pub series: Vec<Series>,
+    /// Number of further series that are not listed.
+    pub more: usize,
+    /// Why there is no series at all.
+    pub missing: Option<String>,
+}
+
+impl AxisTest {
+    pub(super) fn new(points: &Points<'_>, joint: usize) -> Self {
+        let about = &points.robot.joints[joint];
+        let (unit, position_unit) = match about.kind {
+            JointKind::Revolute => ("arcsec", "deg"),
+            JointKind::Prismatic => ("mm", "mm"),
+        };
+        let mut test = Self {
+            joint,
+            name: about.name.clone(),
+            kind: about.kind,
+            unit,
+            position_unit,
+            series: Vec::new(),
+            more: 0,
+            missing: None,
+        };
+        let Some(dir) = &points.inputs.dir[joint] else {
+            test.missing = Some(format!(
+                "the side from which the joint came is not known: column dir{} is missing",
+                joint + 1
+            ));
+            return test;
+        };
+        let mut keys = Keys::of_conditions(points);
+        for (other, q) in points.inputs.q.iter().enumerate() {
+            if other != joint {
+                keys = keys.and(q);
+            }
+        }
+        let counts = |i: usize| points.usable[i] && dir[i] != 0.0;
+        let stays = stays(points);
+        let groups = keys.groups(points.inputs.len(), counts);
+        let mut series: Vec<Series> = groups
+            .iter()
+            .filter_map(|group| Sweep::new(points, joint, &once_per_stay(group, &stays)))
+            .filter_map(Sweep::series)
+            .collect();
+        let size = |s: &Series| {
+            let [up, down] = s.before.fewest_runs();
+            (up.min(down).min(2), s.before.positions.len(), up + down)
+        };
+        series.sort_by_key(|s| std::cmp::Reverse(size(s)));
+        test.more = series.len().saturating_sub(MOST_SERIES);
+        series.truncate(MOST_SERIES);
+        if series.is_empty() {
+            test.missing = Some(
+                "no two positions of the joint were measured with everything else alike (other \
+                 joints, reflector, load, speed) and a reflector off the axis"
+                    .to_owned(),
+            );
+        }
+        test.series = series;
+        test
+    }
+}
+
+/// The samples of one series.
+struct Sweep<'p, 's> {
+    points: &'p Points<'s>,
+    joint: usize,
+    axis: Unit<Vector3<f64>>,
+    on_axis: Point3<f64>,
+    first: usize,
+    /// Samples by position in ascending order: from below, from above.
+    positions: Vec<(f64, [Vec<usize>; 2])>,
+}
+
+impl<'p, 's> Sweep<'p, 's> {
+    /// `None` with fewer than two positions.
+    fn new(points: &'p Points<'s>, joint: usize, samples: &[usize]) -> Option<Self> {
+        let first = *samples.first()?;
+        let q = &points.inputs.q[joint];
+        let dir = points.inputs.dir[joint].as_ref()?;
+        let mut order = samples.to_vec();
+        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+        let positions: Vec<_> = order
+            .chunk_by(|a, b| q[*a] == q[*b])
+            .map(|at| {
+                let from = |side: f64| at.iter().copied().filter(|i| dir[*i] == side).collect();
+                (q[at[0]], [from(1.0), from(-1.0)])
+            })
+            .collect();
+        if positions.len() < 2 {
+            return None;
+        }
+        let pose: Vec<f64> = points.inputs.q.iter().map(|q| q[first]).collect();
+        let motion = points.robot.motions_from_home(&pose)[joint];
+        let axis = &points.robot.joints[joint].axis;
+        Some(Self {
+            points,
+            joint,
+            axis: motion.rotation * axis.direction,
+            on_axis: motion * axis.point_mm,
+            first,
+            positions,
+        })
+    }
+
+    fn series(mut self) -> Option<Series> {
+        let mut missing = Vec::new();
+        let all = self.positions.len();
+        self.keep_the_most_useful();
+        let left_out = all - self.positions.len();
+        if left_out > 0 {
+            missing.push(format!(
+                "{left_out} of {all} positions have fewer approaches than the others and are left \
+                 out"
+            ));
+        }
+        let before = Positioning::new(&self.deviations(false)?);
+        let after = if self.points.compensated() {
+            Some(Positioning::new(&self.deviations(true)?))
+        } else {
+            None
+        };
+        self.shortcomings(&before, &mut missing);
+        Some(Series {
+            fixed: self.fixed(),
+            before,
+            after,
+            missing,
+        })
+    }
+
+    /// Positions with few approaches do not take the figures from the others: the positions that
+    /// give most stay, where there are two of them.
+    fn keep_the_most_useful(&mut self) {
+        for wanted in [[2, 2], [1, 1], [2, 0], [0, 2], [1, 0], [0, 1]] {
+            let serves =
+                |p: &(f64, [Vec<usize>; 2])| p.1[0].len() >= wanted[0] && p.1[1].len() >= wanted[1];
+            if self.positions.iter().filter(|p| serves(p)).count() >= 2 {
+                self.positions.retain(serves);
+                return;
+            }
+        }
+    }
+
+    /// `None` if a point is too near to the axis.
+    fn deviations(&self, compensated: bool) -> Option<Vec<Position>> {
+        let outer = |q: f64| match self.points.robot.joints[self.joint].kind {
+            JointKind::Revolute => deg_from_rad(q),
+            JointKind::Prismatic => q,
+        };
+        let position = |(q, sides): &(f64, [Vec<usize>; 2])| {
+            let deviations = |side: &Vec<usize>| -> Option<Vec<f64>> {
+                side.iter()
+                    .map(|i| self.deviation(*i, compensated))
+                    .collect()
+            };
+            Some(Position {
+                commanded: outer(*q),
+                up: deviations(&sides[0])?,
+                down: deviations(&sides[1])?,
+            })
+        };
+        self.positions.iter().map(position).collect()
+    }
+
+    fn deviation(&self, sample: usize, compensated: bool) -> Option<f64> {
+        let commanded = self.points.commanded(sample);
+        let attained = self.points.attained(sample, compensated);
+        let axis = self.axis.into_inner();
+        if self.points.robot.joints[self.joint].kind == JointKind::Prismatic {
+            return Some(axis.dot(&(attained - commanded)));
+        }
+        let across = |point: Point3<f64>| {
+            let lever = point - self.on_axis;
+            lever - axis * axis.dot(&lever)
+        };
+        let (wanted, real) = (across(commanded), across(attained));
+        let far = wanted.norm() > LEAST_RADIUS_MM && real.norm() > LEAST_RADIUS_MM;
+        far.then(|| axis.dot(&wanted.cross(&real)).atan2(wanted.dot(&real)) * ARCSEC)
+    }
+
+    fn fixed(&self) -> Fixed {
+        let Points {
+            session, inputs, ..
+        } = self.points;
+        let i = self.first;
+        let outer = |joint: usize, value: f64| match self.points.robot.joints[joint].kind {
+            JointKind::Revolute => deg_from_rad(value),
+            JointKind::Prismatic => value,
+        };
+        let others = (0..inputs.q.len()).filter(|j| *j != self.joint);
+        Fixed {
+            target: inputs
+                .target
+                .as_ref()
+                .and_then(|t| session.targets.get(t[i] as usize))
+                .map(|t| t.name.clone()),
+            load_kg: inputs.load_kg.as_ref().map(|l| l[i]),
+            speed: inputs.speed[self.joint]
+                .as_ref()
+                .map(|v| outer(self.joint, v[i].abs())),
+            setup: session
+                .samples
+                .setups
+                .as_ref()
+                .and_then(|s| s.names.get(s.index[i] as usize).cloned()),
+            others: others.map(|j| outer(j, inputs.q[j][i])).collect(),
+        }
+    }
+
+    fn shortcomings(&self, figures: &Positioning, missing: &mut Vec<String>) {
+        let [up, down] = figures.fewest_runs();
+        let side = |n: usize, name: &str| match n {
+            0 => Some(format!(
+                "not every position was approached from {name}: no figure that needs that side, \
+                 and no reversal"
+            )),
+            1 => Some(format!(
+                "a position was approached once from {name}: no standard deviation, so no \
+                 repeatability and no accuracy"
+            )),
+            _ => None,
+        };
+        missing.extend(side(up, "below"));
+        missing.extend(side(down, "above"));
+        if up.min(down) >= 2 && up.min(down) < STANDARD_RUNS {
+            missing.push(format!(
+                "{} approaches from each side; the standard asks for {STANDARD_RUNS}",
+                up.min(down)
+            ));
+        }
+        let (Some(first), Some(last)) = (figures.positions.first(), figures.positions.last())
+        else {
+            return;
+        };
+        let travel = last.commanded - first.commanded;
+        let wanted = match self.points.robot.joints[self.joint].kind {
+            JointKind::Revolute if travel <= 90.0 => 3,
+            JointKind::Revolute if travel <= 180.0 => 5,
+            JointKind::Revolute => 8,
+            JointKind::Prismatic => 5,
+        };
+        if figures.positions.len() < wanted {
+            missing.push(format!(
+                "{} positions over {travel} {}; the standard asks for {wanted}",
+                figures.positions.len(),
+                match self.points.robot.joints[self.joint].kind {
+                    JointKind::Revolute => "degrees",
+                    JointKind::Prismatic => "mm",
+                }
+            ));
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! A robot's accuracy as the standards state it, as measured and with corrected commands.
+//!
+//! - [`positioning`]: one axis after ISO 230-2, from approaches of the same positions from both
+//!   sides; `axis` finds them in a session and takes the axis' deviation from the measured points.
+//! - [`pose`]: pose accuracy and repeatability after ISO 9283.
+//! - [`format_v1`] is `truepose-standards/1`.
+//!
+//! Every usable sample counts, suspected outliers too: the standards leave nothing out. Readings
+//! without another pose between them are one approach; the first counts. What the session cannot
+//! give is named, never guessed.
+
+pub mod axis;
+pub mod format_v1;
+pub mod pose;
+pub mod positioning;
+
+mod grouping;
+mod points;
+
+pub use axis::{AxisTest, Series};
+pub use pose::PoseTest;
+pub use positioning::Positioning;
+
+use crate::compensation::verification::VerifyError;
+use crate::model::Calibration;
+use crate::sessions::Session;
+
+use points::Points;
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Standards {
+    /// Name of the session.
+    pub session: String,
+    /// Samples that could be used.
+    pub samples: usize,
+    /// Samples that could not: a cell is missing, or the reflector was lost.
+    pub left_out: usize,
+    /// ISO 230-2, axis by axis.
+    pub axes: Vec<AxisTest>,
+    /// ISO 9283.
+    pub poses: PoseTest,
+    /// Whether the figures with corrected commands are there.
+    pub compensated: bool,
+    /// What else there is to say.
+    pub notes: Vec<String>,
+}
+
+/// The standards' figures of a session; with a calibration also those with corrected commands.
+///
+/// # Errors
+/// If no sample can be used, or the calibration is another robot's.
+pub fn standards(
+    session: &Session,
+    calibration: Option<&Calibration>,
+) -> Result<Standards, VerifyError> {
+    let points = Points::new(session, calibration)?;
+    let samples = points.usable.iter().filter(|u| **u).count();
+    let left_out = points.usable.len() - samples;
+    let mut notes = Vec::new();
+    if left_out > 0 {
+        notes.push(format!(
+            "{left_out} samples are left out: a cell is missing, or the reflector was lost"
+        ));
+    }
+    if session.compensated_by.is_some() {
+        notes.push(
+            "the session was measured with a table active: the figures are those with \
+             compensation, and nothing is compensated a second time"
+                .to_owned(),
+        );
+    }
+    if moving(session) {
+        notes.push(
+            "samples were taken in motion; the standards measure at standstill, so that lag is in \
+             these figures"
+                .to_owned(),
+        );
+    }
+    Ok(Standards {
+        session: session.name.clone(),
+        samples,
+        left_out,
+        axes: (0..points.robot.joints.len())
+            .map(|joint| AxisTest::new(&points, joint))
+            .collect(),
+        poses: PoseTest::new(&points),
+        compensated: points.compensated(),
+        notes,
+    })
+}
+
+fn moving(session: &Session) -> bool {
+    let speeds = session.samples.speed.iter().flatten().flatten();
+    speeds.into_iter().any(|v| *v != 0.0 && !v.is_nan())
+}

@@ -1,0 +1,81 @@
+//! Where the samples' points are and where they should be, as the standards compare them: measured
+//! before compensation, and where the same commands, corrected, would have put them.
+//!
+//! A point after compensation is measured + (reached − model): noise and everything that the model
+//! does not know stay in it, as they do in [`verify`](crate::compensation::verify). What the model
+//! says of the instrument (its scale, a frame that drifts) is taken out with it.
+
+use nalgebra::Point3;
+
+use crate::compensation::verification::{VerifyError, moved_by_correction};
+use crate::effects::{Inputs, JointValues};
+use crate::identification::problem::Problem;
+use crate::kinematics::Robot;
+use crate::model::{Calibration, Model, Positions};
+use crate::sessions::Session;
+
+/// See the module.
+#[derive(Debug)]
+pub(super) struct Points<'a> {
+    pub(super) session: &'a Session,
+    pub(super) robot: &'a Robot,
+    pub(super) inputs: Inputs<'a>,
+    pub(super) usable: Vec<bool>,
+    nominal: Positions,
+    moved: Option<Positions>,
+}
+
+impl<'a> Points<'a> {
+    pub(super) fn new(
+        session: &'a Session,
+        calibration: Option<&'a Calibration>,
+    ) -> Result<Self, VerifyError> {
+        let moved = calibration
+            .map(|c| moved_by_correction(c, session))
+            .transpose()?;
+        let robot = calibration.map_or(&session.robot, |c| &c.model.robot);
+        let problem = Problem::new(session, JointValues::Commanded);
+        let nominal = Model::nominal(robot.clone()).predict(&problem.inputs);
+        if !problem.usable.contains(&true) {
+            return Err(VerifyError::NothingToVerify);
+        }
+        Ok(Self {
+            session,
+            robot,
+            usable: problem.usable,
+            inputs: problem.inputs,
+            nominal,
+            moved: moved.flatten(),
+        })
+    }
+
+    /// Whether there is anything to say of compensation.
+    pub(super) fn compensated(&self) -> bool {
+        self.moved.is_some()
+    }
+
+    /// Where the nominal robot puts a sample, mm.
+    pub(super) fn commanded(&self, sample: usize) -> Point3<f64> {
+        Point3::from(self.nominal.get(sample))
+    }
+
+    /// Where it was measured, or would have been with corrected commands, mm. In a planar session
+    /// z is where it should be.
+    pub(super) fn attained(&self, sample: usize, compensated: bool) -> Point3<f64> {
+        let samples = &self.session.samples;
+        let commanded = self.commanded(sample);
+        let z = samples.z_mm.as_ref();
+        let mut point = Point3::new(
+            samples.x_mm[sample],
+            samples.y_mm[sample],
+            z.map_or(commanded.z, |z| z[sample]),
+        );
+        if let Some(moved) = self.moved.as_ref().filter(|_| compensated) {
+            let [x, y, dz] = moved.get(sample);
+            point.x += x;
+            point.y += y;
+            point.z += if z.is_some() { dz } else { 0.0 };
+        }
+        point
+    }
+}

@@ -1,0 +1,311 @@
+//! Pose accuracy and repeatability after ISO 9283:1998, clauses 7.2 and 7.3, per commanded pose that
+//! was reached n times from the same direction.
+//!
+//! ```text
+//! AP_p  = |p̄ − p_c|,  AP_x = x̄ − x_c, …             p̄: barycentre of the attained positions
+//! l_j   = |p_j − p̄|,  RP_l = l̄ + 3 S_l,  S_l = √( Σ (l_j − l̄)² / (n − 1) )
+//! vAP_p = max |p̄_h − p̄_k|                            over the directions h, k of one pose
+//! AP_a  = ā,  RP_a = 3 S_a, …                        a, b, c: the turn from the commanded to the
+//!                                                    attained orientation, about x, y, z
+//! ```
+//!
+//! The turn is a rotation vector in the measuring frame; for the small turns of a robot it is the
+//! standard's three angles. A direction is the combination of the sides from which the joints came.
+
+use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
+
+use crate::kinematics::{JointKind, quaternion};
+use crate::units::deg_from_rad;
+
+use super::grouping::{Keys, once_per_stay, stays};
+use super::points::Points;
+use super::positioning::{mean, sample_deviation};
+
+/// Cycles that ISO 9283 asks for.
+pub const STANDARD_CYCLES: usize = 30;
+
+/// What the attained positions of one pose from one direction give, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attained {
+    /// `AP_x`, `AP_y`, `AP_z`; z is 0 in a planar session.
+    pub accuracy_axes: [f64; 3],
+    /// `AP_p`.
+    pub accuracy: f64,
+    /// l̄.
+    pub mean_distance: f64,
+    /// `S_l`.
+    pub deviation: f64,
+    /// `RP_l`.
+    pub repeatability: f64,
+}
+
+/// What the attained orientations give, degrees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turned {
+    /// `AP_a`, `AP_b`, `AP_c`.
+    pub accuracy: [f64; 3],
+    /// `RP_a`, `RP_b`, `RP_c`, as the number after ±.
+    pub repeatability: [f64; 3],
+}
+
+/// One commanded pose, reached from one direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PoseFigures {
+    /// Commanded joint values, degrees or mm.
+    pub q: Vec<f64>,
+    /// Side from which each joint came; 0 where it is not known.
+    pub dir: Vec<f64>,
+    /// The reflector, where the session has several.
+    pub target: Option<String>,
+    /// Load, kg.
+    pub load_kg: Option<f64>,
+    /// n.
+    pub cycles: usize,
+    /// As measured.
+    pub before: Attained,
+    /// As it would be with corrected commands.
+    pub after: Option<Attained>,
+    /// Orientations as measured.
+    pub orientation: Option<Turned>,
+}
+
+/// One commanded pose, reached from several directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation {
+    /// Commanded joint values, degrees or mm.
+    pub q: Vec<f64>,
+    /// The reflector, where the session has several.
+    pub target: Option<String>,
+    /// Number of directions.
+    pub directions: usize,
+    /// `vAP_p` as measured, mm.
+    pub before: f64,
+    /// As it would be with corrected commands.
+    pub after: Option<f64>,
+}
+
+/// All poses of a session.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PoseTest {
+    /// Poses with at least two cycles, in measuring order.
+    pub poses: Vec<PoseFigures>,
+    /// Poses from several directions, in measuring order.
+    pub variations: Vec<Variation>,
+    /// What the standard asks for and the session does not have.
+    pub missing: Vec<String>,
+}
+
+/// The largest figures over all poses, mm; `None` where there is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Largest {
+    /// `AP_p`.
+    pub accuracy: Option<f64>,
+    /// `RP_l`.
+    pub repeatability: Option<f64>,
+    /// `vAP_p`.
+    pub variation: Option<f64>,
+}
+
+/// The barycentre and its figures.
+pub(super) fn attained(
+    points: &[Point3<f64>],
+    commanded: &Point3<f64>,
+) -> Option<(Point3<f64>, Attained)> {
+    if points.len() < 2 {
+        return None;
+    }
+    let sum: Vector3<f64> = points.iter().map(|p| p - commanded).sum();
+    let off = sum / points.len() as f64;
+    let centre = commanded + off;
+    let distances: Vec<f64> = points.iter().map(|p| (p - centre).norm()).collect();
+    let (mean_distance, deviation) = (mean(&distances)?, sample_deviation(&distances)?);
+    let figures = Attained {
+        accuracy_axes: off.into(),
+        accuracy: off.norm(),
+        mean_distance,
+        deviation,
+        repeatability: mean_distance + 3.0 * deviation,
+    };
+    Some((centre, figures))
+}
+
+impl PoseTest {
+    pub(super) fn new(points: &Points<'_>) -> Self {
+        let inputs = &points.inputs;
+        let mut keys = Keys::of_conditions(points);
+        for q in &inputs.q {
+            keys = keys.and(q);
+        }
+        let stays = stays(points);
+        let mut test = Self::default();
+        for group in keys.groups(inputs.len(), |i| points.usable[i]) {
+            test.add(points, &once_per_stay(&group, &stays));
+        }
+        if test.poses.is_empty() {
+            test.missing.push(
+                "no pose was reached twice from the same direction, after another pose".to_owned(),
+            );
+        } else {
+            let fewest = test.poses.iter().map(|p| p.cycles).min().unwrap_or(0);
+            if fewest < STANDARD_CYCLES {
+                test.missing.push(format!(
+                    "poses with as few as {fewest} cycles; the standard asks for {STANDARD_CYCLES}"
+                ));
+            }
+        }
+        if inputs.dir.iter().any(Option::is_none) {
+            test.missing.push(
+                "the side from which a joint came is not known: its directions are taken to be one"
+                    .to_owned(),
+            );
+        }
+        if test.variations.is_empty() && !test.poses.is_empty() {
+            test.missing
+                .push("no pose was repeated from several directions".to_owned());
+        }
+        if points.session.samples.z_mm.is_none() {
+            test.missing
+                .push("z was not measured: figures are in the plane".to_owned());
+        }
+        test
+    }
+
+    /// The largest figures, as measured or with corrected commands.
+    pub fn largest(&self, compensated: bool) -> Largest {
+        let figures = |p: &PoseFigures| if compensated { p.after } else { Some(p.before) };
+        let over = |pick: fn(&Attained) -> f64| {
+            self.poses
+                .iter()
+                .filter_map(figures)
+                .map(|a| pick(&a))
+                .reduce(f64::max)
+        };
+        let variations = self.variations.iter();
+        let variation = |v: &Variation| if compensated { v.after } else { Some(v.before) };
+        Largest {
+            accuracy: over(|a| a.accuracy),
+            repeatability: over(|a| a.repeatability),
+            variation: variations.filter_map(variation).reduce(f64::max),
+        }
+    }
+
+    /// One commanded pose with all its directions.
+    fn add(&mut self, points: &Points<'_>, samples: &[usize]) {
+        let inputs = &points.inputs;
+        let side = |i: usize| -> Vec<f64> {
+            inputs
+                .dir
+                .iter()
+                .map(|d| d.as_ref().map_or(0.0, |d| d[i] + 0.0))
+                .collect()
+        };
+        let mut directions: Vec<(Vec<f64>, Vec<usize>)> = Vec::new();
+        for &i in samples {
+            let dir = side(i);
+            match directions.iter_mut().find(|(d, _)| *d == dir) {
+                Some((_, of_it)) => of_it.push(i),
+                None => directions.push((dir, vec![i])),
+            }
+        }
+        let mut centres: Vec<[Option<Point3<f64>>; 2]> = Vec::new();
+        for (dir, of_it) in &directions {
+            let at = |compensated: bool| -> Option<(Point3<f64>, Attained)> {
+                let all: Vec<_> = of_it
+                    .iter()
+                    .map(|i| points.attained(*i, compensated))
+                    .collect();
+                attained(&all, &points.commanded(of_it[0]))
+            };
+            let Some((centre, before)) = at(false) else {
+                continue;
+            };
+            let after = if points.compensated() { at(true) } else { None };
+            centres.push([Some(centre), after.map(|a| a.0)]);
+            self.poses.push(PoseFigures {
+                q: outer_pose(points, of_it[0]),
+                dir: dir.clone(),
+                target: target(points, of_it[0]),
+                load_kg: inputs.load_kg.as_ref().map(|l| l[of_it[0]]),
+                cycles: of_it.len(),
+                before,
+                after: after.map(|a| a.1),
+                orientation: turned(points, of_it),
+            });
+        }
+        let apart = |k: usize| -> Option<f64> {
+            let centres: Option<Vec<_>> = centres.iter().map(|c| c[k]).collect();
+            let centres = centres?;
+            let pairs = centres.iter().enumerate();
+            pairs
+                .flat_map(|(h, a)| centres[h + 1..].iter().map(move |b| (b - a).norm()))
+                .reduce(f64::max)
+        };
+        if let Some(before) = apart(0) {
+            self.variations.push(Variation {
+                q: outer_pose(points, samples[0]),
+                target: target(points, samples[0]),
+                directions: centres.len(),
+                before,
+                after: apart(1),
+            });
+        }
+    }
+}
+
+fn outer_pose(points: &Points<'_>, sample: usize) -> Vec<f64> {
+    let joints = points.robot.joints.iter().zip(&points.inputs.q);
+    joints
+        .map(|(joint, q)| match joint.kind {
+            JointKind::Revolute => deg_from_rad(q[sample]),
+            JointKind::Prismatic => q[sample],
+        })
+        .collect()
+}
+
+fn target(points: &Points<'_>, sample: usize) -> Option<String> {
+    let index = points.inputs.target.as_ref()?[sample] as usize;
+    points.session.targets.get(index).map(|t| t.name.clone())
+}
+
+/// `None` with fewer than two orientations.
+fn turned(points: &Points<'_>, samples: &[usize]) -> Option<Turned> {
+    let columns = points.session.samples.orientation_wxyz.as_ref()?;
+    let turns: Vec<Vector3<f64>> = samples
+        .iter()
+        .filter_map(|i| {
+            let [w, x, y, z] = [0, 1, 2, 3].map(|k| columns[k][*i]);
+            let attained = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9)?;
+            let q: Vec<f64> = points.inputs.q.iter().map(|q| q[*i]).collect();
+            let commanded = points.robot.base_from_tool(&q).rotation;
+            let turn = quaternion::log(&(attained * commanded.inverse()));
+            turn.iter().all(|a| a.is_finite()).then_some(turn)
+        })
+        .collect();
+    let about = |k: usize| -> Vec<f64> { turns.iter().map(|t| deg_from_rad(t[k])).collect() };
+    let each = |f: fn(&[f64]) -> Option<f64>| -> Option<[f64; 3]> {
+        Some([f(&about(0))?, f(&about(1))?, f(&about(2))?])
+    };
+    Some(Turned {
+        accuracy: each(mean)?,
+        repeatability: each(sample_deviation)?.map(|s| 3.0 * s),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cross_of_four_points_by_hand() {
+        // Distances 3, 3, 1, 1 from the centre (1, 2, 2): l̄ = 2, S = √(4/3).
+        let commanded = Point3::origin();
+        let points = [[4.0, 2.0], [-2.0, 2.0], [1.0, 3.0], [1.0, 1.0]];
+        let points = points.map(|[x, y]| Point3::new(x, y, 2.0));
+        let (centre, figures) = attained(&points, &commanded).expect("four points");
+        assert_eq!(centre, Point3::new(1.0, 2.0, 2.0));
+        assert_eq!(figures.accuracy, 3.0);
+        assert_eq!(figures.accuracy_axes, [1.0, 2.0, 2.0]);
+        assert!((figures.repeatability - (2.0 + 3.0 * (4.0_f64 / 3.0).sqrt())).abs() < 1e-14);
+        assert_eq!(attained(&points[..1], &commanded), None);
+    }
+}

@@ -1,0 +1,118 @@
+//! Every export format in the window, without a display: chosen, seen, saved; and what a format
+//! cannot do is said there.
+#![cfg(feature = "gui")]
+
+use std::path::Path;
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use truepose::export::EXPORTERS;
+use truepose::gui::{App, Runner};
+
+fn window() -> Harness<'static, App> {
+    let mut window = Harness::builder()
+        .with_size([1280.0, 1000.0])
+        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
+    window.run_steps(4);
+    window
+}
+
+fn press(window: &mut Harness<'_, App>, label: &str) {
+    window.get_by_label(label).click();
+    window.run_steps(4);
+}
+
+/// The dialog of the system cannot be driven; the path is typed.
+fn save(window: &mut Harness<'_, App>, path: &Path) {
+    window.state_mut().type_export_path(path);
+    window.run_steps(4);
+    press(window, "Save");
+    window.run_steps(4);
+}
+
+/// The bundled session, identified, at the Export step.
+fn at_export(window: &mut Harness<'_, App>) {
+    press(window, "3 Identify");
+    press(window, "Identify");
+    press(window, "5 Export");
+}
+
+#[test]
+fn one_of_each_format_is_chosen_seen_and_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window();
+    at_export(&mut window);
+    for format in EXPORTERS {
+        press(&mut window, format.title);
+        window.get_by_label_contains(&format!("as .{}…", format.extension));
+        if format.rules.is_some() {
+            window.get_by_label("correction table as a curve");
+            window.get_by_label("Copy table");
+            window.get_by_label("Gap that the table leaves");
+        } else {
+            assert!(
+                window
+                    .query_by_label("correction table as a curve")
+                    .is_none()
+            );
+            window.get_by_label("Copy text");
+            window.get_by_label("Gap to this robot");
+        }
+        let path = folder.path().join(format!("pan.{}", format.extension));
+        save(&mut window, &path);
+        let written = std::fs::read(&path).unwrap_or_default();
+        assert!(!written.is_empty(), "{} was not saved", format.id);
+        let beside = folder
+            .path()
+            .join(format!("pan.{}.meta.json", format.extension));
+        let beside = std::fs::read_to_string(beside).expect("the sidecar is there");
+        assert!(
+            beside.contains(&format!("\"table_format\": \"{}\"", format.id)),
+            "{beside}"
+        );
+    }
+}
+
+#[test]
+fn a_format_for_one_direction_says_that_backlash_has_no_place_in_it() {
+    let mut window = window();
+    press(&mut window, "3 Identify");
+    press(&mut window, "Backlash");
+    press(&mut window, "Identify");
+    press(&mut window, "5 Export");
+    for title in ["SINUMERIK ENC_COMP archive", "TwinCAT NC structured text"] {
+        press(&mut window, title);
+        let says = window
+            .get_all_by_label_contains("holds one for both")
+            .count();
+        assert!(says > 0, "the refusal is shown");
+        assert!(
+            window
+                .query_by_label("correction table as a curve")
+                .is_none()
+        );
+    }
+    // A format with two columns takes it.
+    press(&mut window, "LinuxCNC COMP_FILE");
+    window.get_by_label("correction table as a curve");
+    assert_eq!(
+        window
+            .query_all_by_label_contains("holds one for both")
+            .count(),
+        0
+    );
+}
+
+#[test]
+fn an_own_step_is_taken_or_refused_with_the_limit() {
+    let mut window = window();
+    at_export(&mut window);
+    press(&mut window, "LinuxCNC COMP_FILE");
+    press(&mut window, "Own step");
+    let says = window
+        .get_all_by_label_contains("takes at most 256")
+        .count();
+    assert!(says > 0, "a step of 1° over 300° is too fine");
+    press(&mut window, "Own step");
+    window.get_by_label("correction table as a curve");
+}

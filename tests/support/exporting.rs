@@ -1,0 +1,98 @@
+//! Robots whose errors are known, and what is made of them for the tests of the exports.
+
+#![allow(dead_code, reason = "each test uses a part")]
+#![allow(unreachable_pub, reason = "included in tests")]
+
+use truepose::effects::{Inputs, JointValues, Term};
+use truepose::export::{Export, ExportError, Job, find};
+use truepose::identification::identify_exact;
+use truepose::kinematics::Range;
+use truepose::model::{Calibration, Model};
+use truepose::sessions::{Session, parse};
+
+/// Formats with a column for each direction, and those with one for both.
+pub const TWO_SIDED: [&str; 3] = ["csv", "linuxcnc", "twincat-cnc"];
+pub const ONE_SIDED: [&str; 2] = ["twincat-nc", "sinumerik"];
+
+pub fn identified(session: &Session, effects: &[&str]) -> Calibration {
+    let effects: Vec<String> = effects.iter().map(|e| (*e).to_owned()).collect();
+    let found = identify_exact(session, &effects, JointValues::default()).expect("identified");
+    found.calibration(session, &Inputs::new(session, JointValues::default()))
+}
+
+/// One joint that turns about z with its tool 250 mm away, or slides along x.
+pub fn one_joint(kind: &str, limits: [f64; 2]) -> Session {
+    let [from, to] = limits;
+    let q = if kind == "revolute" {
+        "q1_deg"
+    } else {
+        "q1_mm"
+    };
+    let axis = if kind == "revolute" {
+        "[0,0,1]"
+    } else {
+        "[1,0,0]"
+    };
+    let text = format!(
+        r#"{{"format":"truepose-session/1","name":"known","robot":{{"name":"one","joints":[{{"name":"pan",
+        "kind":"{kind}","axis":{axis},"point_mm":[0,0,0],"limits":[{from},{to}]}}],
+        "tool":{{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}}}},"tolerance_mm":0.2,
+        "samples":{{"columns":{{"{q}":[{from},{to}],"x_mm":[0,0],"y_mm":[0,0],"z_mm":[0,0]}}}}}}"#
+    );
+    parse(text.as_bytes()).expect("a good session").session
+}
+
+/// A model that says exactly this, measured over the whole travel.
+pub fn known(session: &Session, effects: &[(&str, &[(&str, f64)])]) -> Calibration {
+    let joints = session.robot.joints.len();
+    let term = |(id, parameters): &(&str, &[(&str, f64)])| {
+        Term::from_parameters(id, 1, parameters, joints).expect("an effect")
+    };
+    let model = Model::new(session.robot.clone(), effects.iter().map(term).collect());
+    let measured = session.robot.joints.iter();
+    let measured = measured.map(|j| {
+        j.limits.unwrap_or(Range {
+            from: -1.0,
+            to: 1.0,
+        })
+    });
+    Calibration {
+        session: session.name.clone(),
+        model,
+        covariance: None,
+        regions: Vec::new(),
+        targets: Vec::new(),
+        measured: measured.collect(),
+        tolerance_mm: session.tolerance_mm,
+        compensated_by: None,
+        history: Vec::new(),
+        samples_hash: "0".repeat(64),
+        program_version: "0".to_owned(),
+    }
+}
+
+pub fn try_export(
+    calibration: &Calibration,
+    format: &str,
+    step: Option<f64>,
+) -> Result<Export, ExportError> {
+    let format = find(format).expect("the format is there");
+    let name = format!("pan.{}", format.extension);
+    let job = Job {
+        step,
+        ..Job::new(calibration, &name)
+    };
+    format.exporter.export(&job)
+}
+
+pub fn export(calibration: &Calibration, format: &str, step: Option<f64>) -> Export {
+    try_export(calibration, format, step).unwrap_or_else(|error| panic!("{format}: {error}"))
+}
+
+pub fn text(export: &Export) -> String {
+    String::from_utf8(export.documents[0].bytes.clone()).expect("UTF-8")
+}
+
+pub fn sidecar(export: &Export) -> serde_json::Value {
+    serde_json::from_slice(&export.documents[1].bytes).expect("JSON")
+}
