@@ -1,4 +1,4 @@
-//! Two small pictures of the window, so that nobody changes its look without seeing it. They need
+//! Three small pictures of the window, so that nobody changes its look without seeing it. They need
 //! something to draw with; without an adapter they say so and pass, and the rest of the window's
 //! tests does without.
 //!
@@ -34,7 +34,10 @@ fn window(theme: Theme) -> Option<Harness<'static, App>> {
         .with_size([1120.0, 700.0])
         .with_theme(theme)
         .wgpu()
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
+        .build_eframe(|cc| {
+            let app = App::new(&cc.egui_ctx, None, Runner::AtOnce);
+            app.drawn_by(cc.wgpu_render_state.as_ref())
+        });
     Some(window)
 }
 
@@ -64,4 +67,21 @@ fn the_regions_in_dark() {
     window.remove_cursor();
     window.run_steps(3);
     window.snapshot_options("regions-dark", &alike());
+}
+
+#[test]
+fn the_heat_map_and_the_load_in_light() {
+    let Some(mut window) = window(Theme::Light) else {
+        return;
+    };
+    window.run_steps(3);
+    window.get_by_label("heat map").click();
+    window.run_steps(3);
+    window.get_by_label("Colour of vectors").click();
+    window.run_steps(3);
+    window.get_by_label("load").click();
+    window.run_steps(3);
+    window.remove_cursor();
+    window.run_steps(3);
+    window.snapshot_options("layers-light", &alike());
 }

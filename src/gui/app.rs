@@ -15,8 +15,8 @@ use super::reporting::About;
 use super::tasks::{Runner, Tasks, What};
 use super::tokens::{self, Palette, space};
 use super::units::write_numbers;
-use super::view::Sheet;
-use super::{files, panels};
+use super::view::{Canvas, Sheet};
+use super::{files, layers, panels};
 
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
@@ -48,6 +48,26 @@ impl App {
             recovery_due: None,
             look_due: 0.0,
         }
+    }
+
+    /// Draws what there is for each sample on the graphics processor, where there is one; without,
+    /// egui draws it, thinned where it is much.
+    #[must_use]
+    pub fn drawn_by(mut self, state: Option<&egui_wgpu::RenderState>) -> Self {
+        if let Some(state) = state {
+            let canvas = layers::register(state);
+            self.workbench.execute(Command::Canvas(canvas));
+        }
+        self
+    }
+
+    /// The same work for the window, of which nobody sees the result: to measure it without
+    /// anything that draws.
+    #[must_use]
+    pub fn drawn_by_nobody(mut self) -> Self {
+        let canvas = Canvas::Layers(usize::MAX);
+        self.workbench.execute(Command::Canvas(canvas));
+        self
     }
 
     /// Keeps preferences, recent files and what is not saved in this folder, and offers what it

@@ -8,6 +8,8 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
+//!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
 //! - `search`: what a diagnosis found, ready to be added.
 //! - `setup`: robot and instrument as they are filled in.
 //! - `preferences`: units, digits, colours; `help`: what the words mean.
@@ -20,6 +22,7 @@
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
 mod app;
+mod backdrop;
 mod boundaries;
 mod commands;
 mod document;
@@ -30,7 +33,9 @@ mod foreign;
 mod given;
 mod help;
 mod keeping;
+mod layers;
 mod outcome;
+mod overview;
 mod panels;
 mod pictures;
 mod plots;
@@ -96,9 +101,9 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         TITLE,
         options,
         Box::new(move |cc| {
-            Ok(Box::new(
-                App::new(&cc.egui_ctx, path, Runner::Threads).at_home(keeping::home()),
-            ))
+            let app = App::new(&cc.egui_ctx, path, Runner::Threads);
+            let app = app.drawn_by(cc.wgpu_render_state.as_ref());
+            Ok(Box::new(app.at_home(keeping::home())))
         }),
     )
     .map_err(|error| {

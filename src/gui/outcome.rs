@@ -15,6 +15,8 @@ use crate::identification::{
 use crate::model::{Calibration, GapStep};
 
 use super::document::{Asks, Question};
+use super::layers::Remainder;
+use super::overview::{Lengths, readable};
 use super::subject::Subject;
 use super::tasks::Watch;
 
@@ -25,6 +27,30 @@ pub(crate) struct Outcome {
     pub(crate) question: Question,
     /// The answer, or why there is none.
     pub(crate) answer: Result<Answer, String>,
+    /// What follows from it for drawing.
+    pub(crate) after: Option<After>,
+}
+
+/// What every frame needs to know of an answer, worked out once.
+#[derive(Debug, Clone)]
+pub(crate) struct After {
+    /// What is left, as it is uploaded.
+    pub(crate) remainder: Arc<Remainder>,
+    /// Lengths of what is left.
+    pub(crate) lengths: Lengths,
+    /// The magnification at which what is left can be read.
+    pub(crate) readable: f64,
+}
+
+impl After {
+    fn new(subject: &Subject, answer: &Answer) -> Self {
+        let remainder = subject.cloud.remainder(&answer.after_mm, &answer.suspected);
+        Self {
+            remainder: Arc::new(remainder),
+            lengths: Lengths::new(&answer.lengths_mm),
+            readable: readable(subject.overview.reach_mm, &answer.lengths_mm),
+        }
+    }
 }
 
 /// An identification, and what is left of every sample's deviation.
@@ -66,7 +92,13 @@ impl Outcome {
     /// Works the answer out. Takes its time with many samples.
     pub(crate) fn of(question: Question, watch: &Watch) -> Self {
         let answer = answer(&question, watch);
-        Self { question, answer }
+        let after = answer.as_ref().ok();
+        let after = after.map(|answer| After::new(&question.subject, answer));
+        Self {
+            question,
+            answer,
+            after,
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::diagnostic::Diagnostic;
@@ -14,6 +15,8 @@ use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
 use super::keeping::disk::Print;
+use super::layers::Cloud;
+use super::overview::Overview;
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -111,12 +114,18 @@ pub(crate) struct Subject {
     pub(crate) gap_before: Option<Spread>,
     /// Which samples can be used.
     pub(crate) usable: Vec<bool>,
+    /// What every frame needs to know of it.
+    pub(crate) overview: Overview,
+    /// Its samples, as they are uploaded.
+    pub(crate) cloud: Arc<Cloud>,
     /// Effects that the session can show.
     pub(crate) testable: Vec<&'static str>,
     /// Effects that it cannot show.
     pub(crate) not_testable: Vec<NotTestable>,
     /// Axis and directions of joint 1 at home.
     pub(crate) joint: JointFrame,
+    /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
+    pub(crate) arm_mm: f64,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
@@ -137,8 +146,21 @@ impl Subject {
         let usable = problem.usable.clone();
         let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
         let (testable, not_testable) = effects_of(&session, &problem.inputs);
-        Self {
-            joint: JointFrame::new(&session.robot, 0),
+        let joint = JointFrame::new(&session.robot, 0);
+        let arm_mm = arm_mm(&session, &joint);
+        let single = is_single_revolute(&session);
+        let overview = Overview::new(
+            &session,
+            &nominal,
+            &usable,
+            &before.length_mm,
+            (single && arm_mm > 0.0).then_some(arm_mm),
+        );
+        let mut subject = Self {
+            joint,
+            arm_mm,
+            overview,
+            cloud: Arc::default(),
             nominal,
             before,
             gap_before,
@@ -152,7 +174,9 @@ impl Subject {
             files: Vec::new(),
             samples_file: None,
             measured_range: None,
-        }
+        };
+        subject.cloud = Arc::new(Cloud::new(&subject));
+        subject
     }
 
     /// The same opening with another session: what was found while it was read stays.
@@ -173,22 +197,6 @@ impl Subject {
             finding.samples.retain(|sample| *sample < n);
         }
         next
-    }
-
-    /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
-    pub(crate) fn reach_mm(&self) -> f64 {
-        let JointFrame {
-            origin_mm: o,
-            across_1: x,
-            across_2: y,
-            ..
-        } = self.joint;
-        let homes = reflectors_at_home(&self.session).into_iter();
-        let distances = homes.map(|home| {
-            let along = |d: [f64; 3]| (0..3).map(|k| (home[k] - o[k]) * d[k]).sum::<f64>();
-            along(x).hypot(along(y))
-        });
-        distances.fold(0.0, f64::max)
     }
 
     /// Number of samples.
@@ -285,8 +293,7 @@ impl Subject {
 
     /// Whether the paper's method by regions applies.
     pub(crate) fn single_revolute(&self) -> bool {
-        let joints = &self.session.robot.joints;
-        joints.len() == 1 && joints[0].kind == JointKind::Revolute
+        is_single_revolute(&self.session)
     }
 
     /// Whether joint 1 turns.
@@ -296,16 +303,35 @@ impl Subject {
 
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
     pub(crate) fn travel(&self) -> (f64, f64) {
-        let range =
-            crate::effects::term::travel_of(&self.session.robot, 0, &self.session.samples.q[0]);
-        if range.from <= range.to {
-            (range.from, range.to)
+        let (from, to) = self.overview.travel;
+        if from <= to {
+            (from, to)
         } else if let Some(measured) = self.measured_range {
             (measured.from, measured.to)
         } else {
             (0.0, 0.0)
         }
     }
+}
+
+fn is_single_revolute(session: &Session) -> bool {
+    let joints = &session.robot.joints;
+    joints.len() == 1 && joints[0].kind == JointKind::Revolute
+}
+
+fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
+    let JointFrame {
+        origin_mm: o,
+        across_1: x,
+        across_2: y,
+        ..
+    } = *joint;
+    let homes = reflectors_at_home(session).into_iter();
+    let distances = homes.map(|home| {
+        let along = |d: [f64; 3]| (0..3).map(|k| (home[k] - o[k]) * d[k]).sum::<f64>();
+        along(x).hypot(along(y))
+    });
+    distances.fold(0.0, f64::max)
 }
 
 fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<NotTestable>) {

@@ -11,6 +11,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex};
 
+use super::backdrop::{Backdrop, Scenery};
 use super::document::Question;
 use super::figures::Figures;
 use super::files::Saved;
@@ -53,6 +54,8 @@ pub(crate) enum Report {
     Answered(Box<Outcome>),
     /// A session was searched.
     Searched(Box<Search>),
+    /// What plots of many samples stand on was worked out.
+    Drawn(Box<Backdrop>),
     /// An export was prepared.
     Prepared(Box<Preview>),
     /// An export was written.
@@ -195,8 +198,17 @@ enum Kind {
     Identifies,
     Prepares,
     Searches,
+    /// What is only drawn: it passes without a word.
+    Draws,
     /// Nobody has to know.
     Quiet,
+}
+
+impl Kind {
+    /// Whether the status bar names it, and can cancel it.
+    fn has_a_name(self) -> bool {
+        !matches!(self, Self::Draws | Self::Quiet)
+    }
 }
 
 /// One question at a time, and the latest one after it.
@@ -274,6 +286,7 @@ pub(crate) struct Tasks {
     last_id: u64,
     questions: Latest<Question>,
     previews: Latest<Wanted>,
+    sceneries: Latest<Scenery>,
     watching: Watching,
 }
 
@@ -302,6 +315,7 @@ impl Tasks {
             last_id: 0,
             questions: Latest::default(),
             previews: Latest::default(),
+            sceneries: Latest::default(),
             watching,
         }
     }
@@ -340,7 +354,7 @@ impl Tasks {
 
     /// The task that the status bar names: the newest.
     pub(crate) fn newest(&self) -> Option<&Running> {
-        self.running.iter().rfind(|r| r.kind != Kind::Quiet)
+        self.running.iter().rfind(|r| r.kind.has_a_name())
     }
 
     /// Starts a task.
@@ -405,6 +419,24 @@ impl Tasks {
         );
     }
 
+    /// Asks for what plots of many samples stand on; `last` is what they stand on now.
+    pub(crate) fn draw(&mut self, scenery: Scenery, last: Option<Arc<Backdrop>>) {
+        if let Some(scenery) = self.sceneries.ask(scenery) {
+            self.backdrop(scenery, last);
+        }
+    }
+
+    /// Whether it is on its way.
+    pub(crate) fn is_drawn(&self, scenery: &Scenery) -> bool {
+        self.sceneries.is_asked(scenery)
+    }
+
+    fn backdrop(&mut self, scenery: Scenery, last: Option<Arc<Backdrop>>) {
+        self.spawn("drawing".to_owned(), Kind::Draws, move |_| {
+            Report::Drawn(Box::new(Backdrop::of(scenery, last.as_deref())))
+        });
+    }
+
     fn spawn(
         &mut self,
         what: String,
@@ -443,12 +475,20 @@ impl Tasks {
     /// Cancels the newest task: its report will not be taken. The question that is not answered
     /// then, if it was one.
     pub(crate) fn cancel_newest(&mut self) -> Option<Question> {
-        let named = self.running.iter().rposition(|r| r.kind != Kind::Quiet);
-        let place = named?;
+        self.cancel(Kind::has_a_name)
+    }
+
+    /// Cancels the search, whatever else is under way.
+    pub(crate) fn cancel_search(&mut self) {
+        self.cancel(|kind| kind == Kind::Searches);
+    }
+
+    fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Question> {
+        let place = self.running.iter().rposition(|r| meant(r.kind))?;
         let cancelled = self.running.remove(place);
         cancelled.watch.stop();
         match cancelled.kind {
-            Kind::Once | Kind::Searches | Kind::Quiet => {}
+            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws => {}
             Kind::Identifies => {
                 let Latest { asked, waiting } = std::mem::take(&mut self.questions);
                 return waiting.or(asked);
@@ -480,6 +520,15 @@ impl Tasks {
                 Kind::Prepares => {
                     if let Some(next) = self.previews.answered() {
                         self.preview(next);
+                    }
+                }
+                Kind::Draws => {
+                    if let Some(next) = self.sceneries.answered() {
+                        let last = match &report {
+                            Report::Drawn(backdrop) => Some(Arc::new((**backdrop).clone())),
+                            _ => None,
+                        };
+                        self.backdrop(next, last);
                     }
                 }
             }

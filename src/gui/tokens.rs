@@ -47,6 +47,24 @@ pub(crate) struct Palette {
     pub(crate) warning: Color32,
     /// Sectors, alternately.
     pub(crate) sectors: [Color32; 2],
+    /// From little to much, away from the surface: lightness alone tells the order.
+    pub(crate) scale: [Color32; STOPS],
+    /// Around the circle, from the right over up: opposite directions differ in blue and orange,
+    /// or in lightness, which everybody sees.
+    pub(crate) cycle: [Color32; STOPS],
+}
+
+/// Colours of a scale; between them it is linear.
+pub(crate) const STOPS: usize = 8;
+
+const fn scale(hex: [u32; STOPS]) -> [Color32; STOPS] {
+    let mut colors = [Color32::BLACK; STOPS];
+    let mut k = 0;
+    while k < STOPS {
+        colors[k] = rgb(hex[k]);
+        k += 1;
+    }
+    colors
 }
 
 const fn rgb(hex: u32) -> Color32 {
@@ -72,6 +90,12 @@ pub(crate) const LIGHT: Palette = Palette {
     outside: rgb(0xA3195B),
     warning: rgb(0x7A5600),
     sectors: [rgb(0xEEF3F6), rgb(0xE0E9EE)],
+    scale: scale([
+        0xDDC04E, 0xB9B551, 0x91A85F, 0x669A6E, 0x40887A, 0x2A7082, 0x2A547E, 0x2F3670,
+    ]),
+    cycle: scale([
+        0x1B62B5, 0x2A4878, 0x33333D, 0x7C4D22, 0xC46A0C, 0xC59160, 0xBFB8AB, 0x6F8EB2,
+    ]),
 };
 
 /// For a dim one.
@@ -92,6 +116,12 @@ pub(crate) const DARK: Palette = Palette {
     outside: rgb(0xF48FBB),
     warning: rgb(0xE6C05C),
     sectors: [rgb(0x1D252E), rgb(0x232D38)],
+    scale: scale([
+        0x4C5BA6, 0x4373B0, 0x408AB0, 0x4C9FA4, 0x68B295, 0x93C284, 0xC4D077, 0xF6DE72,
+    ]),
+    cycle: scale([
+        0x4E9CF0, 0x9CC3EC, 0xEDEBE4, 0xF0C392, 0xEF9435, 0xAE8152, 0x6B6B78, 0x5B84B6,
+    ]),
 };
 
 impl Palette {
@@ -303,6 +333,29 @@ mod tests {
                 }
             }
             assert!(contrast(p.on_accent, p.accent) >= 4.5, "{theme} on accent");
+        }
+    }
+
+    #[test]
+    fn a_scale_is_ordered_by_lightness_away_from_the_surface() {
+        for (theme, p) in [("light", LIGHT), ("dark", DARK)] {
+            let from_surface = p.scale.map(|c| contrast(c, p.surface));
+            assert!(from_surface[0] >= 1.7, "{theme}: {from_surface:?}");
+            for pair in from_surface.windows(2) {
+                assert!(pair[1] > 1.08 * pair[0], "{theme}: {from_surface:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn opposite_directions_stay_apart_without_red_and_green() {
+        for p in [LIGHT, DARK] {
+            for k in 0..STOPS / 2 {
+                let (here, there) = (p.cycle[k], p.cycle[k + STOPS / 2]);
+                let (a, b) = (seen_without_green(here), seen_without_green(there));
+                let apart = (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+                assert!(apart > 60.0, "{k}: {apart}");
+            }
         }
     }
 

@@ -145,6 +145,68 @@ pub(crate) enum Lower {
     Deviation,
 }
 
+/// What the colour of an error vector says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Colouring {
+    /// Before or after.
+    #[default]
+    State,
+    /// The deviation's length.
+    Deviation,
+    /// Where it points to.
+    Direction,
+    /// The load.
+    Load,
+    /// The temperature.
+    Temperature,
+    /// The time.
+    Time,
+}
+
+impl Colouring {
+    /// All of them.
+    pub(crate) const ALL: [Self; 6] = [
+        Self::State,
+        Self::Deviation,
+        Self::Direction,
+        Self::Load,
+        Self::Temperature,
+        Self::Time,
+    ];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::State => "before and after",
+            Self::Deviation => "deviation",
+            Self::Direction => "direction",
+            Self::Load => "load",
+            Self::Temperature => "temperature",
+            Self::Time => "time",
+        }
+    }
+
+    /// The condition that it shows, in the order of [`crate::gui::layers::Cloud`].
+    pub(crate) fn condition(self) -> Option<usize> {
+        match self {
+            Self::Load => Some(0),
+            Self::Temperature => Some(1),
+            Self::Time => Some(2),
+            Self::State | Self::Deviation | Self::Direction => None,
+        }
+    }
+}
+
+/// What draws whatever there is once for each sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Canvas {
+    /// Shapes of egui, thinned where there are many: nothing else is there.
+    #[default]
+    Shapes,
+    /// The graphics processor, at most so many samples.
+    Layers(usize),
+}
+
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Sheet {
@@ -228,6 +290,12 @@ pub(crate) struct ViewState {
     pub(crate) magnification: Option<f64>,
     /// From 0, before, to 1, after.
     pub(crate) blend: f32,
+    /// What the colour of error vectors says.
+    pub(crate) colouring: Colouring,
+    /// Whether the heat map is shown.
+    pub(crate) heat: bool,
+    /// What draws them.
+    pub(crate) canvas: Canvas,
     /// The component in the deviation chart.
     pub(crate) component: Component,
     /// Whether the chart leaves out the deviation before, so that what is left can be seen.
@@ -265,6 +333,9 @@ impl Default for ViewState {
             plane: Plane::default(),
             magnification: None,
             blend: 1.0,
+            colouring: Colouring::default(),
+            heat: false,
+            canvas: Canvas::default(),
             component: Component::default(),
             only_after: false,
             hovered: None,

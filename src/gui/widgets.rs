@@ -21,6 +21,24 @@ pub(crate) fn section(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::SMALL)).color(muted));
 }
 
+/// What stands in the bar of a plot.
+pub(crate) fn title(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(strong(size::BODY)));
+    ui.add_space(space::ROW);
+}
+
+/// A word beside a control of such a bar.
+pub(crate) fn caption(ui: &mut Ui, text: &str) -> egui::Response {
+    let muted = Palette::of(ui).muted;
+    ui.label(RichText::new(text).size(size::SMALL).color(muted))
+}
+
+/// The sliders of the bars are finer than those of forms.
+pub(crate) fn fine(ui: &mut Ui, width: f32) {
+    ui.spacing_mut().slider_width = width;
+    ui.spacing_mut().interact_size.y = 18.0;
+}
+
 /// A sentence that explains.
 pub(crate) fn hint(ui: &mut Ui, text: impl Into<String>) {
     let muted = Palette::of(ui).muted;

@@ -9,7 +9,7 @@ use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{Lower, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Colouring, Lower, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -84,6 +84,8 @@ pub(crate) enum Command {
     Simulate(Form),
     /// Drop the task that is under way.
     Cancel,
+    /// Drop the search that is under way.
+    StopSearch,
     /// Show this step.
     GoTo(Step),
     /// Look at the workspace in this plane.
@@ -92,6 +94,10 @@ pub(crate) enum Command {
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.
     Blend(f32),
+    /// Let the colour of error vectors say this.
+    Colour(Colouring),
+    /// Show the heat map, or hide it.
+    Heat(bool),
     /// Show this component in the chart.
     Component(Component),
     /// Show only what is left in the chart.
@@ -106,6 +112,8 @@ pub(crate) enum Command {
     Side(Side),
     /// Show this below the workspace in the step that finds the gap.
     Lower(Lower),
+    /// Draw what there is for each sample on this.
+    Canvas(Canvas),
     /// Show numbers, colours and text like this.
     Prefer(Preferences),
     /// Robot and instrument as they are being typed, while that makes no robot.

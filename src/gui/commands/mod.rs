@@ -19,13 +19,16 @@ pub(crate) use command::Command;
 use desk::Desk;
 
 use crate::diagnosis::{Diagnosis, measuring_list};
+use crate::gui::backdrop::{Backdrop, Scenery};
 use crate::gui::document::{Document, Method, Question};
 use crate::gui::edit::Edit;
 use crate::gui::figures::Figures;
 use crate::gui::files::{self, Replace};
 use crate::gui::given::Given;
 use crate::gui::keeping::settings::Recent;
-use crate::gui::outcome::{Answer, Outcome};
+use crate::gui::layers::{Heat, Nearest};
+use crate::gui::outcome::{After, Answer, Outcome};
+use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::reporting::About;
 use crate::gui::search::Search;
@@ -52,6 +55,7 @@ pub(crate) struct Workbench {
     outcome: Option<Arc<Outcome>>,
     searched: Option<Arc<Search>>,
     preview: Option<Preview>,
+    backdrop: Option<Arc<Backdrop>>,
     /// Files that were exported from this session, the newest last.
     exported: Vec<PathBuf>,
     figures: Option<Figures>,
@@ -74,6 +78,7 @@ impl Workbench {
             outcome: None,
             searched: None,
             preview: None,
+            backdrop: None,
             exported: Vec::new(),
             figures: None,
             tasks,
@@ -149,6 +154,38 @@ impl Workbench {
     /// The newest answer.
     pub(crate) fn answer(&self) -> Option<&Answer> {
         self.outcome().and_then(|o| o.answer.as_ref().ok())
+    }
+
+    /// What follows from the newest answer, for drawing.
+    pub(crate) fn after(&self) -> Option<&After> {
+        self.outcome().and_then(|o| o.after.as_ref())
+    }
+
+    fn backdrop(&self) -> Option<&Backdrop> {
+        let backdrop = self.backdrop.as_deref()?;
+        Arc::ptr_eq(&backdrop.scenery.subject, self.subject()).then_some(backdrop)
+    }
+
+    /// Which sample is where in the plane; `None` where they are few, or while it is being found
+    /// out.
+    pub(crate) fn nearest(&self) -> Option<&Nearest> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        self.backdrop().filter(seen)?.nearest.as_deref()
+    }
+
+    /// The heat map, if it is shown. While a newer one is being made it is the one before.
+    pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
+        let seen = |b: &&Backdrop| self.view.heat && b.scenery.plane == self.view.plane;
+        self.backdrop().filter(seen)?.heat.as_ref()
+    }
+
+    /// The extremes of the deviation chart; `None` where samples are few, or until they are found.
+    pub(crate) fn envelope(&self) -> Option<&Envelope> {
+        let seen = |b: &&Backdrop| {
+            b.scenery.component == self.view.component
+                && b.scenery.outcome.is_some() == self.outcome().is_some()
+        };
+        self.backdrop().filter(seen)?.envelope.as_deref()
     }
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
@@ -269,6 +306,7 @@ impl Workbench {
                 }
             }
             Command::Search => self.search(),
+            Command::StopSearch => self.tasks.cancel_search(),
             Command::Cancel => {
                 if let Some(question) = self.tasks.cancel_newest() {
                     self.declined = Some(question);
@@ -278,6 +316,7 @@ impl Workbench {
         }
         self.keep_asking();
         self.keep_preparing();
+        self.keep_drawing();
     }
 
     fn look(&mut self, command: Command) {
@@ -289,6 +328,9 @@ impl Workbench {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
             Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
+            Command::Colour(colouring) => view.colouring = colouring,
+            Command::Heat(shown) => view.heat = shown,
+            Command::Canvas(canvas) => view.canvas = canvas,
             Command::Component(component) => view.component = component,
             Command::OnlyAfter(only) => view.only_after = only,
             Command::Hover(sample) => view.hovered = sample,
@@ -497,6 +539,22 @@ impl Workbench {
         let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
         if !made && !self.tasks.is_wanted(&wanted) {
             self.tasks.prepare(wanted);
+        }
+    }
+
+    /// Asks for what the plots stand on, if it is not there and not on its way.
+    fn keep_drawing(&mut self) {
+        let outcome = self.outcome.clone().filter(|_| self.outcome().is_some());
+        let scenery = Scenery {
+            subject: Arc::clone(self.subject()),
+            outcome,
+            plane: self.view.plane,
+            heat: self.view.heat,
+            component: self.view.component,
+        };
+        let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
+        if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {
+            self.tasks.draw(scenery, self.backdrop.clone());
         }
     }
 

@@ -51,18 +51,7 @@ impl Workbench {
             Report::Seen(seen) => self.take_seen(seen),
             Report::Extended(extended) => self.take_extended(*extended),
             Report::ChosenToOpen(Some(path)) => self.execute(Command::OpenFile(path)),
-            // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
-            Report::ChosenToOpen(None) => {
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: "No file was chosen".to_owned(),
-                    details: vec![
-                        "If no dialog appeared, drop the file on the window, or type its path \
-                         in the Session step"
-                            .to_owned(),
-                    ],
-                });
-            }
+            Report::ChosenToOpen(None) => self.no_file_was_chosen(),
             Report::ChosenToSave(Some(path)) => self.execute(Command::SaveAs {
                 path,
                 // The dialog has asked.
@@ -78,8 +67,10 @@ impl Workbench {
             Report::Answered(outcome) => {
                 self.outcome = Some(Arc::new(*outcome));
                 self.keep_preparing();
+                self.keep_drawing();
             }
             Report::Searched(search) => self.searched = Some(Arc::new(*search)),
+            Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
                 what,
@@ -130,5 +121,18 @@ impl Workbench {
                 );
             }
         }
+    }
+
+    /// Cancelled, or there is no dialog on this system: nobody can tell the two apart.
+    fn no_file_was_chosen(&mut self) {
+        self.view.message = Some(Message {
+            wrong: false,
+            title: "No file was chosen".to_owned(),
+            details: vec![
+                "If no dialog appeared, drop the file on the window, or type its path in the \
+                 Session step"
+                    .to_owned(),
+            ],
+        });
     }
 }

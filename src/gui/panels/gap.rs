@@ -132,7 +132,7 @@ pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.tasks().searching().is_some() {
         if widgets::secondary(ui, "Stop the search").clicked() {
-            commands.push(Command::Cancel);
+            commands.push(Command::StopSearch);
         }
         return;
     }

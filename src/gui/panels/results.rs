@@ -80,7 +80,7 @@ fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
         if let Some(gap) = gap {
             widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
         }
-        if let Some((inside, all)) = within(workbench, None) {
+        if let Some((inside, all)) = within(workbench, false) {
             widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
         }
     });
@@ -126,18 +126,15 @@ fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).font(strong(size::BODY)));
 }
 
-/// How many samples are within the tolerance, of how many; before, or after an answer.
-fn within(workbench: &Workbench, answer: Option<&Answer>) -> Option<(usize, usize)> {
+/// How many samples are within the tolerance, of how many; before the answer, or after it.
+fn within(workbench: &Workbench, after: bool) -> Option<(usize, usize)> {
     let tolerance_mm = workbench.document().tolerance_mm?;
-    let subject = workbench.subject();
-    let lengths = answer.map_or(&subject.before.length_mm, |a| &a.lengths_mm);
-    let usable = lengths.iter().filter(|l| l.is_finite());
-    let (mut inside, mut all) = (0, 0);
-    for length in usable {
-        all += 1;
-        inside += usize::from(*length <= tolerance_mm);
-    }
-    Some((inside, all))
+    let lengths = if after {
+        &workbench.after()?.lengths
+    } else {
+        &workbench.subject().overview.lengths
+    };
+    Some(lengths.within(tolerance_mm))
 }
 
 fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
@@ -176,7 +173,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             widgets::fact(ui, "held out", from_to(held_out, rms));
         }
         if let (Some((before, _)), Some((after, all))) =
-            (within(workbench, None), within(workbench, Some(answer)))
+            (within(workbench, false), within(workbench, true))
         {
             widgets::fact(
                 ui,

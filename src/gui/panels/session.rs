@@ -86,8 +86,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact(ui, "samples", "none: this is a model");
         return;
     }
-    let held_out = session.samples.held_out.as_deref().unwrap_or(&[]);
-    let held_out = held_out.iter().filter(|h| **h).count();
+    let held_out = subject.overview.held_out;
     let samples = if held_out > 0 {
         format!("{}, {held_out} held out", subject.len())
     } else {

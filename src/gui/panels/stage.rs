@@ -1,16 +1,14 @@
 //! The middle: what the user has to know, the workspace, and the deviation below it.
 
-use egui::{Align, ComboBox, Frame, Layout, Margin, Panel, RichText, Slider, Ui};
+use egui::{Align, ComboBox, Frame, Layout, Margin, Panel, RichText, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::pictures::Plot;
-use crate::gui::plots::{correction, deviation, waterfall, workspace};
+use crate::gui::plots::{correction, deviation, picture, waterfall, workspace};
 use crate::gui::subject::Component;
-use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::significant;
-use crate::gui::view::{Lower, Plane, Step};
-use crate::gui::widgets;
+use crate::gui::view::{Lower, Step};
+use crate::gui::widgets::{self, caption, title};
 
 use super::disk;
 
@@ -54,7 +52,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
         });
     part(Margin::same(12)).show(ui, |ui| {
-        workspace_bar(ui, workbench, commands);
+        workspace::bar(ui, workbench, commands);
         workspace::show(ui, workbench, commands);
     });
 }
@@ -110,100 +108,6 @@ fn lower(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         commands.push(Command::Lower(lower));
     }
     ui.add_space(space::ROW);
-}
-
-fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
-    ui.add_space(space::ROW);
-}
-
-/// Saves a plot as a file.
-fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
-    let says = format!("Save picture of the {}…", plot.name());
-    if widgets::save_button(ui, &says).clicked() {
-        commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
-    }
-}
-
-fn workspace_bar(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let view = workbench.view();
-    let measured = !workbench.subject().is_empty();
-    ui.horizontal(|ui| {
-        title(ui, "Workspace");
-        let planes = Plane::ALL.map(|plane| (plane, plane.name()));
-        if let Some(plane) = widgets::segmented(ui, &planes, view.plane) {
-            commands.push(Command::Look(plane));
-        }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if measured {
-                picture(ui, Plot::Workspace, commands);
-            }
-            if workbench.answer().is_some() && measured {
-                blend(ui, workbench, commands);
-            }
-        });
-    });
-    if measured {
-        ui.horizontal(|ui| magnification(ui, workbench, commands));
-    }
-}
-
-/// The sliders of the bars are finer than those of forms.
-fn fine(ui: &mut Ui, width: f32) {
-    ui.spacing_mut().slider_width = width;
-    ui.spacing_mut().interact_size.y = 18.0;
-}
-
-fn caption(ui: &mut Ui, text: &str) -> egui::Response {
-    let muted = Palette::of(ui).muted;
-    ui.label(RichText::new(text).size(size::SMALL).color(muted))
-}
-
-/// From before to after.
-fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let mut blend = workbench.view().blend;
-    caption(ui, "after");
-    fine(ui, 72.0);
-    let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
-    ui.ctx()
-        .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
-    if slider.changed() {
-        commands.push(Command::Blend(blend));
-    }
-    caption(ui, "before");
-}
-
-/// How long the vectors are drawn.
-fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let subject = workbench.subject();
-    let reach = workspace::reach(subject);
-    let before = workspace::readable(reach, &subject.before.length_mm);
-    let now = workbench.view().magnification.unwrap_or(before);
-    caption(ui, "vectors");
-    let mut factor = now;
-    fine(ui, 110.0);
-    let slider = Slider::new(&mut factor, 1.0..=100_000.0)
-        .logarithmic(true)
-        .show_value(false);
-    let slider = ui.add(slider);
-    ui.ctx()
-        .accesskit_node_builder(slider.id, |node| node.set_label("Length of vectors"));
-    if slider.changed() && factor != now {
-        commands.push(Command::Magnify(Some(factor)));
-    }
-    caption(ui, &format!("× {}", significant(now, 2)));
-    let Some(answer) = workbench.answer() else {
-        return;
-    };
-    let left = workspace::readable(reach, &answer.lengths_mm);
-    ui.add_space(space::ROW);
-    caption(ui, "readable");
-    let options = [(Some(before), "before"), (Some(left), "after")];
-    match widgets::segmented(ui, &options, Some(now)) {
-        Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
-        Some(factor) => commands.push(Command::Magnify(factor)),
-        None => {}
-    }
 }
 
 /// From this width on the components stand side by side, points.

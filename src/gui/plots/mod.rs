@@ -12,6 +12,13 @@ pub(crate) mod workspace;
 pub(crate) use axes::{axis, steps};
 pub(crate) use drawing::Drawing;
 
+use egui::Ui;
+
+use super::commands::Command;
+use super::pictures::Plot;
+use super::tasks::What;
+use super::widgets;
+
 /// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.
 pub(crate) const MOST_ARROWS: usize = 10_000;
 /// Points in one plot.
@@ -20,6 +27,14 @@ pub(crate) const MOST_POINTS: usize = 100_000;
 /// The smallest span of a chart's upward axis, mm or degrees: below it the labels, which have four
 /// decimals, would all be the same, and what filled the chart would be rounding.
 pub(crate) const LEAST_SPAN: f64 = 1e-3;
+
+/// Saves a plot as a file.
+pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
+    let says = format!("Save picture of the {}…", plot.name());
+    if widgets::save_button(ui, &says).clicked() {
+        commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
+    }
+}
 
 /// Every how many of `count` things one is shown, so that there are at most `most`.
 pub(crate) fn stride(count: usize, most: usize) -> usize {

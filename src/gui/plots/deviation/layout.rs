@@ -1,5 +1,6 @@
 //! Where the parts of the deviation chart go.
 
+use super::envelope::{Column, Envelope};
 use super::model::Series;
 use crate::gui::plots::LEAST_SPAN;
 
@@ -13,7 +14,7 @@ pub(crate) struct Extent {
 }
 
 /// The extent of a series, with a margin; of what is left alone where it is looked at alone.
-pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
+pub(crate) fn extent(series: &Series, envelope: Option<&Envelope>, only_after: bool) -> Extent {
     let mut q = [f64::INFINITY, f64::NEG_INFINITY];
     let mut mm = [0.0_f64, 0.0_f64];
     for dot in &series.dots {
@@ -23,6 +24,15 @@ pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
             if value.is_finite() {
                 mm = [mm[0].min(value), mm[1].max(value)];
             }
+        }
+    }
+    if let Some(all) = envelope.and_then(Envelope::extent) {
+        q = all.q;
+        let before = all
+            .before_mm
+            .filter(|_| !only_after || all.after_mm.is_none());
+        for [low, high] in before.into_iter().chain(all.after_mm) {
+            mm = [mm[0].min(low), mm[1].max(high)];
         }
     }
     if q[0] > q[1] {
@@ -40,6 +50,29 @@ pub(crate) fn extent(series: &Series, only_after: bool) -> Extent {
         // The legend stands at the top.
         mm: margin(mm, [0.08, 0.25], 0.5 * LEAST_SPAN),
     }
+}
+
+/// Width of a column, points.
+const COLUMN: f64 = 2.0;
+/// More samples in sight than this are shown by their extremes.
+const MOST_DOTS: usize = 600;
+
+/// What a chart of many samples shows.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Many {
+    /// Few are in sight: these.
+    Samples(Vec<usize>),
+    /// Extremes.
+    Columns(Vec<Column>),
+}
+
+/// What is in sight between two values of joint 1, in so many points of the screen.
+pub(crate) fn in_sight(envelope: &Envelope, q: [f64; 2], points: f64) -> Many {
+    if envelope.count(q) <= MOST_DOTS {
+        return Many::Samples(envelope.samples(q, MOST_DOTS).collect());
+    }
+    let columns = crate::gui::units::whole((points / COLUMN).ceil().min(8192.0)).max(1);
+    Many::Columns(envelope.columns(q, columns))
 }
 
 /// The tolerance as a band, mm: both ways for a component, from zero for a length. `None` where
@@ -76,31 +109,31 @@ mod tests {
     #[test]
     fn what_is_left_can_be_looked_at_alone() {
         let series = series(&[(0.0, 10.0, Some(0.1)), (1.0, 12.0, Some(-0.1))]);
-        assert!(extent(&series, false).mm[1] > 12.0);
-        let alone = extent(&series, true).mm;
+        assert!(extent(&series, None, false).mm[1] > 12.0);
+        let alone = extent(&series, None, true).mm;
         assert!(alone[1] < 0.2 && alone[0] > -0.2, "{alone:?}");
     }
 
     #[test]
     fn an_empty_chart_has_an_extent() {
-        let extent = extent(&series(&[]), false);
+        let extent = extent(&series(&[]), None, false);
         assert!(extent.q[0] < extent.q[1] && extent.mm[0] < extent.mm[1]);
     }
 
     #[test]
     fn rounding_noise_does_not_fill_the_chart() {
         let exact = series(&[(0.0, 0.0, Some(3e-14)), (1.0, 0.0, Some(-2e-14))]);
-        let [low, high] = extent(&exact, true).mm;
+        let [low, high] = extent(&exact, None, true).mm;
         assert!(high - low >= LEAST_SPAN, "{low} {high}");
     }
 
     #[test]
     fn a_tolerance_wider_than_the_chart_is_not_drawn() {
         let small = series(&[(0.0, 0.01, None), (1.0, -0.01, None)]);
-        assert_eq!(band(&small, &extent(&small, false), false), None);
+        assert_eq!(band(&small, &extent(&small, None, false), false), None);
         let large = series(&[(0.0, 10.0, None), (1.0, -10.0, None)]);
         assert_eq!(
-            band(&large, &extent(&large, false), false),
+            band(&large, &extent(&large, None, false), false),
             Some([-0.2, 0.2])
         );
     }

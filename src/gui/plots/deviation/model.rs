@@ -1,7 +1,8 @@
 //! What the deviation chart shows, in inner units.
 
+use crate::gui::backdrop::FEW;
 use crate::gui::commands::Workbench;
-use crate::gui::plots::{MOST_ARROWS, stride};
+use crate::gui::plots::stride;
 
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,10 +19,26 @@ pub(crate) struct Dot {
     pub(crate) side: f64,
 }
 
+impl Dot {
+    /// A sample as the workbench has it.
+    pub(crate) fn of(workbench: &Workbench, sample: usize) -> Self {
+        let subject = &**workbench.subject();
+        let component = workbench.view().component;
+        let of = |e: [f64; 3]| subject.component(e, sample, component);
+        Self {
+            sample,
+            q: subject.q(sample),
+            before_mm: of(subject.deviation_before(sample)),
+            after_mm: workbench.answer().map(|a| of(a.deviation_after(sample))),
+            side: subject.side(sample),
+        }
+    }
+}
+
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Series {
-    /// Samples in measuring order, perhaps thinned.
+    /// Samples in measuring order, perhaps thinned; none where their extremes are shown instead.
     pub(crate) dots: Vec<Dot>,
     /// One dot for so many samples.
     pub(crate) stride: usize,
@@ -38,22 +55,16 @@ impl Series {
     pub(crate) fn of(workbench: &Workbench) -> Self {
         let subject = &**workbench.subject();
         let document = workbench.document();
-        let component = workbench.view().component;
-        let answer = workbench.answer();
-        let usable = subject.usable.iter().filter(|u| **u).count();
-        // Two marks for each sample, each as dear as an arrow.
-        let stride = stride(usable, MOST_ARROWS);
-        let samples = (0..subject.len()).filter(|i| subject.usable[*i]);
-        let dots = samples.step_by(stride).map(|sample| {
-            let of = |e: [f64; 3]| subject.component(e, sample, component);
-            Dot {
-                sample,
-                q: subject.q(sample),
-                before_mm: of(subject.deviation_before(sample)),
-                after_mm: answer.map(|a| of(a.deviation_after(sample))),
-                side: subject.side(sample),
-            }
-        });
+        let usable = &subject.overview.usable;
+        // Of many a few, until their extremes are known.
+        let stride = stride(usable.len(), FEW);
+        let shown: &[u32] = if workbench.envelope().is_some() {
+            &[]
+        } else {
+            usable
+        };
+        let samples = shown.iter().step_by(stride);
+        let dots = samples.map(|sample| Dot::of(workbench, *sample as usize));
         let boundaries = crate::gui::boundaries::boundaries(&document.regions);
         Self {
             dots: dots.collect(),

@@ -10,15 +10,19 @@ use crate::gui::tokens::{Palette, size};
 use crate::gui::units::Units;
 use crate::gui::view::AngleUnit;
 
-use super::layout::{self, Extent};
-use super::model::Series;
+use super::columns;
+use super::envelope::Envelope;
+use super::layout::{self, Extent, Many};
+use super::model::{Dot, Series};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
+/// Of so many near it at most; more stand on one another.
+const MOST_NEAR: usize = 400;
 
 /// The chart's axes in the user's units.
 #[derive(Clone, Copy)]
-struct Axes {
+pub(super) struct Axes {
     units: Units,
     turns: bool,
 }
@@ -32,7 +36,12 @@ impl Axes {
         }
     }
 
-    fn at(self, q: f64, mm: f64) -> PlotPoint {
+    /// The value of the joint at a place of the chart.
+    fn q(self, x: f64) -> f64 {
+        x / self.along(1.0)
+    }
+
+    pub(super) fn at(self, q: f64, mm: f64) -> PlotPoint {
         PlotPoint::new(self.along(q), self.units.length_value(mm))
     }
 }
@@ -44,7 +53,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let units = workbench.units();
     let series = Series::of(workbench);
     let only_after = view.only_after && workbench.answer().is_some();
-    let extent = layout::extent(&series, only_after);
+    let envelope = workbench.envelope();
+    let extent = layout::extent(&series, envelope, only_after);
     let band = layout::band(&series, &extent, view.component == Component::Length);
     let axes = Axes {
         units,
@@ -76,17 +86,39 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .custom_y_axes(axis(Axis::Y, upwards, &palette, |mm| mm));
     let emphasised = view.hovered.or(view.selected);
     let drawn = &series;
+    // What is drawn of the samples between two places of the chart.
+    let in_sight = |transform: &PlotTransform| {
+        envelope.map(|envelope| {
+            let bounds = transform.bounds();
+            let q = [bounds.min()[0], bounds.max()[0]].map(|x| axes.q(x));
+            layout::in_sight(envelope, q, f64::from(transform.frame().width()))
+        })
+    };
+    let these = |samples: &[usize]| -> Vec<Dot> {
+        let dot = |sample: &usize| Dot::of(workbench, *sample);
+        samples.iter().map(dot).collect()
+    };
     let shown = plot.show(ui, |plot| {
         plot.add(Drawing::new(
             "deviation",
             corners,
             move |transform, shapes| {
                 ground(shapes, transform, drawn, &extent, band, axes, &palette);
-                dots(shapes, transform, drawn, only_after, axes, &palette);
-                let shown = |sample: usize| {
-                    Some(sample) == emphasised || view.marked.binary_search(&sample).is_ok()
-                };
-                for dot in drawn.dots.iter().filter(|d| shown(d.sample)) {
+                match in_sight(transform) {
+                    None => dots(shapes, transform, &drawn.dots, only_after, axes, &palette),
+                    Some(Many::Samples(samples)) => {
+                        let these = these(&samples);
+                        dots(shapes, transform, &these, only_after, axes, &palette);
+                    }
+                    Some(Many::Columns(columns)) => {
+                        let mesh = columns::mesh(transform, &columns, only_after, axes, &palette);
+                        shapes.push(mesh);
+                    }
+                }
+                let subject = workbench.subject();
+                let marked = workspace::marked(view, subject.len()).chain(emphasised);
+                for sample in marked.filter(|sample| subject.usable[*sample]) {
+                    let dot = Dot::of(workbench, sample);
                     let mm = dot.after_mm.unwrap_or(dot.before_mm);
                     let here = transform.position_from_point(&axes.at(dot.q, mm));
                     shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));
@@ -99,20 +131,38 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     response.widget_info(|| {
         WidgetInfo::labeled(Role::Figure, true, format!("deviation chart, {name}"))
     });
-    legend(ui, &transform, &series, only_after, &palette);
+    let many = matches!(in_sight(&transform), Some(Many::Columns(_)));
+    legend(ui, &transform, workbench, &series, many, &palette);
 
     let under = response.hover_pos().and_then(|pointer| {
-        let candidates = series.dots.iter().flat_map(|dot| {
-            let before = (!only_after).then_some(dot.before_mm);
-            let marks = before.into_iter().chain(dot.after_mm);
-            marks.map(|mm| {
-                let here = transform.position_from_point(&axes.at(dot.q, mm));
-                (dot.sample, [here.x, here.y])
-            })
+        let near = envelope.map(|envelope| {
+            let q = |x: f32| axes.q(transform.value_from_position(pos2(x, pointer.y)).x);
+            let around = [q(pointer.x - REACH), q(pointer.x + REACH)];
+            these(&envelope.samples(around, MOST_NEAR).collect::<Vec<_>>())
         });
-        workspace::nearest(candidates, [pointer.x, pointer.y], REACH)
+        let near = near.as_deref().unwrap_or(&series.dots);
+        under(near, only_after, axes, &transform, pointer)
     });
     workspace::hover(&response, workbench, under, commands);
+}
+
+/// The sample whose mark is under the pointer.
+fn under(
+    dots: &[Dot],
+    only_after: bool,
+    axes: Axes,
+    transform: &PlotTransform,
+    pointer: egui::Pos2,
+) -> Option<usize> {
+    let candidates = dots.iter().flat_map(|dot| {
+        let before = (!only_after).then_some(dot.before_mm);
+        let marks = before.into_iter().chain(dot.after_mm);
+        marks.map(|mm| {
+            let here = transform.position_from_point(&axes.at(dot.q, mm));
+            (dot.sample, [here.x, here.y])
+        })
+    });
+    workspace::nearest(candidates, [pointer.x, pointer.y], REACH)
 }
 
 /// Tolerance, boundaries and zero.
@@ -146,25 +196,25 @@ fn ground(
 fn dots(
     shapes: &mut Vec<Shape>,
     transform: &PlotTransform,
-    series: &Series,
+    dots: &[Dot],
     only_after: bool,
     axes: Axes,
     palette: &Palette,
 ) {
-    let identified = series.dots.iter().any(|d| d.after_mm.is_some());
+    let identified = dots.iter().any(|d| d.after_mm.is_some());
     if !only_after {
         let (fill, edge) = if identified {
             (Color32::TRANSPARENT, palette.before.gamma_multiply(0.75))
         } else {
             (palette.before.gamma_multiply(0.35), palette.before)
         };
-        for dot in &series.dots {
+        for dot in dots {
             let here = transform.position_from_point(&axes.at(dot.q, dot.before_mm));
             let stroke = Stroke::new(1.2, edge);
             shapes.push(marks::pointing(here, 3.2, dot.side, fill, stroke));
         }
     }
-    for dot in &series.dots {
+    for dot in dots {
         if let Some(after) = dot.after_mm {
             let here = transform.position_from_point(&axes.at(dot.q, after));
             let stroke = Stroke::new(0.8, palette.surface);
@@ -176,15 +226,18 @@ fn dots(
 fn legend(
     ui: &Ui,
     transform: &PlotTransform,
+    workbench: &Workbench,
     series: &Series,
-    only_after: bool,
+    many: bool,
     palette: &Palette,
 ) {
     let frame = *transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let font = FontId::proportional(size::SMALL);
-    let identified = series.dots.iter().any(|d| d.after_mm.is_some());
-    let sides = series.dots.iter().any(|d| d.side != 0.0);
+    let identified = workbench.answer().is_some();
+    let only_after = workbench.view().only_after && identified;
+    let of_many = workbench.envelope().map(Envelope::sides);
+    let sides = of_many.unwrap_or_else(|| series.dots.iter().any(|d| d.side != 0.0));
     let mut entries: Vec<(&str, f64, Color32, Color32)> = Vec::new();
     let clear = Color32::TRANSPARENT;
     if !only_after {
@@ -193,7 +246,7 @@ fn legend(
     if identified {
         entries.push(("after", 0.0, palette.after, palette.after));
     }
-    if sides {
+    if sides && !many {
         entries.push(("moving positive", 1.0, clear, palette.muted));
         entries.push(("negative", -1.0, clear, palette.muted));
     }
@@ -216,8 +269,13 @@ fn legend(
         ));
         right = place.left() - 28.0;
     }
-    if let Some(note) = thinned(series.stride, "point") {
+    let note = if many {
+        Some("from the smallest to the largest in each column".to_owned())
+    } else {
+        thinned(series.stride, "point").filter(|_| of_many.is_none())
+    };
+    if let Some(note) = note {
         let at = frame.left_top() + egui::vec2(12.0, 12.0);
-        painter.text(at, Align2::LEFT_CENTER, note, font, palette.warning);
+        painter.text(at, Align2::LEFT_CENTER, note, font, palette.muted);
     }
 }

@@ -1,10 +1,15 @@
 //! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
 //! pointer, what the hover says.
 
+use egui::Pos2;
+use egui_plot::{PlotPoint, PlotTransform};
+
+use crate::gui::backdrop::FEW;
 use crate::gui::commands::Workbench;
 use crate::gui::plots::round_down;
 use crate::gui::subject::Component;
 use crate::gui::units::trimmed;
+use crate::gui::view::Canvas;
 
 use super::model::{Dial, Scene};
 
@@ -29,9 +34,7 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
             }
         }
     };
-    for point in &scene.points {
-        take(point.at_mm);
-    }
+    scene.measured_mm.into_iter().for_each(&mut take);
     for p in scene.paths_mm.iter().flatten() {
         take(*p);
     }
@@ -93,6 +96,74 @@ pub(crate) fn nearest(
         .map(|(sample, _)| sample)
 }
 
+/// So many vectors and points can be told apart where all of the workspace is in sight.
+const APART: [f64; 2] = [1_500.0, 7_500.0];
+
+/// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
+/// apart along both axes; vectors become longer as well, and so fewer of them fit.
+pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
+    let Canvas::Layers(most) = scene.canvas else {
+        return [0; 2];
+    };
+    let [low, high] = scene.measured_mm;
+    let side = |k: usize, points_per_mm: f64, frame: f32| {
+        let drawn = (high[k] - low[k]) * points_per_mm.abs();
+        (drawn / f64::from(frame.max(1.0))).max(1.0)
+    };
+    let frame = transform.frame();
+    let wide = side(0, transform.dpos_dvalue_x(), frame.width());
+    let tall = side(1, transform.dpos_dvalue_y(), frame.height());
+    let most = scene.samples.min(most);
+    let at_most = |apart: f64| {
+        if apart < most as f64 {
+            crate::gui::units::whole(apart)
+        } else {
+            most
+        }
+    };
+    let [vectors, points] = APART;
+    [points * wide * tall, vectors * (wide * tall).sqrt()].map(at_most)
+}
+
+/// What a layer says when it does not draw everything.
+pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String> {
+    let one_of = |count: usize| scene.samples.div_ceil(count.max(1));
+    let note = |(count, what): (usize, &str)| {
+        let why = if scene.canvas == Canvas::Layers(count) {
+            "this computer draws in software"
+        } else {
+            "zoom in for more"
+        };
+        (count < scene.samples).then(|| format!("1 of {} {what}: {why}", one_of(count)))
+    };
+    let layers = [(points, "points"), (vectors, "vectors")];
+    layers.into_iter().filter_map(note).collect()
+}
+
+/// The sample under the pointer, of those within `reach` points of it.
+pub(crate) fn under(
+    workbench: &Workbench,
+    transform: &PlotTransform,
+    pointer: Pos2,
+    reach: f32,
+) -> Option<usize> {
+    let usable = &workbench.subject().overview.usable;
+    if usable.len() > FEW {
+        let at = transform.value_from_position(pointer);
+        let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
+        return workbench.nearest()?.find([at.x, at.y], reach_mm);
+    }
+    let axes = workbench.view().plane.axes();
+    let candidates = usable.iter().map(|sample| {
+        let sample = *sample as usize;
+        let measured = workbench.subject().measured(sample);
+        let [x, y] = axes.map(|k| measured[k]);
+        let at = transform.position_from_point(&PlotPoint::new(x, y));
+        (sample, [at.x, at.y])
+    });
+    nearest(candidates, [pointer.x, pointer.y], reach)
+}
+
 /// One line of what is said about a sample: what, and how much.
 pub(crate) type Line = (String, String);
 
@@ -138,6 +209,17 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
         let value = subject.component(shown, sample, component);
         lines.push((component.name().to_owned(), units.length(value)));
     }
+    let samples = &subject.session.samples;
+    let conditions = [
+        ("load", &samples.load_kg, "kg"),
+        ("temperature", &samples.temperature_c, "°C"),
+        ("time", &samples.time_s, "s"),
+    ];
+    for (name, column, unit) in conditions {
+        if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
+            lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+        }
+    }
     let [right, up] = workbench.view().plane.axes();
     let direction = shown[up].atan2(shown[right]).to_degrees();
     lines.push((
@@ -154,6 +236,8 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
 
 #[cfg(test)]
 mod tests {
+    use egui_plot::PlotBounds;
+
     use super::*;
     use crate::gui::testing::workbench;
 
@@ -175,6 +259,29 @@ mod tests {
             let drawn = mm * magnification * 1.7;
             assert!(drawn <= 80.0 + 1e-9 && drawn > 80.0 / 2.6, "{drawn}");
         }
+    }
+
+    #[test]
+    fn the_nearer_one_looks_the_more_vectors_are_drawn() {
+        let mut scene = Scene::of(&workbench());
+        scene.samples = 1_000_000;
+        scene.canvas = Canvas::Layers(usize::MAX);
+        let at = |scale: f64| {
+            let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+            let bounds = PlotBounds::from_min_max(
+                [-300.0 * scale, -240.0 * scale],
+                [300.0 * scale, 240.0 * scale],
+            );
+            counts(&scene, &PlotTransform::new(frame, bounds, false))
+        };
+        assert_eq!(at(1.5), [7_500, 1_500]);
+        let [points, vectors] = at(0.1);
+        assert!(points > 100_000 && vectors > 7_000, "{points} {vectors}");
+        assert!(at(0.02) > at(0.1));
+        assert_eq!(at(0.0001), [1_000_000, 1_000_000]);
+        let says = drawn(&scene, at(1.5));
+        assert_eq!(says[1], "1 of 667 vectors: zoom in for more");
+        assert!(drawn(&scene, [1_000_000; 2]).is_empty());
     }
 
     #[test]

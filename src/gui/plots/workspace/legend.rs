@@ -7,9 +7,11 @@ use crate::gui::commands::Workbench;
 use crate::gui::plots::{marks, thinned};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
+use crate::gui::view::{Canvas, Colouring};
 
 use super::layout;
 use super::model::Scene;
+use super::scales;
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 90.0;
@@ -30,7 +32,9 @@ pub(super) fn show(
     let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
     let long = points_from(mm * scene.magnification * points_per_mm);
     let corner = frame.left_top() + vec2(12.0, 16.0);
-    let color = if workbench.answer().is_some() {
+    let color = if scene.look.colouring != Colouring::State {
+        palette.muted
+    } else if scene.look.answered {
         palette.after
     } else {
         palette.before
@@ -55,15 +59,25 @@ pub(super) fn show(
         font.clone(),
         palette.muted,
     );
-    let notes = [
-        thinned(scene.arrow_stride, "arrow"),
-        thinned(scene.point_stride, "point"),
-    ];
-    for (line, note) in notes.into_iter().flatten().enumerate() {
+    let notes = if scene.canvas == Canvas::Shapes {
+        let thinned = [
+            thinned(scene.arrow_stride, "arrow"),
+            thinned(scene.point_stride, "point"),
+        ];
+        thinned.into_iter().flatten().collect()
+    } else {
+        layout::drawn(scene, layout::counts(scene, transform))
+    };
+    for (line, note) in notes.into_iter().enumerate() {
         let at = corner + vec2(0.0, 18.0 * (line + 1) as f32);
-        painter.text(at, Align2::LEFT_CENTER, note, font.clone(), palette.warning);
+        let galley = painter.layout_no_wrap(note, font.clone(), palette.muted);
+        let place = Align2::LEFT_CENTER.anchor_size(at, galley.size());
+        let back = place.expand2(vec2(3.0, 1.0));
+        painter.rect_filled(back, 2.0, palette.surface.gamma_multiply(0.85));
+        painter.galley(place.min, galley, palette.muted);
     }
     meanings(ui, frame, workbench, scene, palette);
+    scales::show(ui, frame, scene, workbench, palette);
 }
 
 /// A mark of the legend.
@@ -96,7 +110,7 @@ fn meanings(ui: &Ui, frame: Rect, workbench: &Workbench, scene: &Scene, palette:
     if !scene.paths_mm.is_empty() {
         entries.push(("nominal path", Sign::Line(palette.nominal, 1.25)));
     }
-    if workbench.answer().is_some() && workbench.view().blend > 0.0 {
+    if scene.look.ghosts() {
         let faint = palette.before.gamma_multiply(0.5);
         entries.push(("before", Sign::Line(faint, 1.5)));
         entries.push(("after", Sign::Line(palette.after, 1.8)));

@@ -1,9 +1,11 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane.
 
 use crate::gui::commands::Workbench;
-use crate::gui::plots::{MOST_ARROWS, MOST_POINTS, round_down, stride};
+use crate::gui::layers::Look;
+use crate::gui::overview::long_mm;
+use crate::gui::plots::{MOST_ARROWS, MOST_POINTS, stride};
 use crate::gui::subject::Subject;
-use crate::gui::view::Plane;
+use crate::gui::view::{Canvas, Colouring, Plane, ViewState};
 
 /// An error vector of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +18,8 @@ pub(crate) struct Arrow {
     pub(crate) vector_mm: [f64; 2],
     /// The deviation before, where another is shown.
     pub(crate) before_mm: Option<[f64; 2]>,
+    /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
+    pub(crate) says: Option<f32>,
 }
 
 /// A measured point.
@@ -66,11 +70,11 @@ impl Dial {
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scene {
-    /// Error vectors, perhaps thinned.
+    /// Error vectors, perhaps thinned; none where a layer draws them.
     pub(crate) arrows: Vec<Arrow>,
     /// One arrow for so many samples.
     pub(crate) arrow_stride: usize,
-    /// Measured points, perhaps thinned.
+    /// Measured points, perhaps thinned; none where a layer draws them.
     pub(crate) points: Vec<Point>,
     /// One point for so many samples.
     pub(crate) point_stride: usize,
@@ -82,6 +86,14 @@ pub(crate) struct Scene {
     pub(crate) magnification: f64,
     /// Size of the workspace, mm.
     pub(crate) reach_mm: f64,
+    /// Smallest and largest corner of what was measured, mm.
+    pub(crate) measured_mm: [[f64; 2]; 2],
+    /// What is shown of each sample, and how.
+    pub(crate) look: Look,
+    /// How many samples can be used.
+    pub(crate) samples: usize,
+    /// What draws them.
+    pub(crate) canvas: Canvas,
 }
 
 impl Scene {
@@ -92,41 +104,37 @@ impl Scene {
         let [right, up] = view.plane.axes();
         let flat = |p: [f64; 3]| [p[right], p[up]];
         let answer = workbench.answer();
-        let blend = f64::from(view.blend);
-        // What is shown: e = before + t (after − before), and the simulation that it belongs to.
-        let shown = |sample: usize| {
-            let before = subject.deviation_before(sample);
-            let Some(answer) = answer else {
-                return before;
-            };
-            let after = answer.deviation_after(sample);
-            std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
-        };
+        let look = look(workbench);
+        let shown = |sample: usize| shown(workbench, sample);
         let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
         let tolerance_mm = workbench.document().tolerance_mm;
-        let usable: usize = subject.usable.iter().filter(|u| **u).count();
-        let (arrow_stride, point_stride) =
-            (stride(usable, MOST_ARROWS), stride(usable, MOST_POINTS));
-        let samples = || (0..subject.len()).filter(|i| subject.usable[*i]);
-
-        let arrows = samples().step_by(arrow_stride).map(|sample| {
+        let usable = &subject.overview.usable;
+        let (most, shown_here): (_, &[u32]) = match view.canvas {
+            Canvas::Shapes => ([MOST_ARROWS, MOST_POINTS], usable),
+            Canvas::Layers(_) => ([usize::MAX; 2], &[]),
+        };
+        let [arrow_stride, point_stride] = most.map(|most| stride(usable.len(), most));
+        let samples = |stride| shown_here.iter().step_by(stride).map(|s| *s as usize);
+        let arrows = samples(arrow_stride).map(|sample| {
             let e = shown(sample);
             let measured = subject.measured(sample);
             Arrow {
                 sample,
                 from_mm: flat(std::array::from_fn(|k| measured[k] - e[k])),
                 vector_mm: flat(e),
-                before_mm: (answer.is_some() && blend > 0.0)
+                before_mm: look
+                    .ghosts()
                     .then(|| flat(subject.deviation_before(sample))),
+                says: says(subject, &look, sample, e),
             }
         });
-        let points = samples().step_by(point_stride).map(|sample| Point {
+        let points = samples(point_stride).map(|sample| Point {
             sample,
             at_mm: flat(subject.measured(sample)),
             within: tolerance_mm.map(|t| length(shown(sample)) <= t),
             suspected: answer.is_some_and(|a| a.suspected[sample]),
         });
-        let reach_mm = reach(subject);
+        let measured_mm = subject.overview.measured_mm.map(flat);
         Self {
             arrows: arrows.collect(),
             arrow_stride,
@@ -134,55 +142,90 @@ impl Scene {
             point_stride,
             paths_mm: paths(subject, view.plane),
             dial: dial(subject, view.plane),
-            magnification: view
-                .magnification
-                .unwrap_or_else(|| readable(reach_mm, &subject.before.length_mm)),
-            reach_mm,
+            magnification: look.magnification,
+            reach_mm: subject.overview.reach_mm,
+            measured_mm,
+            look,
+            samples: usable.len(),
+            canvas: view.canvas,
         }
     }
 }
 
-/// The magnification at which the longer ones of these deviations can be read.
-pub(crate) fn readable(reach_mm: f64, lengths_mm: &[f64]) -> f64 {
-    let step = stride(lengths_mm.len(), MOST_ARROWS);
-    let mut some: Vec<f64> = lengths_mm
-        .iter()
-        .copied()
-        .step_by(step)
-        .filter(|l| l.is_finite())
-        .collect();
-    if some.is_empty() {
-        return 1.0;
-    }
-    // One sample that is far off must not shrink all others.
-    let place = (some.len() - 1) * 9 / 10;
-    let (_, long, _) = some.select_nth_unstable_by(place, f64::total_cmp);
-    if *long < 1e-9 {
-        return 1.0;
-    }
-    round_down(0.2 * reach_mm / *long)
+/// The magnification that is chosen, or at which the deviations before can be read.
+pub(crate) fn magnification(view: &ViewState, subject: &Subject) -> f64 {
+    view.magnification.unwrap_or(subject.overview.readable)
 }
 
-/// Size of the workspace, mm.
-pub(crate) fn reach(subject: &Subject) -> f64 {
-    let radius_mm = subject.reach_mm();
-    if subject.single_revolute() && radius_mm > 0.0 {
-        return radius_mm;
-    }
-    let nominal = &subject.nominal;
-    let extent = |column: &[f64]| {
-        let finite = column.iter().copied().filter(|v| v.is_finite());
-        let (low, high) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        });
-        (high - low).max(0.0)
+/// The deviation that is shown of a sample, mm: e = before + t (after − before).
+pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
+    let before = workbench.subject().deviation_before(sample);
+    let Some(answer) = workbench.answer() else {
+        return before;
     };
-    let sides = [
-        extent(&nominal.x_mm),
-        extent(&nominal.y_mm),
-        extent(&nominal.z_mm),
-    ];
-    sides.into_iter().fold(1.0, f64::max)
+    let after = answer.deviation_after(sample);
+    let blend = f64::from(workbench.view().blend);
+    std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
+}
+
+fn look(workbench: &Workbench) -> Look {
+    let (view, subject) = (workbench.view(), workbench.subject());
+    let answered = workbench.answer().is_some();
+    let magnification = magnification(view, subject);
+    Look {
+        plane: view.plane,
+        centre_mm: subject.cloud.centre_mm,
+        blend: if answered { view.blend } else { 0.0 },
+        answered,
+        magnification,
+        long_mm: long_mm(subject.overview.reach_mm, magnification),
+        tolerance_mm: workbench.document().tolerance_mm,
+        colouring: offered(subject, view.colouring),
+        // Many points stand close together, and small ones apart.
+        mark: match subject.overview.usable.len() {
+            0..=80 => 1.0,
+            81..=5_000 => 0.75,
+            _ => 0.5,
+        },
+    }
+}
+
+/// What colour can say of a session: a condition only where it changes.
+pub(crate) fn offers(subject: &Subject, colouring: Colouring) -> bool {
+    let known = |k: usize| subject.cloud.conditions[k].is_some();
+    colouring.condition().is_none_or(known)
+}
+
+fn offered(subject: &Subject, colouring: Colouring) -> Colouring {
+    if offers(subject, colouring) {
+        colouring
+    } else {
+        Colouring::State
+    }
+}
+
+/// What the colour of a sample says, of which `e` is shown, as the layers have it.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "a part of a scale needs no more"
+)]
+fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f32> {
+    let part = match look.colouring {
+        Colouring::State => return None,
+        Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
+        Colouring::Direction => {
+            let [right, up] = look.plane.axes();
+            e[up].atan2(e[right]) / (2.0 * std::f64::consts::PI)
+        }
+        Colouring::Load | Colouring::Temperature | Colouring::Time => {
+            let condition = look.colouring.condition()?;
+            let samples = &subject.session.samples;
+            let columns = [&samples.load_kg, &samples.temperature_c, &samples.time_s];
+            let [low, high] = subject.cloud.conditions[condition]?;
+            (columns[condition].as_ref()?[sample] - low) / (high - low)
+        }
+    };
+    part.is_finite().then_some(part as f32)
 }
 
 fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
@@ -195,7 +238,7 @@ fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
             centre_mm: flat(joint.foot_mm),
             radial: flat(joint.radial),
             tangential: flat(joint.tangential),
-            radius_mm: subject.reach_mm(),
+            radius_mm: subject.arm_mm,
         }
     })
 }
@@ -281,13 +324,6 @@ mod tests {
         let mut workbench = workbench();
         workbench.execute(Command::Look(Plane::Xz));
         assert_eq!(Scene::of(&workbench).dial, None);
-    }
-
-    #[test]
-    fn vectors_are_magnified_by_a_round_number_that_shows_the_longer_ones() {
-        assert_eq!(readable(250.0, &[13.8; 30]), 2.0);
-        assert_eq!(readable(250.0, &[0.05; 30]), 1000.0);
-        assert_eq!(readable(250.0, &[f64::NAN, 0.0]), 1.0);
     }
 
     #[test]

@@ -5,16 +5,18 @@ use egui::{Align2, CursorIcon, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, pos2};
 use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::layers::{WEDGE, WIDTH, scale_at};
 use crate::gui::plots::{Drawing, axis, marks, steps};
 use crate::gui::tokens::{Palette, size};
-use crate::gui::view::{Step, ViewState};
+use crate::gui::view::{Canvas, Step, ViewState};
 use crate::gui::widgets;
 use crate::sessions::Region;
 
 use super::handles;
+use super::layers;
 use super::layout::{self, HANDLE, SECTOR};
 use super::legend;
-use super::model::{Dial, Scene};
+use super::model::{Dial, Scene, shown};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -46,30 +48,36 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .custom_x_axes(hints(Axis::X, right))
         .custom_y_axes(hints(Axis::Y, up));
     let emphasised = view.hovered.or(view.selected);
+    let pixels = ui.pixels_per_point();
     let shown = plot.show(ui, |plot| {
         plot.add(Drawing::new("workspace", bounds, |transform, shapes| {
             if let Some(dial) = &scene.dial {
                 sectors(shapes, transform, dial, regions, &palette, editing);
             }
+            layers::beneath(shapes, transform, &scene, workbench, &palette, pixels);
             path(shapes, transform, &scene, &palette);
-            points(shapes, transform, &scene, &palette);
-            arrows(
-                shapes,
-                transform,
-                &scene,
-                &palette,
-                workbench.answer().is_some(),
-            );
-            for sample in marked(view, scene.points.len()) {
-                emphasis(shapes, transform, workbench, sample, &palette);
+            if let Canvas::Layers(_) = view.canvas {
+                layers::cloud(shapes, transform, &scene, workbench, &palette, pixels);
+            } else {
+                points(shapes, transform, &scene, &palette);
+                arrows(
+                    shapes,
+                    transform,
+                    &scene,
+                    &palette,
+                    workbench.answer().is_some(),
+                );
+            }
+            for sample in marked(view, workbench.subject().len()) {
+                ring(shapes, transform, workbench, sample, &palette);
             }
             if let Some(sample) = emphasised {
-                emphasis(shapes, transform, workbench, sample, &palette);
+                emphasis(shapes, transform, &scene, workbench, sample, &palette);
             }
         }));
     });
     let (response, transform) = (shown.response, shown.transform);
-    let samples = scene.points.len();
+    let samples = workbench.subject().overview.usable.len();
     response.widget_info(|| {
         WidgetInfo::labeled(
             Role::Figure,
@@ -82,15 +90,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         legend::show(ui, &scene, &transform, workbench, &palette);
     }
 
-    let on = |p: [f64; 2]| screen(&transform, p);
     let pointer = response.hover_pos();
-    let under = pointer.and_then(|pointer| {
-        let candidates = scene.points.iter().map(|p| {
-            let at = on(p.at_mm);
-            (p.sample, [at.x, at.y])
-        });
-        layout::nearest(candidates, [pointer.x, pointer.y], REACH)
-    });
+    let under = pointer.and_then(|p| layout::under(workbench, &transform, p, REACH));
     hover(&response, workbench, under, commands);
     if editing && let Some(dial) = &scene.dial {
         handles::show(ui, workbench, dial, &transform, commands);
@@ -208,11 +209,12 @@ fn arrows(
     let m = scene.magnification;
     let tip = |from: [f64; 2], v: [f64; 2]| [from[0] + m * v[0], from[1] + m * v[1]];
     let ghost = Stroke::new(1.0, palette.before.gamma_multiply(0.38));
-    let color = if identified {
+    let flat = if identified {
         palette.after
     } else {
         palette.before
     };
+    let colouring = scene.look.colouring;
     for arrow in &scene.arrows {
         if let Some(before) = arrow.before_mm {
             // The simulation that the deviation before belongs to.
@@ -230,13 +232,21 @@ fn arrows(
     for arrow in &scene.arrows {
         let from = screen(transform, arrow.from_mm);
         let to = screen(transform, tip(arrow.from_mm, arrow.vector_mm));
-        marks::arrow(shapes, from, to, Stroke::new(1.6, color));
+        let (width, color) = match arrow.says {
+            Some(part) => {
+                let wedge = WEDGE[0] + part * (WEDGE[1] - WEDGE[0]);
+                let width = colouring.condition().map_or(WIDTH, |_| wedge);
+                (width, scale_at(colouring, palette, part))
+            }
+            None if colouring.condition().is_some() => (WIDTH, ghost.color),
+            None => (WIDTH, flat),
+        };
+        marks::arrow(shapes, from, to, Stroke::new(width, color));
     }
 }
 
 fn points(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, palette: &Palette) {
-    // Many points stand close together, and small ones apart.
-    let size = if scene.points.len() > 80 { 0.75 } else { 1.0 };
+    let size = scene.look.mark;
     for point in &scene.points {
         let at = screen(transform, point.at_mm);
         shapes.push(match point.within {
@@ -256,6 +266,7 @@ fn points(shapes: &mut Vec<Shape>, transform: &PlotTransform, scene: &Scene, pal
 fn emphasis(
     shapes: &mut Vec<Shape>,
     transform: &PlotTransform,
+    scene: &Scene,
     workbench: &Workbench,
     sample: usize,
     palette: &Palette,
@@ -266,7 +277,37 @@ fn emphasis(
     }
     let measured = subject.measured(sample);
     let [right, up] = workbench.view().plane.axes();
-    let at = screen(transform, [measured[right], measured[up]]);
+    // Its vector over all others, whatever their colour.
+    let e = shown(workbench, sample);
+    let from = [measured[right] - e[right], measured[up] - e[up]];
+    let m = scene.magnification;
+    let to = [from[0] + m * e[right], from[1] + m * e[up]];
+    let (from, to) = (screen(transform, from), screen(transform, to));
+    marks::arrow(
+        shapes,
+        from,
+        to,
+        Stroke::new(2.0 * WIDTH + 2.0, palette.surface),
+    );
+    marks::arrow(shapes, from, to, Stroke::new(2.0 * WIDTH, palette.accent));
+    ring(shapes, transform, workbench, sample, palette);
+}
+
+/// A ring around a sample.
+fn ring(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    workbench: &Workbench,
+    sample: usize,
+    palette: &Palette,
+) {
+    let subject = workbench.subject();
+    if !subject.usable[sample] {
+        return;
+    }
+    let measured = subject.measured(sample);
+    let at = workbench.view().plane.axes().map(|axis| measured[axis]);
+    let at = screen(transform, at);
     shapes.push(marks::ring(at, 9.0, Stroke::new(2.5, palette.accent)));
 }
 

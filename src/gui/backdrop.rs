@@ -1,0 +1,119 @@
+//! What plots of many samples stand on, worked out in the background: which sample is where, the
+//! heat map, the chart's extremes.
+//!
+//! A few samples are simply looked at anew in every frame, so that nothing has to be waited for.
+
+use std::sync::Arc;
+
+use super::layers::{Heat, Nearest};
+use super::outcome::{Answer, Outcome};
+use super::plots::deviation::Envelope;
+use super::subject::{Component, Subject};
+use super::view::Plane;
+
+/// Up to here samples are few.
+pub(crate) const FEW: usize = 1_000;
+
+/// What a backdrop is made of.
+#[derive(Debug, Clone)]
+pub(crate) struct Scenery {
+    /// The session.
+    pub(crate) subject: Arc<Subject>,
+    /// The answer.
+    pub(crate) outcome: Option<Arc<Outcome>>,
+    /// The plane of the workspace.
+    pub(crate) plane: Plane,
+    /// Whether the heat map is shown.
+    pub(crate) heat: bool,
+    /// The component in the chart.
+    pub(crate) component: Component,
+}
+
+impl PartialEq for Scenery {
+    fn eq(&self, other: &Self) -> bool {
+        self.of_same_samples(other)
+            && self.same_answer(other)
+            && self.plane == other.plane
+            && self.heat == other.heat
+            && self.component == other.component
+    }
+}
+
+impl Scenery {
+    fn of_same_samples(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.subject, &other.subject)
+    }
+
+    fn same_answer(&self, other: &Self) -> bool {
+        match (&self.outcome, &other.outcome) {
+            (None, None) => true,
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+
+    fn answer(&self) -> Option<&Answer> {
+        self.outcome.as_ref()?.answer.as_ref().ok()
+    }
+
+    fn many(&self) -> bool {
+        self.subject.overview.usable.len() > FEW
+    }
+
+    /// Whether there is anything to work out.
+    pub(crate) fn any(&self) -> bool {
+        self.heat || self.many()
+    }
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Backdrop {
+    /// What it was made of.
+    pub(crate) scenery: Scenery,
+    /// Which sample is where in the plane, mm.
+    pub(crate) nearest: Option<Arc<Nearest>>,
+    /// The error over the plane.
+    pub(crate) heat: Option<Arc<Heat>>,
+    /// The chart's extremes.
+    pub(crate) envelope: Option<Arc<Envelope>>,
+}
+
+impl Backdrop {
+    /// Works it out; what the last one has already is taken from there.
+    pub(crate) fn of(scenery: Scenery, last: Option<&Self>) -> Self {
+        let last = last.filter(|l| l.scenery.of_same_samples(&scenery));
+        let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
+        let same_answer = last.filter(|l| l.scenery.same_answer(&scenery));
+        let heat_of = same_answer.filter(|_| same_plane.is_some());
+        let chart_of = same_answer.filter(|l| l.scenery.component == scenery.component);
+        let subject = &*scenery.subject;
+        let nearest = || {
+            let axes = scenery.plane.axes();
+            let at = |sample: &u32| {
+                let measured = subject.measured(*sample as usize);
+                (axes.map(|k| measured[k]), *sample)
+            };
+            Arc::new(Nearest::new(subject.overview.usable.iter().map(at)))
+        };
+        let many = scenery.many();
+        let known = same_plane.and_then(|l| l.nearest.clone());
+        let nearest = many.then(|| known.unwrap_or_else(nearest));
+        let heat = heat_of.and_then(|l| l.heat.clone()).or_else(|| {
+            let wanted = scenery.heat.then(|| {
+                let heat = Heat::of(subject, scenery.answer(), scenery.plane)?;
+                Some(Arc::new(heat))
+            });
+            wanted.flatten()
+        });
+        let known = chart_of.and_then(|l| l.envelope.clone());
+        let chart = || Arc::new(Envelope::of(subject, scenery.answer(), scenery.component));
+        let envelope = many.then(|| known.unwrap_or_else(chart));
+        Self {
+            scenery,
+            nearest,
+            heat,
+            envelope,
+        }
+    }
+}

@@ -1,0 +1,261 @@
+//! Where the layers go in this frame: the uniform of all shaders, worked out without any of them.
+
+use egui::{Color32, Rect};
+use egui_plot::{PlotPoint, PlotTransform};
+
+use crate::gui::tokens::{Palette, STOPS};
+use crate::gui::view::{Colouring, Plane};
+
+use super::heat::Heat;
+
+/// Rows of four numbers; `frame.wgsl` names them.
+const ROWS: usize = 16 + STOPS;
+
+/// Width of an error vector, points, at any zoom.
+pub(crate) const WIDTH: f32 = 1.6;
+/// The narrowest and the widest of a vector whose width says what its colour says.
+pub(crate) const WEDGE: [f32; 2] = [0.9, 3.2];
+/// How much of what is beneath the heat map hides.
+pub(crate) const HEAT: f32 = 0.72;
+
+/// What the layers show, and how.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Look {
+    /// The plane.
+    pub(crate) plane: Plane,
+    /// The middle of the cloud, mm.
+    pub(crate) centre_mm: [f64; 3],
+    /// From before, 0, to after, 1; 0 without an answer.
+    pub(crate) blend: f32,
+    /// Whether there is an answer.
+    pub(crate) answered: bool,
+    /// How much longer than real the vectors are drawn.
+    pub(crate) magnification: f64,
+    /// The upper end of the scale of deviations, mm.
+    pub(crate) long_mm: f64,
+    /// How far a sample may be off, mm.
+    pub(crate) tolerance_mm: Option<f64>,
+    /// What colour says.
+    pub(crate) colouring: Colouring,
+    /// Size of marks, where 1 is the size of few.
+    pub(crate) mark: f32,
+}
+
+impl Look {
+    /// Whether the deviations before stand pale beside those that are shown: only where no colour
+    /// has to be compared with theirs.
+    pub(crate) fn ghosts(&self) -> bool {
+        self.answered && self.blend > 0.0 && self.colouring == Colouring::State
+    }
+}
+
+/// See the module.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Frame {
+    /// The uniform.
+    pub(crate) rows: [[f32; 4]; ROWS],
+}
+
+impl Frame {
+    /// The frame of a plot. `pixels` is how many of the screen's pixels a point takes.
+    pub(crate) fn new(
+        look: &Look,
+        palette: &Palette,
+        transform: &PlotTransform,
+        heat: Option<&Heat>,
+        pixels: f32,
+    ) -> Self {
+        let [right, up] = look.plane.axes();
+        let axis = |k: usize| {
+            let mut row = [0.0; 4];
+            row[k] = 1.0;
+            row
+        };
+        let middle = [look.centre_mm[right], look.centre_mm[up]];
+        let at = transform.position_from_point(&PlotPoint::new(middle[0], middle[1]));
+        let viewport = viewport(*transform.frame(), pixels);
+        let [sx, sy] = [transform.dpos_dvalue_x(), transform.dpos_dvalue_y()];
+        let tolerance = look.tolerance_mm.map_or(-1.0, single);
+        let mut rows = [[0.0; 4]; ROWS];
+        rows[0] = axis(right);
+        rows[1] = axis(up);
+        rows[2] = [
+            single(sx) * pixels,
+            single(sy) * pixels,
+            at.x * pixels - viewport.left(),
+            at.y * pixels - viewport.top(),
+        ];
+        // The last is for whoever knows whether the target wants linear colours.
+        rows[3] = [viewport.width(), viewport.height(), pixels, 0.0];
+        let long = single(look.long_mm.max(1e-12));
+        rows[4] = [look.blend, single(look.magnification), long, tolerance];
+        let answered = if look.answered { 1.0 } else { 0.0 };
+        rows[5] = [mode(look.colouring), answered, WIDTH, look.mark];
+        rows[6] = [WEDGE[0], WEDGE[1], HEAT, 0.0];
+        rows[7][3] = viewport.left();
+        rows[8][2] = viewport.top();
+        if let Some(heat) = heat {
+            let first = [0, 1].map(|k| single(heat.first_mm[k] - middle[k]));
+            let [columns, lines] = heat.size.map(|n| n as f32);
+            rows[7] = [
+                first[0],
+                first[1],
+                single(1.0 / heat.cell_mm),
+                viewport.left(),
+            ];
+            rows[8] = [columns, lines, viewport.top(), 0.0];
+        }
+        let flat = if look.answered {
+            palette.after
+        } else {
+            palette.before
+        };
+        rows[9] = straight(flat, 1.0);
+        rows[10] = straight(palette.before, 0.38);
+        rows[11] = straight(palette.text, 1.0);
+        rows[12] = straight(palette.within, 1.0);
+        rows[13] = straight(palette.outside, 1.0);
+        rows[14] = straight(palette.surface, 1.0);
+        rows[15] = straight(palette.warning, 1.0);
+        for (row, stop) in rows[16..].iter_mut().zip(stops(look.colouring, palette)) {
+            *row = straight(stop, 1.0);
+        }
+        Self { rows }
+    }
+}
+
+/// The pixels that egui draws a plot's frame on.
+fn viewport(frame: Rect, pixels: f32) -> Rect {
+    let corner = |p: egui::Pos2| egui::pos2((p.x * pixels).round(), (p.y * pixels).round());
+    Rect::from_min_max(corner(frame.min), corner(frame.max))
+}
+
+/// The scale that goes with what colour says.
+fn stops(colouring: Colouring, palette: &Palette) -> [Color32; STOPS] {
+    match colouring {
+        Colouring::Direction => palette.cycle,
+        _ => palette.scale,
+    }
+}
+
+/// A colour of a scale, at 0 to 1; the circle of directions begins again at 1.
+pub(crate) fn scale_at(colouring: Colouring, palette: &Palette, part: f32) -> Color32 {
+    let stops = stops(colouring, palette);
+    let around = colouring == Colouring::Direction;
+    let steps = if around { STOPS } else { STOPS - 1 };
+    let place = if around {
+        part.rem_euclid(1.0)
+    } else {
+        part.clamp(0.0, 1.0)
+    } * steps as f32;
+    let first = crate::gui::units::whole(f64::from(place)).min(steps - 1);
+    let next = (first + 1) % STOPS;
+    stops[first].lerp_to_gamma(stops[next], place - first as f32)
+}
+
+fn mode(colouring: Colouring) -> f32 {
+    match colouring {
+        Colouring::State => 0.0,
+        Colouring::Deviation => 1.0,
+        Colouring::Direction => 2.0,
+        Colouring::Load => 3.0,
+        Colouring::Temperature => 4.0,
+        Colouring::Time => 5.0,
+    }
+}
+
+fn straight(color: Color32, opacity: f32) -> [f32; 4] {
+    let [r, g, b] = [color.r(), color.g(), color.b()].map(|c| f32::from(c) / 255.0);
+    [r, g, b, opacity]
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "the screen is drawn in single precision"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use egui_plot::PlotBounds;
+
+    use super::*;
+    use crate::gui::tokens::LIGHT;
+
+    const LOOK: Look = Look {
+        plane: Plane::Xz,
+        centre_mm: [10.0, 20.0, 30.0],
+        blend: 0.0,
+        answered: false,
+        magnification: 50.0,
+        long_mm: 2.0,
+        tolerance_mm: None,
+        colouring: Colouring::State,
+        mark: 1.0,
+    };
+
+    /// A plot of 400 × 200 points at (30, 40), 200 mm wide.
+    fn transform(middle: [f64; 2]) -> PlotTransform {
+        let frame = Rect::from_min_size(egui::pos2(30.0, 40.0), egui::vec2(400.0, 200.0));
+        let [x, y] = middle;
+        let bounds = PlotBounds::from_min_max([x - 100.0, y - 50.0], [x + 100.0, y + 50.0]);
+        PlotTransform::new(frame, bounds, false)
+    }
+
+    /// What the shader makes of a point, in pixels of the viewport.
+    fn placed(frame: &Frame, p: [f64; 3]) -> [f32; 2] {
+        let relative = [0, 1, 2].map(|k| single(p[k] - LOOK.centre_mm[k]));
+        let along = |row: [f32; 4]| (0..3).map(|k| row[k] * relative[k]).sum::<f32>();
+        let [sx, sy, ox, oy] = frame.rows[2];
+        [
+            ox + sx * along(frame.rows[0]),
+            oy + sy * along(frame.rows[1]),
+        ]
+    }
+
+    #[test]
+    fn a_point_is_where_the_plot_has_it_at_any_pixel_density() {
+        let transform = transform([12.0, 33.0]);
+        for pixels in [1.0, 1.5, 2.0] {
+            let frame = Frame::new(&LOOK, &LIGHT, &transform, None, pixels);
+            for p in [[10.0, 0.0, 30.0], [-40.0, 7.0, 55.0]] {
+                let expected = transform.position_from_point(&PlotPoint::new(p[0], p[2]));
+                let corner = viewport(*transform.frame(), pixels).min;
+                let [x, y] = placed(&frame, p);
+                assert!((x + corner.x - pixels * expected.x).abs() < 1e-3);
+                assert!((y + corner.y - pixels * expected.y).abs() < 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn both_axes_have_the_same_scale_and_up_is_up() {
+        let frame = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), None, 1.0);
+        let [sx, sy, ..] = frame.rows[2];
+        assert!((sx - 2.0).abs() < 1e-6 && (sy + 2.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn zooming_changes_the_scale_and_not_the_width_of_lines() {
+        let near = Frame::new(&LOOK, &LIGHT, &transform([0.0, 0.0]), None, 2.0);
+        let frame = Rect::from_min_size(egui::pos2(30.0, 40.0), egui::vec2(400.0, 200.0));
+        let bounds = PlotBounds::from_min_max([-1000.0, -500.0], [1000.0, 500.0]);
+        let far = PlotTransform::new(frame, bounds, false);
+        let far = Frame::new(&LOOK, &LIGHT, &far, None, 2.0);
+        assert!((near.rows[2][0] / far.rows[2][0] - 10.0).abs() < 1e-4);
+        assert_eq!(near.rows[5], far.rows[5]);
+    }
+
+    #[test]
+    fn a_scale_goes_through_its_colours_and_directions_go_around() {
+        let sequence = |part| scale_at(Colouring::Deviation, &LIGHT, part);
+        assert_eq!(sequence(-1.0), LIGHT.scale[0]);
+        assert_eq!(sequence(2.0), LIGHT.scale[STOPS - 1]);
+        let around = |part| scale_at(Colouring::Direction, &LIGHT, part);
+        assert_eq!(around(0.0), LIGHT.cycle[0]);
+        assert_eq!(around(1.0), LIGHT.cycle[0]);
+        assert_eq!(around(0.5), LIGHT.cycle[STOPS / 2]);
+    }
+}

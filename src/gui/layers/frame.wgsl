@@ -1,0 +1,84 @@
+// What all layers share: where things go in this frame, and what colours they have.
+
+struct Frame {
+    right: vec4f,
+    up: vec4f,
+    // Pixels per mm to the right and down; where the middle of the cloud is, pixels.
+    to_px: vec4f,
+    // Width and height of the plot, pixels; pixels per point; 1 where the target wants linear colours.
+    size: vec4f,
+    // From before to after; magnification; upper end of the scale, mm; tolerance, mm, below 0: none.
+    shown: vec4f,
+    // What colour says; whether there is an answer; width of vectors, points; size of marks.
+    style: vec4f,
+    // Narrowest and widest vector, points; opacity of the heat map.
+    style_2: vec4f,
+    // The heat map's first cell from the middle of the cloud, mm; cells per mm; the plot's left
+    // edge on the screen, pixels.
+    grid: vec4f,
+    // Its number of cells; the plot's upper edge, pixels.
+    grid_size: vec4f,
+    flat_color: vec4f,
+    ghost: vec4f,
+    measured: vec4f,
+    within: vec4f,
+    outside: vec4f,
+    surface: vec4f,
+    warning: vec4f,
+    stops: array<vec4f, 8>,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+const DIRECTION: f32 = 2.0;
+const TURN: f32 = 6.283185307;
+
+// A vector of the measuring frame as it lies in the plane.
+fn flat_of(v: vec3f) -> vec2f {
+    return vec2f(dot(frame.right.xyz, v), dot(frame.up.xyz, v));
+}
+
+// Pixels of the plot, from its upper left corner.
+fn px_of(p: vec3f) -> vec2f {
+    return frame.to_px.zw + frame.to_px.xy * flat_of(p);
+}
+
+fn clip_of(px: vec2f) -> vec4f {
+    let half = px / frame.size.xy;
+    return vec4f(2.0 * half.x - 1.0, 1.0 - 2.0 * half.y, 0.0, 1.0);
+}
+
+// What nobody sees.
+fn nowhere() -> vec4f {
+    return vec4f(2.0, 2.0, 2.0, 1.0);
+}
+
+// Whether a number is one: neither infinite nor none.
+fn known(v: vec3f) -> bool {
+    let size = max(abs(v.x), max(abs(v.y), abs(v.z)));
+    return size < 1e30 && v.x == v.x && v.y == v.y && v.z == v.z;
+}
+
+// The deviation that is shown.
+fn shown_of(before: vec3f, after: vec3f) -> vec3f {
+    return mix(before, after, frame.shown.x);
+}
+
+fn scale_of(part: f32) -> vec4f {
+    let around = frame.style.x == DIRECTION;
+    let steps = select(7.0, 8.0, around);
+    let place = select(clamp(part, 0.0, 1.0), fract(part), around) * steps;
+    let first = min(u32(place), u32(steps) - 1u);
+    return mix(frame.stops[first], frame.stops[(first + 1u) % 8u], place - f32(first));
+}
+
+fn linear_of(c: vec3f) -> vec3f {
+    return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+// Premultiplied, as egui blends.
+fn output_of(color: vec4f, coverage: f32) -> vec4f {
+    let rgb = select(color.rgb, linear_of(color.rgb), frame.size.w > 0.5);
+    let alpha = color.a * coverage;
+    return vec4f(rgb * alpha, alpha);
+}

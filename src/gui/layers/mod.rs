@@ -1,0 +1,29 @@
+//! What the workspace shows once for each sample, for any number of samples: error vectors,
+//! measured points, and between them the error as a heat map.
+//!
+//! The samples go to the graphics processor once, when they change; panning, zooming, turning to
+//! another plane, blending from before to after and colouring change one small uniform. So a frame
+//! costs the window the same for a hundred samples as for a million. What does take time is worked
+//! out where sessions are read and answers are found, in the background.
+//!
+//! - Model: `cloud` (the samples as they are uploaded), `heat` (the error over the plane),
+//!   `nearest` (which sample is under the pointer).
+//! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
+//! - Paint: `gpu` with `frame.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws
+//!   the heat map where there is nothing but egui.
+
+mod cloud;
+mod frame;
+mod gpu;
+mod heat;
+mod nearest;
+mod shapes;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use cloud::{Cloud, Remainder};
+pub(crate) use frame::{Frame, Look, WEDGE, WIDTH, scale_at};
+pub(crate) use gpu::{CloudLayer, HeatLayer, register};
+pub(crate) use heat::Heat;
+pub(crate) use nearest::Nearest;
+pub(crate) use shapes::mesh;
