@@ -111,7 +111,7 @@ impl Window {
                 _ => None,
             });
             let mut bars = texts.filter(|text| text.contains("· gap"));
-            self.says = bars.next().unwrap_or_default().to_owned();
+            bars.next().unwrap_or_default().clone_into(&mut self.says);
         }
         triangles(&self.ctx, output)
     }
