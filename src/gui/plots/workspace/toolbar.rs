@@ -49,7 +49,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut blend = workbench.view().blend;
     caption(ui, "after");
-    fine(ui, 72.0);
+    fine(ui, 64.0);
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx()
         .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
@@ -98,12 +98,20 @@ const SPELT_OUT: f32 = 340.0;
 /// With so much room beside it the list of colours has its name before it, points.
 const NAMED: f32 = 48.0;
 
+/// With less room the heat map's name would run into what blends before and after, points.
+const BESIDE_THE_BLEND: f32 = 330.0;
+
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut shown = workbench.view().heat;
-    let text = RichText::new("heat map").size(size::SMALL);
+    let roomy = ui.available_width() > BESIDE_THE_BLEND;
+    let text = if roomy { "heat map" } else { "heat" };
+    let text = RichText::new(text).size(size::SMALL);
     let says = "the root mean square deviation between the samples, fading away from them";
-    if ui.checkbox(&mut shown, text).on_hover_text(says).changed() {
+    let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
+    ui.ctx()
+        .accesskit_node_builder(checkbox.id, |node| node.set_label("heat map"));
+    if checkbox.changed() {
         commands.push(Command::Heat(shown));
     }
 }
