@@ -323,3 +323,24 @@ fn a_watcher_can_stop_the_search() {
     });
     assert!(stopped.is_err());
 }
+
+#[test]
+fn lost_motion_beside_another_effect_is_proved_on_unseen_samples() {
+    let design = Design {
+        samples: 200,
+        span_deg: 170.0,
+        reflectors: 2,
+        ..Design::default()
+    };
+    for seed in 1..=4 {
+        let rig = measured(&design, &["lost-motion", "axis-tilt"], 400.0, seed);
+        let answer = diagnosed(&rig, &Options::default());
+        let names = names(&answer);
+        assert!(names.contains(&"axis-tilt"), "{seed}: {names:?}");
+        let turns = ["lost-motion", "backlash"];
+        assert!(
+            turns.iter().any(|id| names.contains(id)),
+            "{seed}: {names:?}"
+        );
+    }
+}

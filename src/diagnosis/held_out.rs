@@ -138,7 +138,11 @@ fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
     for term in fit.model.terms() {
         let size = term.coefficients.len();
         let about = term.effect.about();
-        let scanned = !matches!(about.setting, Setting::None | Setting::Setup);
+        // A fade is a coefficient like others: every fold's fit moves it.
+        let scanned = !matches!(
+            about.setting,
+            Setting::None | Setting::Setup | Setting::Fade
+        );
         if scanned {
             let same = |i: &usize| {
                 let candidate = &arena.table.candidates[*i];
