@@ -6,6 +6,7 @@
 mod answers;
 mod command;
 mod desk;
+mod dividing;
 mod exports;
 mod follow;
 mod leaving;
@@ -19,6 +20,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub(crate) use command::Command;
+pub(crate) use dividing::Adapted;
 
 use desk::Desk;
 
@@ -213,6 +215,7 @@ impl Workbench {
                     self.ask_then(Then::Simulate(form));
                 }
             }
+            Command::Adapt => self.adapt(),
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),
             Command::Cancel => {
@@ -277,6 +280,7 @@ impl Workbench {
                 }
                 self.view.sheet = sheet;
             }
+            Command::Type { region, end, text } => self.type_boundary(region, end, text),
             Command::Dismiss => view.message = None,
             Command::Fit => view.fitted += 1,
             _ => {}
@@ -292,6 +296,7 @@ impl Workbench {
             Ok(next) => self.history.change(next, edit.what()),
         }
         self.view.setup = None;
+        self.keep_typed(edit);
         if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
             self.declined = None;
         }
@@ -319,6 +324,7 @@ impl Workbench {
     /// After a change that may have brought another session.
     fn after_travel(&mut self, lineage_before: u64) {
         self.view.setup = None;
+        self.forget_typed();
         self.forget_missing_samples();
         if self.subject().lineage != lineage_before {
             self.arrived();

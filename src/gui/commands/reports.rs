@@ -69,6 +69,7 @@ impl Workbench {
                 self.keep_preparing();
                 self.keep_drawing();
             }
+            Report::Adapted(adapted) => self.take_adapted(*adapted),
             Report::Searched(search) => self.searched = Some(Arc::new(*search)),
             Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
             Report::Prepared(preview) => self.preview = Some(*preview),

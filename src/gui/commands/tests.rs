@@ -317,7 +317,7 @@ fn any_command(random: &mut ChaCha8Rng, subject: &Subject) -> Command {
         2..=5 => Command::Drag(Edit::MoveBoundary(boundary, angle)),
         6 => Command::EndDrag,
         7 => Command::Edit(Edit::Split(random.random_range(0..7))),
-        8 => Command::Edit(Edit::Merge(random.random_range(0..7))),
+        8 => Command::Edit(Edit::Join(random.random_range(0..7))),
         9 => Command::Edit(Edit::Rename(
             random.random_range(0..7),
             random.random_range(0..9).to_string(),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::gui::backdrop::Backdrop;
+use crate::gui::commands::Adapted;
 use crate::gui::figures::Figures;
 use crate::gui::files::Saved;
 use crate::gui::foreign::Foreign;
@@ -43,6 +44,8 @@ pub(crate) enum Report {
     Extended(Box<Extended>),
     /// A question was answered.
     Answered(Box<Outcome>),
+    /// The joint's range was divided where the samples ask for it.
+    Adapted(Box<Adapted>),
     /// A session was searched.
     Searched(Box<Search>),
     /// What plots of many samples stand on was worked out.
