@@ -1,18 +1,18 @@
 //! The step that divides the joint's range, as a person works in it: even, by hand, where the data
 //! ask for it; typed, split, merged, deleted, renamed, and what is said when it cannot be.
+#![cfg(feature = "gui")]
 
-mod support {
-    #[allow(dead_code, reason = "each test uses its part")]
-    pub mod window;
-}
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
-use support::window::{self, Window, keys, press, says, there, type_into};
+use support::{Window, copy_of, keys, press, says, there, type_into, window};
 
 /// The window on the session that it opens with: six regions of 50° from −150° to 150°.
 fn regions() -> Window {
-    let mut window = window::window(None);
+    let mut window = window(None);
     press(&mut window, "2 Regions");
     window
 }
@@ -278,7 +278,7 @@ fn a_region_with_no_sample_or_one_says_so_in_words() {
 #[test]
 fn a_session_at_one_angle_says_why_there_are_no_regions() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = window::copy_of("paper-30", folder.path());
+    let path = copy_of("paper-30", folder.path());
     let mut document: serde_json::Value =
         serde_json::from_slice(&std::fs::read(&path).expect("readable")).expect("JSON");
     let document = document.as_object_mut().expect("a session");
@@ -293,7 +293,7 @@ fn a_session_at_one_angle_says_why_there_are_no_regions() {
     let row = text.lines().nth(1).expect("a sample");
     std::fs::write(&samples, format!("{head}\n{row}\n{row}\n")).expect("written");
 
-    let mut window = window::window(Some(path));
+    let mut window = window(Some(path));
     press(&mut window, "2 Regions");
     assert!(
         says(&window, "because all samples are at one angle"),

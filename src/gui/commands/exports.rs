@@ -59,7 +59,7 @@ impl Workbench {
         let says = format!("writing {}", path.display());
         self.tasks.start(says, move |_| {
             let wanted = Wanted { outcome, choice };
-            files::export(wanted, what, &path, replace)
+            files::export(&wanted, what, &path, replace)
         });
     }
 }

@@ -15,6 +15,8 @@ mod recovering;
 mod reports;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod walk;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

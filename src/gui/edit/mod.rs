@@ -6,7 +6,10 @@ use std::sync::Arc;
 
 use crate::diagnosis::Mend;
 use crate::effects::{CATALOGUE, Term};
-use crate::sessions::Region;
+use crate::kinematics::JointKind;
+use crate::sessions::format_v1::degrees::degrees;
+use crate::sessions::{Region, Session};
+use crate::units::rad_from_deg;
 
 use super::division::{Decision, Division};
 use super::document::{Added, Document, ExportChoice, Method};
@@ -216,6 +219,7 @@ fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
     for mend in mends {
         mend.apply(&mut session);
     }
+    as_saved(&mut session);
     let left = session.samples.len();
     if session.samples.incomplete().len() == left {
         return Err("no sample would be left".to_owned());
@@ -233,8 +237,26 @@ fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
     Ok(())
 }
 
+/// Angles that were computed become those that a file will have: what is saved is read again to
+/// the last bit.
+fn as_saved(session: &mut Session) {
+    let turns = |k: usize| session.robot.joints[k].kind == JointKind::Revolute;
+    let turning: Vec<usize> = (0..session.robot.joints.len())
+        .filter(|k| turns(*k))
+        .collect();
+    let samples = &mut session.samples;
+    for k in turning {
+        for q in samples.q[k]
+            .iter_mut()
+            .chain(samples.q_read[k].iter_mut().flatten())
+        {
+            *q = rad_from_deg(degrees(*q));
+        }
+    }
+}
+
 /// The same document with another description of the robot, or other samples.
-fn with_session(document: &mut Document, session: crate::sessions::Session) {
+fn with_session(document: &mut Document, session: Session) {
     let subject = Subject::with(&document.subject, session);
     if document
         .given

@@ -9,6 +9,8 @@ use crate::gui::placing;
 use crate::gui::units::Units;
 use crate::identification::regions::RegionChoice;
 use crate::sessions::Region;
+use crate::sessions::format_v1::degrees::degrees;
+use crate::units::rad_from_deg;
 
 use super::Edit;
 
@@ -101,6 +103,13 @@ fn by_regions(document: &mut Document, regions: Vec<Region>) -> Result<(), Strin
     if !document.subject.single_revolute() {
         return Err("regions are for a single joint that turns".to_owned());
     }
+    // Exactly as a file will have them: what is saved is read again to the last bit.
+    let as_saved = |region: Region| Region {
+        from_rad: rad_from_deg(degrees(region.from_rad)),
+        to_rad: rad_from_deg(degrees(region.to_rad)),
+        ..region
+    };
+    let regions: Vec<Region> = regions.into_iter().map(as_saved).collect();
     // Regions that stay as they are stay the same to everything that looks at them.
     if document.regions[..] != regions[..] {
         document.regions = Arc::from(regions);
