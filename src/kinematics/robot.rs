@@ -5,6 +5,8 @@
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
+use crate::units::{deg_from_rad, rad_from_deg};
+
 /// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
 pub type Pose = Isometry3<f64>;
 
@@ -46,6 +48,48 @@ pub enum JointKind {
     Revolute,
     /// Slides along its axis; the value is a length in mm.
     Prismatic,
+}
+
+impl JointKind {
+    /// Its word in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Revolute => "revolute",
+            Self::Prismatic => "prismatic",
+        }
+    }
+
+    /// The user's unit of its values, as names in files carry it: `deg` or `mm`.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Revolute => "deg",
+            Self::Prismatic => "mm",
+        }
+    }
+
+    /// The same unit, as it stands behind a number.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Revolute => "°",
+            Self::Prismatic => " mm",
+        }
+    }
+
+    /// A value (rad or mm) in the user's unit.
+    pub fn outer(self, inner: f64) -> f64 {
+        match self {
+            Self::Revolute => deg_from_rad(inner),
+            Self::Prismatic => inner,
+        }
+    }
+
+    /// A value in the user's unit in rad or mm.
+    pub fn inner(self, outer: f64) -> f64 {
+        match self {
+            Self::Revolute => rad_from_deg(outer),
+            Self::Prismatic => outer,
+        }
+    }
 }
 
 /// The line in space about or along which a joint moves, at home, in the base frame.
