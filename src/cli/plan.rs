@@ -12,8 +12,6 @@ use truepose::diagnosis::plan::{self, PlanError, PlanOptions, Subject};
 use truepose::diagnosis::plan_v1::Document;
 use truepose::diagnosis::unlock::Locked;
 use truepose::diagnosis::{Options, measuring_list};
-use truepose::kinematics::JointKind;
-use truepose::units::deg_from_rad;
 
 use super::failure::Failure;
 use super::output;

@@ -186,19 +186,9 @@ pub fn plan_session(
     let most = |usual: usize| options.poses.unwrap_or(usual);
     let base = arena.fit(&arena.base, Vec::new());
     let locked_now = unlock::locked(&prepared, &not_testable(arena, &base));
-    let mut plan = Plan {
-        subject: Subject::Session,
-        name: session.name.clone(),
-        robot: session.robot.clone(),
-        targets: session.targets.clone(),
-        poses: Vec::new(),
-        open: Vec::new(),
-        separation: None,
-        unlocks: Vec::new(),
-        cannot: Vec::new(),
-        sigma_mm,
-        foresight: Foresight::default(),
-    };
+    let name = session.name.clone();
+    let (robot, targets) = (&session.robot, &session.targets);
+    let mut plan = Plan::empty(Subject::Session, name, robot, targets, sigma_mm);
     if let Some(between) = between {
         let separation = two(&prepared, &found.fit, between, most(next_poses::MOST));
         plan.poses.clone_from(&separation.poses);
@@ -263,19 +253,8 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         seed: options.diagnosis.seed,
     };
     let mut stops = first_measurement::design(robot, &targets, &brief);
-    let mut plan = Plan {
-        subject: Subject::Robot,
-        name: robot.name.clone(),
-        robot: robot.clone(),
-        targets: targets.clone(),
-        poses: Vec::new(),
-        open: Vec::new(),
-        separation: None,
-        unlocks: Vec::new(),
-        cannot: Vec::new(),
-        sigma_mm,
-        foresight: Foresight::default(),
-    };
+    let name = robot.name.clone();
+    let mut plan = Plan::empty(Subject::Robot, name, robot, &targets, sigma_mm);
     let imagined = |stops: &[Stop]| {
         let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
         let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
@@ -440,6 +419,28 @@ pub struct SeenAbove {
 }
 
 impl Plan {
+    fn empty(
+        subject: Subject,
+        name: String,
+        robot: &Robot,
+        targets: &[Target],
+        sigma_mm: f64,
+    ) -> Self {
+        Self {
+            subject,
+            name,
+            robot: robot.clone(),
+            targets: targets.to_vec(),
+            poses: Vec::new(),
+            open: Vec::new(),
+            separation: None,
+            unlocks: Vec::new(),
+            cannot: Vec::new(),
+            sigma_mm,
+            foresight: Foresight::default(),
+        }
+    }
+
     /// Detection limits once the poses are measured; what is called degrees is millimetres where
     /// a joint slides.
     pub fn seen_above(&self) -> Vec<SeenAbove> {

@@ -257,25 +257,13 @@ fn samples_from(
     targets: &[crate::sessions::Target],
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Samples> {
-    let mut table =
+    let table =
         csv::read(input, bytes, file, kinds, findings).unwrap_or_else(|error: io::Error| {
             let expected = "a file that can be read to its end";
             findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
             None
         })?;
-    let names = table.names.clone();
-    let lines = std::mem::take(&mut table.line);
-    let locate = |column: usize, row: usize| {
-        let place = match lines.get(row) {
-            Some(line) => file.clone().at_line(line),
-            None => file.clone(),
-        };
-        let place = place.at_column(column as u64 + 1);
-        place.in_field(names[column].as_str())
-    };
-    let mut samples = assemble::samples(table, targets, &locate, file, findings);
-    samples.line = lines;
-    Some(samples)
+    Some(assemble::rows(table, targets, file, findings))
 }
 
 /// Lets notes and warnings pass; an error refuses everything.
