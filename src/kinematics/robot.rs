@@ -259,24 +259,8 @@ impl Robot {
 
 #[cfg(test)]
 mod tests {
+    use super::super::testing::{revolute, robot_of, z_axis_at};
     use super::*;
-
-    fn z_axis_at(x_mm: f64) -> Axis {
-        Axis::through(Vector3::z(), Point3::new(x_mm, 0.0, 0.0)).unwrap()
-    }
-
-    fn robot(joints: Vec<Joint>) -> Robot {
-        Robot {
-            name: "test".to_owned(),
-            joints,
-            base_from_tool: Pose::translation(300.0, 10.0, 5.0),
-            gravity_m_s2: None,
-        }
-    }
-
-    fn revolute(axis: Axis) -> Joint {
-        Joint::new("j", JointKind::Revolute, axis)
-    }
 
     #[test]
     fn an_axis_is_normalised_whatever_its_length() {
@@ -301,7 +285,7 @@ mod tests {
 
     #[test]
     fn a_pose_with_another_number_of_values_is_named_as_such() {
-        let robot = robot(vec![revolute(z_axis_at(0.0))]);
+        let robot = robot_of(vec![revolute(z_axis_at(0.0))]);
         let wrong = robot.check_joint_values(&[0.0, 1.0]).unwrap_err();
         assert_eq!(
             wrong.to_string(),
