@@ -7,10 +7,10 @@ use clap::Args;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use truepose::diagnosis::needs::Locked;
 use truepose::diagnosis::next_poses::NextPose;
 use truepose::diagnosis::plan::{self, PlanError, PlanOptions, Subject};
 use truepose::diagnosis::plan_v1::Document;
-use truepose::diagnosis::unlock::Locked;
 use truepose::diagnosis::{Options, measuring_list};
 
 use super::failure::Failure;

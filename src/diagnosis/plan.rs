@@ -21,11 +21,12 @@ use super::contest::{Axes, prospects};
 use super::duel::{self, Named, Separation};
 use super::first_measurement::{self, Brief, Stop, Way};
 use super::foresight::{self, Foresight};
+use super::needs::{self, Locked, TEST_LOAD_KG};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::mean_sigma_mm;
 use super::testable::not_testable;
-use super::unlock::{self, Locked, TEST_LOAD_KG};
+use super::unlock;
 use super::{DiagnoseError, Options, Watch, checked, searched};
 
 /// Noise of the instrument where nobody says it, mm: a laser tracker.
@@ -300,7 +301,7 @@ fn two(
     between: [Named; 2],
     most: usize,
 ) -> Separation {
-    let met = unlock::all_met(&prepared.survey);
+    let met = needs::all_met(&prepared.survey);
     for named in between {
         let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
         if let Some(because) = obstacle {
