@@ -286,7 +286,6 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
             _ => Command::Sheet(None),
         },
         75..=77 if workbench.file().is_some() || workbench.subject().is_empty() => Command::Save,
-        75..=77 => Command::Dismiss,
         78 => Command::SaveDespite,
         79 => Command::Reload,
         80 => Command::KeepMine,
@@ -343,7 +342,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         ),
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..20) == 0 => Command::Leave,
-        148..=150 => Command::Dismiss,
+        75..=77 | 148..=150 => Command::Dismiss,
         151 => Command::Fit,
         _ => {
             // A session beside which models and regions make sense again.
