@@ -16,6 +16,8 @@ mod reports;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod under_way;
+#[cfg(test)]
 mod walk;
 
 use std::path::{Path, PathBuf};
@@ -170,7 +172,7 @@ impl Workbench {
             }
             Command::Import(foreign) => {
                 self.tasks
-                    .start("importing", move |_| match foreign.import() {
+                    .open("importing", move |_| match foreign.import() {
                         Ok(subject) => Report::Opened(Ok(Arc::new(subject))),
                         Err(refused) => Report::Foreign(refused),
                     });
@@ -221,6 +223,8 @@ impl Workbench {
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),
             Command::Cancel => {
+                // What was to be done after it is not wanted any more either.
+                self.stay();
                 if let Some(question) = self.tasks.cancel_newest() {
                     self.declined = Some(question);
                 }
