@@ -37,7 +37,9 @@ fn nameless(window: &Window) -> Vec<String> {
                     | Role::Link
                     | Role::Tab
             );
-        if !acts || matches!(role, Role::Window | Role::ScrollView | Role::Label) {
+        // A scroll bar does what the keys do for the region that it belongs to.
+        let frame = [Role::Window, Role::ScrollView, Role::ScrollBar, Role::Label];
+        if !acts || frame.contains(&role) {
             continue;
         }
         let name = node.label().or_else(|| {

@@ -116,7 +116,7 @@ fn no_unfinished_file(folder: &Path) {
 #[test]
 fn paths_with_spaces_and_letters_of_any_language_are_written_and_read() {
     let folder = tempfile::tempdir().expect("a folder");
-    let deep = folder.path().join("Größe 2 µm — 現場").join("ein Ordner");
+    let deep = folder.path().join("Größe 2 µm — Ось Ω").join("ein Ordner");
     fs::create_dir_all(&deep).expect("made");
     let mut window = ready(None);
     for output in &OUTPUTS {
@@ -356,7 +356,8 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     let settings = home.join("settings.json");
     let before = fs::read(&settings).expect("the preferences are kept");
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Change region 2");
+    window.get_by_label_contains("Split in half").click();
     seconds(&mut window, 4);
     let kept = recovery_file(&home).expect("what is not saved is kept");
     let kept_before = fs::read(&kept).expect("it can be read");

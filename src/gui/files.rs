@@ -96,6 +96,10 @@ fn opened(loaded: Result<Loaded, Rejected>, origin: Origin, name: &str) -> Repor
             let mut subject = Subject::new(loaded.session, loaded.findings, origin);
             subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
             subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+            if subject.single_revolute() {
+                // Sorted here, so that the window never waits for it.
+                subject.angles();
+            }
             Ok(Arc::new(subject))
         }
         Err(rejected) => Err(Message {
