@@ -18,7 +18,8 @@
 //!   `figures`: the standards' figures.
 //! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
-//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
+//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have;
+//!   `vision` (tests): how people see the colours.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
 mod app;
@@ -53,6 +54,8 @@ mod tokens;
 mod undo;
 mod units;
 mod view;
+#[cfg(test)]
+mod vision;
 mod widgets;
 
 use std::path::PathBuf;
