@@ -8,6 +8,7 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `known`: what its samples cover, before anything is identified.
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
 //! - `search`: what a diagnosis found, ready to be added.
@@ -18,6 +19,7 @@
 //!   `figures`: the standards' figures.
 //! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
+//! - `room`: how the window is divided at its size.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have;
 //!   `vision` (tests): how people see the colours.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
@@ -34,6 +36,7 @@ mod foreign;
 mod given;
 mod help;
 mod keeping;
+mod known;
 mod layers;
 mod outcome;
 mod overview;
@@ -43,6 +46,7 @@ mod plots;
 mod preferences;
 mod preview;
 mod reporting;
+mod room;
 mod search;
 mod setup;
 mod simulate;
@@ -93,7 +97,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         .with_title(TITLE)
         .with_app_id("truepose")
         .with_inner_size([1280.0, 800.0])
-        .with_min_inner_size([1120.0, 640.0])
+        .with_min_inner_size([1024.0, 700.0])
         .with_icon(icon())
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions {

@@ -308,6 +308,8 @@ pub(crate) struct ViewState {
     pub(crate) marked: Vec<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
+    /// Whether the right-hand side is open; `None`: where there is room for it.
+    pub(crate) results: Option<bool>,
     /// The lower plot of the step that finds the gap.
     pub(crate) lower: Lower,
     /// Units, digits, colours, size of text.
@@ -342,6 +344,7 @@ impl Default for ViewState {
             selected: None,
             marked: Vec::new(),
             side: Side::default(),
+            results: None,
             lower: Lower::default(),
             preferences: Preferences::default(),
             setup: None,

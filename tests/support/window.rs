@@ -100,7 +100,8 @@ pub fn copy_of(session: &str, folder: &Path) -> PathBuf {
     folder.join(format!("{session}.json"))
 }
 
-/// What the status bar says of the gap: before, and after where there is an answer.
+/// What the status bar says of the gap: before, and what is left now
+/// where there is an answer.
 pub fn gaps(window: &Window) -> (f64, Option<f64>) {
     use egui_kittest::kittest::NodeT;
     let mut lines = window.get_all_by_label_contains("· gap");
@@ -108,8 +109,9 @@ pub fn gaps(window: &Window) -> (f64, Option<f64>) {
     let node = line.accesskit_node();
     let line = node.label().or(node.value()).expect("it says something");
     let (_, gaps) = line.split_once("gap ").expect("the gap is named");
+    let (gaps, _) = gaps.split_once(" · ").unwrap_or((gaps, ""));
     let mut numbers = gaps
         .split([' ', '→'])
         .filter_map(|word| word.parse::<f64>().ok());
-    (numbers.next().expect("the gap is a number"), numbers.next())
+    (numbers.next().expect("the gap is a number"), numbers.last())
 }

@@ -110,6 +110,8 @@ pub(crate) enum Command {
     Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
+    /// Open the right-hand side, or shut it.
+    Results(bool),
     /// Show this below the workspace in the step that finds the gap.
     Lower(Lower),
     /// Draw what there is for each sample on this.

@@ -344,6 +344,7 @@ impl Workbench {
                 view.side = Side::Samples;
             }
             Command::Side(side) => view.side = side,
+            Command::Results(open) => view.results = Some(open),
             Command::Lower(lower) => view.lower = lower,
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();

@@ -31,11 +31,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = space::ROW;
             match workbench.searched() {
-                None => widgets::hint(
-                    ui,
-                    "Nothing was searched for yet. What is found will stand here: its name, its \
-                     size, how sure that is, and what to check on the machine",
-                ),
+                None => super::known::show(ui, workbench),
                 Some(Err(because)) => widgets::hint(ui, because),
                 Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
             }
@@ -178,7 +174,7 @@ fn estimates(ui: &mut Ui, id: &str, parameters: &[Estimate]) {
                 let (name, unit) = named(one.name);
                 let (value, half) = with_interval(one.value, one.ci95);
                 ui.label(name);
-                ui.label(RichText::new(value).font(strong(size::BODY)));
+                widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));
                 ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));
                 ui.end_row();
             }

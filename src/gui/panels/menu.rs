@@ -5,7 +5,7 @@ use egui::{Align, Button, Layout, MenuBar, Response, RichText, Role, Ui, WidgetI
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::files::EXAMPLES;
 use crate::gui::subject::Origin;
-use crate::gui::tokens::{Palette, size, strong};
+use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::{AngleUnit, LengthUnit, Plane, Step};
 use crate::gui::widgets;
 
@@ -53,8 +53,17 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
                 commands.push(Command::Undo);
             }
+            ui.add_space(space::ROW);
+            let open = shortcuts::room(ui.ctx(), workbench).results();
+            if widgets::side_button(ui, open, results_says(open)).clicked() {
+                commands.push(Command::Results(!open));
+            }
         });
     });
+}
+
+fn results_says(open: bool) -> &'static str {
+    if open { "Hide results" } else { "Show results" }
 }
 
 fn name(ui: &mut Ui, workbench: &Workbench) {
@@ -104,8 +113,7 @@ fn item(
     let keys = shortcuts::keys(ui.ctx(), action);
     let button = Button::new(text).shortcut_text(keys);
     if named(ui.add_enabled(enabled, button), text).clicked() {
-        let dark = ui.visuals().dark_mode;
-        commands.push(shortcuts::command_for(action, workbench, dark));
+        commands.push(shortcuts::command_for(ui.ctx(), action, workbench));
         ui.close();
     }
 }
@@ -333,6 +341,16 @@ fn view(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         commands,
     );
     ui.separator();
+    let open = shortcuts::room(ui.ctx(), workbench).results();
+    item(
+        ui,
+        workbench,
+        results_says(open),
+        Action::Results,
+        true,
+        commands,
+    );
+    ui.separator();
     let preferences = &workbench.view().preferences;
     let length = match preferences.length {
         LengthUnit::Millimetre => "Lengths in µm",
@@ -362,8 +380,7 @@ fn choice(
     let keys = shortcuts::keys(ui.ctx(), action);
     let button = Button::selectable(on, text).shortcut_text(keys);
     if named(ui.add(button), text).clicked() {
-        let dark = ui.visuals().dark_mode;
-        commands.push(shortcuts::command_for(action, workbench, dark));
+        commands.push(shortcuts::command_for(ui.ctx(), action, workbench));
         ui.close();
     }
 }

@@ -6,6 +6,7 @@ use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::given;
 use crate::gui::outcome::Answer;
+use crate::gui::room::Room;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{trimmed, with_interval};
 use crate::gui::view::{Side, Step};
@@ -16,8 +17,14 @@ use crate::units::deg_from_rad;
 use super::{copies, model, samples};
 
 /// Shows the right-hand side.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let side = workbench.view().side;
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+    // Samples that stand beside the results are not shown in their place as well.
+    let alone = room.samples.is_none();
+    let side = if alone {
+        workbench.view().side
+    } else {
+        Side::Results
+    };
     if workbench.view().step == Step::Export {
         widgets::heading(ui, "Export");
         ui.add_space(space::TIGHT);
@@ -32,6 +39,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
     ui.horizontal(|ui| {
         widgets::heading(ui, "Results");
+        if !alone {
+            return;
+        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let sides = [(Side::Results, "Summary"), (Side::Samples, "Samples")];
             if let Some(side) = widgets::segmented(ui, &sides, side) {
@@ -51,10 +61,17 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
 }
 
+/// Shows the samples, where they have a place of their own.
+pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::heading(ui, "Samples");
+    ui.add_space(space::TIGHT);
+    samples::show(ui, workbench, commands);
+}
+
 fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.outcome().map(|o| &o.answer) {
-        None => nothing_yet(ui, workbench),
+        None => super::known::show(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let color = Palette::of(ui).outside;
             let title = RichText::new("This could not be identified");
@@ -63,32 +80,6 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
         }),
         Some(Ok(answer)) => identified(ui, workbench, answer),
     }
-}
-
-fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
-    let palette = Palette::of(ui);
-    let units = workbench.units();
-    widgets::card(ui, |ui| {
-        ui.label(RichText::new("Gap of the nominal robot").color(palette.muted));
-        let gap = workbench.subject().gap_before;
-        let rms = gap.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
-        ui.label(
-            RichText::new(rms)
-                .font(strong(size::DISPLAY))
-                .color(palette.before),
-        );
-        if let Some(gap) = gap {
-            widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
-        }
-        if let Some((inside, all)) = within(workbench, false) {
-            widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
-        }
-    });
-    widgets::hint(
-        ui,
-        "Nothing is identified yet. Choose a method in step 3 and press Identify; what the robot \
-         really is will stand here, with the interval of every number",
-    );
 }
 
 fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {

@@ -85,7 +85,7 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                         let title = title.font(strong(size::BODY)).color(color);
                         ui.add(egui::Label::new(title).wrap());
                         for line in &message.details {
-                            ui.add(egui::Label::new(RichText::new(line).size(12.0)).wrap());
+                            ui.add(egui::Label::new(RichText::new(line).size(size::NOTE)).wrap());
                         }
                     });
                 });

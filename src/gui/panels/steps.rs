@@ -4,19 +4,34 @@ use egui::{Panel, ScrollArea, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::Method;
+use crate::gui::room::Room;
 use crate::gui::tokens::space;
 use crate::gui::view::Step;
-use crate::gui::widgets::{self, Progress};
+use crate::gui::widgets::{Progress, StepRow};
 
 use super::{export, gap, identify, regions, session};
 
+/// The button at the foot stands no lower than this below the top of its panel, points.
+const HIGHEST: f32 = 960.0;
+
 /// Shows the left-hand side.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+    // On a high screen the button at the foot would be far from what it belongs to.
+    let high = ui.available_height().min(HIGHEST);
+    ui.set_max_height(high);
     ui.spacing_mut().item_spacing.y = 2.0;
     for (index, step) in Step::ALL.into_iter().enumerate() {
         let (caption, progress) = state(workbench, step);
         let selected = workbench.view().step == step;
-        let row = widgets::step_row(ui, index + 1, step.name(), &caption, progress, selected);
+        let row = StepRow {
+            number: index + 1,
+            name: step.name(),
+            caption: &caption,
+            progress,
+            selected,
+            low: room.low,
+        };
+        let row = row.show(ui);
         if row.clicked() {
             commands.push(Command::GoTo(step));
         }
