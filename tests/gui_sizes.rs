@@ -38,7 +38,7 @@ const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
 const ROUNDING: f32 = 1.5;
 /// The least that a plot may be, points.
-const LEAST_WORKSPACE: [f32; 2] = [300.0, 150.0];
+const LEAST_WORKSPACE: [f32; 2] = [300.0, 130.0];
 const LEAST_CHART: [f32; 2] = [300.0, 70.0];
 
 fn window([width, height]: [f32; 2]) -> Window {
@@ -59,16 +59,18 @@ struct Thing {
 
 fn things(window: &Window) -> Vec<Thing> {
     let nodes = window.root().children_recursive();
+    // What has no place is not drawn.
     let thing = |node: egui_kittest::Node<'_>| {
         let inner = node.accesskit_node();
+        inner.bounding_box()?;
         let says = inner.label().or(inner.value()).unwrap_or_default();
-        Thing {
+        Some(Thing {
             role: inner.role(),
-            says: says.to_string(),
+            says,
             rect: node.rect(),
-        }
+        })
     };
-    nodes.map(thing).collect()
+    nodes.filter_map(thing).collect()
 }
 
 /// Whether something can be pressed or filled in.

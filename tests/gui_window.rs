@@ -27,14 +27,18 @@ fn status(window: &Harness<'_, App>) -> String {
     labels.into_iter().next().expect("the status bar is there")
 }
 
-/// The first number after "gap", and the one after the arrow.
+/// The first number after "gap", and the last one, after the arrows.
 fn gaps(window: &Harness<'_, App>) -> (f64, Option<f64>) {
     let line = status(window);
     let (_, gaps) = line.split_once("gap ").expect("the gap is named");
+    let (gaps, _) = gaps.split_once(" · ").unwrap_or((gaps, ""));
     let mut numbers = gaps
         .split([' ', '→'])
         .filter_map(|word| word.parse::<f64>().ok());
-    (numbers.next().expect("the gap is a number"), numbers.next())
+    (
+        numbers.next().expect("the gap is a number"),
+        numbers.next_back(),
+    )
 }
 
 #[test]

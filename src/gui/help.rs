@@ -126,7 +126,7 @@ pub(crate) fn about(name: &str) -> Option<Word> {
         "compensated" => COMPENSATED,
         "measured range" | "measured" => RANGE,
         "widest hole" => HOLE,
-        "approached" => DIRECTION,
+        "came from" => DIRECTION,
         "speed" => SPEED,
         "load" => LOAD,
         "temperature" => TEMPERATURE,
@@ -156,14 +156,13 @@ pub(crate) fn figure(symbol: &str) -> Option<&'static str> {
         "E" => {
             "Systematic deviation: from the lowest to the highest mean deviation, without the scatter. This is what a table can remove"
         }
-        "E↑" | "E↓" => "The same for one direction of approach only",
+        "E↑" | "E↓" | "R↑" | "R↓" => "The same for one direction of approach only",
         "M" => {
             "From the lowest to the highest mean of both directions: the shape of the error along the axis"
         }
         "R" => {
             "Repeatability: how far returns to one position scatter at worst, both directions together. No table can remove it"
         }
-        "R↑" | "R↓" => "The same for one direction of approach only",
         "B" => {
             "Reversal: how far the two directions of approach differ at worst. Backlash and lost motion show here"
         }

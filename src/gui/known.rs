@@ -7,7 +7,7 @@ use crate::gui::units::whole;
 use crate::sessions::{Session, Sigma};
 
 /// Equal parts of the range of joint 1 in which samples are counted.
-pub(crate) const PARTS: usize = 60;
+pub(crate) const PARTS: usize = 24;
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_hole_is_what_is_wider_than_the_rest_and_even_steps_have_none() {
-        let even: Vec<f64> = (0..=12).map(|k| 5.0 * f64::from(k)).collect();
+        let even: Vec<f64> = (0..=20).map(|k| 3.0 * f64::from(k)).collect();
         let range = (0.0, 60.0);
         let found = |q: &[f64]| hole(&counted(q, range), [q[0], q[q.len() - 1]], range);
         assert_eq!(found(&even), None);
@@ -121,9 +121,9 @@ mod tests {
             .into_iter()
             .filter(|q| !(20.0..40.0).contains(q))
             .collect();
-        let [from, to] = found(&torn).expect("nothing between 15 and 40");
+        let [from, to] = found(&torn).expect("nothing between 18 and 42");
         assert!(
-            (15.0..=17.0).contains(&from) && (39.0..=41.0).contains(&to),
+            (18.0..=21.0).contains(&from) && (40.0..=42.5).contains(&to),
             "{from} {to}"
         );
         assert_eq!(found(&[7.0]), None);

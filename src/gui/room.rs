@@ -6,7 +6,7 @@
 //! plots' place. Where there is more room than results need the samples stand beside them.
 
 /// The narrowest that plots are, points.
-pub(crate) const MIDDLE: f32 = 340.0;
+pub(crate) const MIDDLE: f32 = 380.0;
 /// The narrowest that results are, points.
 const RIGHT: f32 = 288.0;
 /// From this width on results stand beside the plots unless they are shut, points.
@@ -37,8 +37,8 @@ impl Room {
         let left = along(
             width,
             [
-                (900.0, 244.0),
-                (1024.0, 264.0),
+                (900.0, 276.0),
+                (1024.0, 280.0),
                 (1280.0, 304.0),
                 (1920.0, 344.0),
                 (3840.0, 440.0),
@@ -48,7 +48,7 @@ impl Room {
             width,
             [
                 (900.0, RIGHT),
-                (1024.0, 300.0),
+                (1024.0, RIGHT),
                 (1280.0, 344.0),
                 (1920.0, 420.0),
                 (3840.0, 560.0),
@@ -119,7 +119,7 @@ mod tests {
         let narrow = |wanted| Room::of(683.0, 384.0, wanted);
         assert!(!narrow(None).results());
         assert!(narrow(Some(true)).instead && narrow(Some(true)).right.is_none());
-        assert!(Room::of(911.0, 512.0, Some(true)).right.is_some());
+        assert!(Room::of(960.0, 540.0, Some(true)).right.is_some());
         assert!(!Room::of(1920.0, 1080.0, Some(false)).results());
         assert!(Room::of(1024.0, 700.0, None).right.is_some());
     }

@@ -169,6 +169,8 @@ pub(crate) mod space {
     pub(crate) const ROW: f32 = 8.0;
     /// Inside panels.
     pub(crate) const PANEL: i8 = 16;
+    /// Around plots.
+    pub(crate) const PLOT: i8 = 12;
     /// Inside cards.
     pub(crate) const CARD: i8 = 14;
     /// Height of fields and buttons.
@@ -179,6 +181,8 @@ pub(crate) mod space {
     pub(crate) const ROUND: u8 = 6;
     /// Width of the ring around what has the keyboard.
     pub(crate) const RING: f32 = 2.0;
+    /// Between contents and the edge of their panel: a scroll bar stands in it.
+    pub(crate) const GUTTER: f32 = 11.0;
     /// Width of a tip.
     pub(crate) const TIP: f32 = 280.0;
     /// Longer lines of text are hard to read.
@@ -279,8 +283,8 @@ fn style(palette: &Palette, visuals: Visuals) -> Style {
     // What is longer than its panel shows where it goes on.
     let scroll = &mut spacing.scroll;
     scroll.bar_width = 8.0;
-    scroll.floating_width = 4.0;
-    scroll.floating_allocated_width = 8.0;
+    scroll.floating_width = 5.0;
+    scroll.floating_allocated_width = space::GUTTER;
     scroll.dormant_handle_opacity = 0.5;
     scroll.active_handle_opacity = 0.7;
     scroll.fade.size = 28.0;

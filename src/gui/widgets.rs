@@ -191,6 +191,27 @@ fn segment(ui: &mut Ui, palette: Palette, name: &str, on: bool) -> Response {
     response
 }
 
+/// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
+/// margin, so that edges keep their line with or without it.
+pub(crate) fn scroll(
+    ui: &mut Ui,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    contents: impl FnOnce(&mut Ui),
+) {
+    let room = ui.available_rect_before_wrap();
+    let with_bar = room.with_max_x(room.right() + space::GUTTER);
+    // The panel is not to grow by the bar in its margin.
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(with_bar));
+    egui::ScrollArea::vertical()
+        .id_salt(salt)
+        .auto_shrink([false, false])
+        .show(&mut inside, |ui| {
+            ui.set_width(room.width().min(ui.available_width()));
+            contents(ui);
+        });
+    ui.advance_cursor_after_rect(room);
+}
+
 /// A surface of its own.
 pub(crate) fn card<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
     let palette = Palette::of(ui);
@@ -310,7 +331,7 @@ impl StepRow<'_> {
 /// A ring around whatever has the keyboard, in the layer that it is in.
 pub(crate) fn focus_ring(ctx: &egui::Context) {
     let Some(response) = ctx
-        .memory(|m| m.focused())
+        .memory(egui::Memory::focused)
         .and_then(|id| ctx.read_response(id))
     else {
         return;
@@ -371,6 +392,20 @@ pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
 pub(crate) fn cell_right(ui: &mut Ui, text: RichText) -> Response {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text))
         .inner
+}
+
+/// Says what an effect is when the pointer rests on its name.
+pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
+    let Some(about) = crate::effects::find(id).map(crate::effects::Effect::about) else {
+        return response;
+    };
+    response.on_hover_ui(|ui| {
+        ui.set_max_width(space::TIP);
+        ui.label(RichText::new(about.title).font(strong(size::BODY)));
+        ui.label(about.cause);
+        hint(ui, format!("usually {}", about.usual_size));
+        hint(ui, about.equation);
+    })
 }
 
 /// Says what a word means when the pointer rests on it.

@@ -113,5 +113,8 @@ pub fn gaps(window: &Window) -> (f64, Option<f64>) {
     let mut numbers = gaps
         .split([' ', '→'])
         .filter_map(|word| word.parse::<f64>().ok());
-    (numbers.next().expect("the gap is a number"), numbers.last())
+    (
+        numbers.next().expect("the gap is a number"),
+        numbers.next_back(),
+    )
 }

@@ -65,15 +65,18 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let choice = workbench.document().export;
     widgets::section(ui, "Format");
-    for format in EXPORTERS {
-        let response = ui.radio(format.id == choice.format, format.title);
-        if response.clicked() && format.id != choice.format {
-            commands.push(Command::Edit(Edit::Export(ExportChoice {
-                format: format.id,
-                ..choice
-            })));
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for format in EXPORTERS {
+            let response = ui.radio(format.id == choice.format, format.title);
+            if response.clicked() && format.id != choice.format {
+                commands.push(Command::Edit(Edit::Export(ExportChoice {
+                    format: format.id,
+                    ..choice
+                })));
+            }
         }
-    }
+    });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
         widgets::section(ui, "Table");

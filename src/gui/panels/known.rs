@@ -110,11 +110,11 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         let [down, up] = joint.from_sides;
         let sides = match (down, up) {
             (0, 0) => "not recorded".to_owned(),
-            (0, up) => format!("{up} from below, none from above"),
-            (down, 0) => format!("none from below, {down} from above"),
-            (down, up) => format!("{up} from below, {down} from above"),
+            (0, up) => format!("{up} below, none above"),
+            (down, 0) => format!("none below, {down} above"),
+            (down, up) => format!("{up} below, {down} above"),
         };
-        widgets::fact(ui, "approached", sides);
+        widgets::fact(ui, "came from", sides);
         let speed = if turns {
             format!("{}°/s", trimmed(deg_from_rad(joint.largest_speed), 1))
         } else {

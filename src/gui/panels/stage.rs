@@ -22,8 +22,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
     Panel::bottom("deviation")
         .resizable(true)
-        .default_size(0.34 * height)
-        .size_range(140.0..=(0.7 * height).max(150.0))
+        .default_size((0.34 * height).max(172.0))
+        .size_range(172.0..=(0.7 * height).max(180.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
             let alone = workbench.subject().is_empty();
