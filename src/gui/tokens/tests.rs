@@ -176,7 +176,7 @@ fn has_a_literal(line: &str) -> bool {
         "size::BODY -",
     ];
     COLOURS.iter().any(|c| line.contains(c))
-        || TYPE.iter().any(|call| sized(call))
+        || TYPE.iter().any(sized)
         || reckoned.iter().any(|r| line.contains(r))
 }
 
