@@ -162,3 +162,104 @@ impl Workbench {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::commands::Command;
+    use crate::gui::edit::Edit;
+    use crate::gui::subject::Component;
+    use crate::gui::testing::workbench;
+
+    fn go(workbench: &mut Workbench, step: Step) -> Chart {
+        workbench.execute(Command::GoTo(step));
+        workbench.receive();
+        workbench.chart()
+    }
+
+    fn choose(workbench: &mut Workbench, chart: Chart) {
+        workbench.execute(Command::Chart(chart));
+        workbench.receive();
+        assert_eq!(workbench.chart(), chart);
+    }
+
+    #[test]
+    fn every_step_shows_what_suits_it_until_somebody_chooses() {
+        let mut workbench = workbench();
+        for step in Step::ALL {
+            assert_eq!(
+                go(&mut workbench, step),
+                Chart::Angle,
+                "nothing is identified"
+            );
+        }
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert_eq!(go(&mut workbench, Step::Identify), Chart::Angle);
+        assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
+        assert_eq!(go(&mut workbench, Step::Export), Chart::Table);
+        choose(&mut workbench, Chart::Orders);
+        for step in Step::ALL {
+            assert_eq!(go(&mut workbench, step), Chart::Orders, "it was chosen");
+        }
+        // Whoever chooses the table again wants no more than what suits.
+        go(&mut workbench, Step::Export);
+        choose(&mut workbench, Chart::Table);
+        assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
+        choose(&mut workbench, Chart::Time);
+        workbench.execute(Command::Edit(Edit::Identify));
+        assert_eq!(workbench.chart(), Chart::Time);
+    }
+
+    #[test]
+    fn a_chart_is_worked_out_once_for_each_change_and_again_after_it() {
+        let mut workbench = workbench();
+        choose(&mut workbench, Chart::Histogram);
+        let made = |workbench: &Workbench| {
+            let backdrop = workbench.backdrop().expect("it is made");
+            Arc::clone(backdrop.charted.as_ref().expect("it is charted"))
+        };
+        let first = made(&workbench);
+        workbench.execute(Command::Hover(Some(3)));
+        workbench.execute(Command::OnlyAfter(true));
+        workbench.receive();
+        assert!(
+            Arc::ptr_eq(&first, &made(&workbench)),
+            "nothing has changed"
+        );
+        workbench.execute(Command::Component(Component::Radial));
+        workbench.receive();
+        assert!(workbench.charted().is_some());
+        let radial = made(&workbench);
+        assert!(!Arc::ptr_eq(&first, &radial));
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert!(
+            !Arc::ptr_eq(&radial, &made(&workbench)),
+            "there is an after now"
+        );
+        choose(&mut workbench, Chart::Orders);
+        assert!(matches!(workbench.charted(), Some(Charted::Orders(_))));
+    }
+
+    #[test]
+    fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
+        let mut workbench = workbench();
+        workbench.execute(Command::ShowEffect(0));
+        assert_eq!(workbench.chart(), Chart::Angle, "nothing was found yet");
+        workbench.execute(Command::Search);
+        workbench.receive();
+        workbench.execute(Command::Component(Component::Axial));
+        workbench.execute(Command::ShowEffect(0));
+        workbench.receive();
+        assert_eq!(workbench.chart(), Chart::Effect);
+        assert_eq!(workbench.view().component, Component::Tangential);
+        let Some(Charted::Effect(Some(curve))) = workbench.charted() else {
+            panic!("it has a curve");
+        };
+        assert_eq!(curve.effect, "backlash");
+        // It belongs to the step that finds the gap.
+        assert_eq!(go(&mut workbench, Step::Export), Chart::Table);
+        assert_eq!(go(&mut workbench, Step::Gap), Chart::Effect);
+    }
+}

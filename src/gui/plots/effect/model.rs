@@ -342,3 +342,91 @@ impl Line {
         a[1] + (b[1] - a[1]) * part.clamp(0.0, 1.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::commands::{Command, Workbench};
+    use crate::gui::testing::workbench;
+
+    /// A workbench on which a search has found the backlash that the simulation hid.
+    fn searched() -> (Workbench, Arc<Search>) {
+        let mut workbench = workbench();
+        workbench.execute(Command::Search);
+        workbench.receive();
+        let search = Search::of(
+            Arc::clone(workbench.subject()),
+            &crate::gui::tasks::Watch::default(),
+        );
+        (workbench, Arc::new(search))
+    }
+
+    #[test]
+    fn the_curve_is_the_difference_of_the_two_models_and_runs_through_the_residual() {
+        let (workbench, search) = searched();
+        let subject = Arc::clone(workbench.subject());
+        let diagnosis = search.answer.as_ref().expect("it can be searched");
+        let index = diagnosis.found.iter().position(|f| f.effect == "backlash");
+        let index = index.expect("the backlash is found");
+        let component = strongest(&subject, diagnosis, index).expect("it has one");
+        assert_eq!(component, Component::Tangential);
+        let asked = Asked {
+            search: Arc::clone(&search),
+            index,
+        };
+        let curve = EffectCurve::of(&subject, &asked, component).expect("it has a curve");
+        assert_eq!(curve.over.variable, Variable::Joint);
+
+        // What the models say, worked out here from the model with and without the term.
+        let with = &diagnosis.model;
+        let without = with.without(|t| t.effect.about().id == "backlash");
+        assert_eq!(without.terms().len() + 1, with.terms().len());
+        let inputs = Inputs::new(&subject.session, JointValues::Commanded);
+        let (a, b) = (with.predict(&inputs), without.predict(&inputs));
+        for spot in &curve.spots {
+            let d = minus(a.get(spot.sample), b.get(spot.sample));
+            let e = minus(subject.measured(spot.sample), b.get(spot.sample));
+            let of = |v| subject.component(v, spot.sample, component);
+            assert!((spot.effect_mm - of(d)).abs() < 1e-12);
+            assert!((spot.residual_mm - of(e)).abs() < 1e-12);
+            assert_eq!(curve.spot(spot.sample), Some(spot));
+        }
+        assert_eq!(curve.spots.len(), subject.len());
+
+        // Play depends on the side: a line for each, apart by the width times the radius.
+        let [negative, positive] = &curve.lines[..] else {
+            panic!("a line for each side, not {}", curve.lines.len());
+        };
+        let width_mm = 0.05_f64.to_radians() * 245.0;
+        let apart = negative.at(0.3) - positive.at(0.3);
+        assert!(
+            (apart - width_mm).abs() < 0.05 * width_mm,
+            "{apart} {width_mm}"
+        );
+        let [left_without, left_with] = curve.rms_mm;
+        assert!(left_with < 0.5 * left_without, "{left_with} {left_without}");
+    }
+
+    #[test]
+    fn an_effect_that_is_not_there_has_no_curve() {
+        let (workbench, search) = searched();
+        let asked = Asked { search, index: 99 };
+        let curve = EffectCurve::of(workbench.subject(), &asked, Component::X);
+        assert_eq!(curve, None);
+    }
+
+    #[test]
+    fn effects_stand_over_what_they_depend_on() {
+        let workbench = workbench();
+        let subject = workbench.subject();
+        let term = |id: &str| {
+            let effect = crate::effects::find(id).expect("it is in the catalogue");
+            over(&Term::absent(effect, 0, 0.0), subject).variable
+        };
+        assert_eq!(term("frame-drift"), Variable::Time);
+        assert_eq!(term("lost-motion"), Variable::Travel);
+        assert_eq!(term("encoder-eccentricity"), Variable::Joint);
+        // The load never changes in this session: over it there would be nothing to see.
+        assert_eq!(term("link-droop"), Variable::Joint);
+    }
+}
