@@ -44,8 +44,8 @@ pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
 }
 
 /// Names a chart for those who do not see it, and says what is seen in it.
-pub(crate) fn figure(response: &Response, name: String, says: String) {
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name.clone()));
+pub(crate) fn figure(response: &Response, name: &str, says: String) {
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name));
     response
         .ctx
         .accesskit_node_builder(response.id, |node| node.set_description(says));

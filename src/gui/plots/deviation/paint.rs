@@ -228,7 +228,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mu
             workbench.chart().name().to_lowercase()
         ),
     };
-    figure(&response, name, shown.says());
+    figure(&response, &name, shown.says());
 
     let under = response.hover_pos().and_then(|pointer| {
         let near = shown.envelope.map(|envelope| {

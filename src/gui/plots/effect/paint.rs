@@ -184,7 +184,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
     let (response, transform) = (plotted.response, plotted.transform);
     let title = format!("curve of {}, {component}", name(curve));
-    figure(&response, title, says(workbench, curve));
+    figure(&response, &title, says(workbench, curve));
     let under = response.hover_pos().and_then(|pointer| {
         let candidates = some(curve).map(|spot| {
             let here = transform.position_from_point(&at(spot));

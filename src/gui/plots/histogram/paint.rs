@@ -256,11 +256,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         plot.add(Drawing::new("histogram", sketch.bounds, draw));
     });
     let (response, transform) = (plotted.response, plotted.transform);
-    figure(
-        &response,
-        format!("histogram, {name}"),
-        says(workbench, histogram),
-    );
+    let title = format!("histogram, {name}");
+    figure(&response, &title, says(workbench, histogram));
     let Some(bin) = response.hover_pos().and_then(|pointer| {
         let shown = transform.value_from_position(pointer).x;
         let [low, high] = bins.span();

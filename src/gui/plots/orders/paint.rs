@@ -242,7 +242,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
     let (response, transform) = (plotted.response, plotted.transform);
     let name = format!("order spectrum, {component}");
-    figure(&response, name, says(workbench, spectrum));
+    figure(&response, &name, says(workbench, spectrum));
     let under = response.hover_pos().and_then(|pointer| {
         let slot = transform.value_from_position(pointer).x.round();
         let slot = (slot >= 0.0).then(|| whole(slot))?;

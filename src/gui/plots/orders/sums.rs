@@ -1,7 +1,7 @@
 //! Sums over the samples from which every order is fitted: one pass, however many orders.
 //!
-//! With c_k = Σ cos kθ and s_k = Σ sin kθ the normal equations of 1, cos jθ, sin jθ, … need no
-//! other sums of the angles, because a product of two waves is two waves:
+//! The normal equations of 1, cos jθ, sin jθ, … need no other sums of the angles than those of
+//! cos kθ and sin kθ, here `c` and `s`, because a product of two waves is two waves:
 //!
 //! ```text
 //! Σ cos jθ cos kθ = (c_{j−k} + c_{j+k}) / 2      Σ sin jθ sin kθ = (c_{j−k} − c_{j+k}) / 2
