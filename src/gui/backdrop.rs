@@ -1,5 +1,5 @@
 //! What plots of many samples stand on, worked out in the background: which sample is where, the
-//! heat map, the chart's extremes.
+//! heat map, what the chart is made of.
 //!
 //! A few samples are simply looked at anew in every frame, so that nothing has to be waited for.
 
@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::layers::{Heat, Nearest};
 use super::outcome::{Answer, Outcome};
-use super::plots::deviation::Envelope;
+use super::plots::charting::{Asked, Charted};
 use super::subject::{Component, Subject};
 use super::view::Plane;
 
@@ -27,6 +27,8 @@ pub(crate) struct Scenery {
     pub(crate) heat: bool,
     /// The component in the chart.
     pub(crate) component: Component,
+    /// What the chart needs.
+    pub(crate) chart: Asked,
 }
 
 impl PartialEq for Scenery {
@@ -36,6 +38,7 @@ impl PartialEq for Scenery {
             && self.plane == other.plane
             && self.heat == other.heat
             && self.component == other.component
+            && self.chart == other.chart
     }
 }
 
@@ -62,7 +65,7 @@ impl Scenery {
 
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.many()
+        self.heat || self.many() || self.chart.any(&self.subject)
     }
 }
 
@@ -75,8 +78,8 @@ pub(crate) struct Backdrop {
     pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
-    /// The chart's extremes.
-    pub(crate) envelope: Option<Arc<Envelope>>,
+    /// What the chart is made of.
+    pub(crate) charted: Option<Arc<Charted>>,
 }
 
 impl Backdrop {
@@ -86,7 +89,9 @@ impl Backdrop {
         let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
         let same_answer = last.filter(|l| l.scenery.same_answer(&scenery));
         let heat_of = same_answer.filter(|_| same_plane.is_some());
-        let chart_of = same_answer.filter(|l| l.scenery.component == scenery.component);
+        let chart_of = same_answer.filter(|l| {
+            l.scenery.component == scenery.component && l.scenery.chart == scenery.chart
+        });
         let subject = &*scenery.subject;
         let nearest = || {
             let axes = scenery.plane.axes();
@@ -106,14 +111,15 @@ impl Backdrop {
             });
             wanted.flatten()
         });
-        let known = chart_of.and_then(|l| l.envelope.clone());
-        let chart = || Arc::new(Envelope::of(subject, scenery.answer(), scenery.component));
-        let envelope = many.then(|| known.unwrap_or_else(chart));
+        let charted = chart_of.and_then(|l| l.charted.clone()).or_else(|| {
+            let (answer, component) = (scenery.answer(), scenery.component);
+            Charted::of(&scenery.chart, subject, answer, component).map(Arc::new)
+        });
         Self {
             scenery,
             nearest,
             heat,
-            envelope,
+            charted,
         }
     }
 }

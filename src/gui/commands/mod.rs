@@ -3,6 +3,7 @@
 //! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
 //! only function that changes anything.
 
+mod charts;
 mod command;
 mod desk;
 mod follow;
@@ -28,7 +29,6 @@ use crate::gui::given::Given;
 use crate::gui::keeping::settings::Recent;
 use crate::gui::layers::{Heat, Nearest};
 use crate::gui::outcome::{After, Answer, Outcome};
-use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::reporting::About;
 use crate::gui::search::Search;
@@ -177,15 +177,6 @@ impl Workbench {
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
         let seen = |b: &&Backdrop| self.view.heat && b.scenery.plane == self.view.plane;
         self.backdrop().filter(seen)?.heat.as_ref()
-    }
-
-    /// The extremes of the deviation chart; `None` where samples are few, or until they are found.
-    pub(crate) fn envelope(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| {
-            b.scenery.component == self.view.component
-                && b.scenery.outcome.is_some() == self.outcome().is_some()
-        };
-        self.backdrop().filter(seen)?.envelope.as_deref()
     }
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
@@ -344,7 +335,9 @@ impl Workbench {
                 view.side = Side::Samples;
             }
             Command::Side(side) => view.side = side,
-            Command::Lower(lower) => view.lower = lower,
+            Command::Chart(chart) => self.choose_chart(chart),
+            Command::ChartJoint(joint) => view.joint = joint,
+            Command::ShowEffect(index) => self.show_effect(index),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
                 self.keep_preferences();
@@ -551,6 +544,7 @@ impl Workbench {
             plane: self.view.plane,
             heat: self.view.heat,
             component: self.view.component,
+            chart: self.charting(),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
         if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {

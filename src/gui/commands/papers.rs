@@ -74,6 +74,7 @@ impl Workbench {
             document: Arc::clone(self.history.present()),
             outcome: self.outcome.clone().filter(|_| shown),
             floor_mm: self.diagnosis().map(|d| d.floor.mm),
+            sketch: self.sketch(plot),
             inputs: self.inputs(),
         };
         let says = format!("writing {}", path.display());
