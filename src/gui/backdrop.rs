@@ -9,6 +9,7 @@ use super::layers::{Heat, Nearest};
 use super::outcome::{Answer, Outcome};
 use super::plots::deviation::Envelope;
 use super::subject::{Component, Subject};
+use super::thinning::Thinned;
 use super::view::Plane;
 
 /// Up to here samples are few.
@@ -25,6 +26,8 @@ pub(crate) struct Scenery {
     pub(crate) plane: Plane,
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
+    /// Whether not all samples can be drawn.
+    pub(crate) thins: bool,
     /// The component in the chart.
     pub(crate) component: Component,
 }
@@ -35,6 +38,7 @@ impl PartialEq for Scenery {
             && self.same_answer(other)
             && self.plane == other.plane
             && self.heat == other.heat
+            && self.thins == other.thins
             && self.component == other.component
     }
 }
@@ -75,6 +79,8 @@ pub(crate) struct Backdrop {
     pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
+    /// Samples that are drawn where not all can be.
+    pub(crate) thinned: Option<Arc<Thinned>>,
     /// The chart's extremes.
     pub(crate) envelope: Option<Arc<Envelope>>,
 }
@@ -106,6 +112,13 @@ impl Backdrop {
             });
             wanted.flatten()
         });
+        // A boundary that is dragged later finds its sums made.
+        if many && subject.single_revolute() {
+            subject.tallied.of(subject);
+        }
+        let known = heat_of.and_then(|l| l.thinned.clone());
+        let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
+        let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
         let known = chart_of.and_then(|l| l.envelope.clone());
         let chart = || Arc::new(Envelope::of(subject, scenery.answer(), scenery.component));
         let envelope = many.then(|| known.unwrap_or_else(chart));
@@ -113,6 +126,7 @@ impl Backdrop {
             scenery,
             nearest,
             heat,
+            thinned,
             envelope,
         }
     }

@@ -12,6 +12,8 @@ use crate::report::{as_measured, stages};
 use super::document::Document;
 use super::files;
 use super::outcome::Outcome;
+use super::plots::workspace::polar_sheet;
+use super::subject::Component;
 use super::tasks::{Report, Watch};
 use super::view::Message;
 
@@ -24,11 +26,18 @@ pub(crate) enum Plot {
     Deviation,
     /// The gap, step by step.
     Waterfall,
+    /// A component of the deviation around the joint's angle.
+    Polar,
 }
 
 impl Plot {
     /// All of them.
-    pub(crate) const ALL: [Self; 3] = [Self::Workspace, Self::Deviation, Self::Waterfall];
+    pub(crate) const ALL: [Self; 4] = [
+        Self::Workspace,
+        Self::Deviation,
+        Self::Waterfall,
+        Self::Polar,
+    ];
 
     /// Its name, as it stands within a sentence.
     pub(crate) fn name(self) -> &'static str {
@@ -36,6 +45,7 @@ impl Plot {
             Self::Workspace => "workspace",
             Self::Deviation => "deviation",
             Self::Waterfall => "gap by step",
+            Self::Polar => "polar",
         }
     }
 
@@ -55,6 +65,8 @@ pub(crate) struct Wanted {
     pub(crate) document: Arc<Document>,
     /// What was identified, if anything was.
     pub(crate) outcome: Option<Arc<Outcome>>,
+    /// The component of the deviation that is looked at, and whether what is left alone.
+    pub(crate) component: (Component, bool),
     /// The noise floor, where a search found it, mm.
     pub(crate) floor_mm: Option<f64>,
     /// Files that it may not replace.
@@ -105,6 +117,12 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
     }
     if session.samples.is_empty() {
         return Err("there are no samples to draw".to_owned());
+    }
+    if wanted.plot == Plot::Polar {
+        let (subject, tolerance) = (&wanted.document.subject, wanted.document.tolerance_mm);
+        let (component, only_after) = wanted.component;
+        let drawing = polar_sheet(subject, answer, component, only_after, tolerance)?;
+        return Ok((drawing, of("the deviation around the angle")));
     }
     let stages = match answer {
         None => as_measured(&session, wanted.floor_mm),

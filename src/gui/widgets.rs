@@ -267,26 +267,6 @@ pub(crate) fn dense(ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 3.0;
 }
 
-/// What is said about a sample.
-pub(crate) fn sample_card(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
-    let palette = Palette::of(ui);
-    ui.set_max_width(220.0);
-    dense(ui);
-    ui.label(RichText::new(title).font(strong(size::BODY)));
-    egui::Grid::new("sample card")
-        .num_columns(2)
-        .spacing([16.0, 2.0])
-        .show(ui, |ui| {
-            for (name, value) in lines {
-                ui.label(RichText::new(name).size(size::SMALL).color(palette.muted));
-                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                    ui.label(RichText::new(value).size(size::SMALL));
-                });
-                ui.end_row();
-            }
-        });
-}
-
 /// A field that takes a number when it is complete, with a point or a comma.
 fn typing(field: DragValue<'_>) -> DragValue<'_> {
     field.update_while_editing(false).custom_parser(typed)

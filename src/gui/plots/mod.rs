@@ -11,6 +11,7 @@ pub(crate) mod workspace;
 
 pub(crate) use axes::{axis, steps};
 pub(crate) use drawing::Drawing;
+pub(crate) use marks::disc;
 
 use egui::Ui;
 
