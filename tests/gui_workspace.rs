@@ -108,6 +108,9 @@ fn click_at(window: &mut Window, at: Pos2) {
     window.drag_at(at);
     window.run_steps(1);
     window.drop_at(at);
+    window.run_steps(2);
+    // The pointer is still there.
+    window.hover_at(at);
     window.run_steps(4);
 }
 
