@@ -17,6 +17,7 @@ use crate::sessions::Session;
 use super::keeping::disk::Print;
 use super::layers::Cloud;
 use super::overview::Overview;
+use super::tally::Tallied;
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -126,6 +127,8 @@ pub(crate) struct Subject {
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
+    /// What regions of it hold, for any boundaries.
+    pub(crate) tallied: Tallied,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
@@ -161,6 +164,7 @@ impl Subject {
             arm_mm,
             overview,
             cloud: Arc::default(),
+            tallied: Tallied::default(),
             nominal,
             before,
             gap_before,

@@ -349,6 +349,8 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
+    /// Whether the deviation around the joint's angle is shown instead of a plane.
+    pub(crate) polar: bool,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
     /// From 0, before, to 1, after.
@@ -398,6 +400,7 @@ impl Default for ViewState {
         Self {
             step: Step::default(),
             plane: Plane::default(),
+            polar: false,
             magnification: None,
             blend: 1.0,
             colouring: Colouring::default(),

@@ -281,13 +281,13 @@ pub(crate) fn dense(ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 3.0;
 }
 
-/// What is said about a sample.
-pub(crate) fn sample_card(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
+/// What is said about what the pointer is on.
+pub(crate) fn facts(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
     let palette = Palette::of(ui);
     ui.set_max_width(220.0);
     dense(ui);
     ui.label(RichText::new(title).font(strong(size::BODY)));
-    egui::Grid::new("sample card")
+    egui::Grid::new("facts")
         .num_columns(2)
         .spacing([16.0, 2.0])
         .show(ui, |ui| {

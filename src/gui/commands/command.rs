@@ -90,6 +90,8 @@ pub(crate) enum Command {
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
+    /// Look at the deviation around the joint's angle.
+    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.

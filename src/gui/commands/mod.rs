@@ -36,7 +36,7 @@ use crate::gui::subject::Subject;
 use crate::gui::tasks::{Report, Tasks, What};
 use crate::gui::undo::History;
 use crate::gui::units::Units;
-use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::gui::view::{Canvas, Message, Plane, Sheet, Side, Step, Then, ViewState};
 use crate::sessions::Samples;
 
 /// Document, view, answer and tasks.
@@ -179,6 +179,14 @@ impl Workbench {
         self.backdrop().filter(seen)?.heat.as_ref()
     }
 
+    /// Samples that are drawn where not all can be; `None` where they are few, or until they are
+    /// chosen.
+    pub(crate) fn thinned(&self) -> Option<&[u32]> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        let thinned = self.backdrop().filter(seen)?.thinned.as_deref()?;
+        Some(&thinned.samples)
+    }
+
     /// The export as it would be written, or why there is none. While a newer one is being made it
     /// is the one before.
     pub(crate) fn export(&self) -> Option<Result<&Made, &String>> {
@@ -314,7 +322,8 @@ impl Workbench {
         let view = &mut self.view;
         match command {
             Command::GoTo(step) => view.step = step,
-            Command::Look(plane) => view.plane = plane,
+            Command::Look(plane) => (view.plane, view.polar) = (plane, false),
+            Command::LookAround => view.polar = true,
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -421,6 +430,7 @@ impl Workbench {
     /// Looks at the workspace in the plane in which joint 1 turns.
     fn look_along_the_axis(&mut self) {
         let along = self.subject().joint.along;
+        self.view.polar = false;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()
@@ -543,6 +553,8 @@ impl Workbench {
             outcome,
             plane: self.view.plane,
             heat: self.view.heat,
+            thins: self.view.canvas == Canvas::Shapes,
+            polar: self.view.polar,
             component: self.view.component,
             chart: self.charting(),
         };
