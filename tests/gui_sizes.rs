@@ -3,17 +3,15 @@
 //! next stays in sight.
 #![cfg(feature = "gui")]
 
-mod support {
-    #[allow(dead_code, reason = "included in several tests")]
-    pub mod window;
-}
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
 
 use egui::accesskit::Role;
 use egui::{Color32, FontFamily, FontId, Rect};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use support::window::{Window, press, there};
-use truepose::gui::{App, Runner};
+use support::{STEPS, Window, press, there, window_of};
+use truepose::gui::Runner;
 
 /// Width and height in points; the last two are 1920 × 1080 and 1366 × 768 with text of 150 %.
 const SIZES: [[f32; 2]; 6] = [
@@ -25,14 +23,6 @@ const SIZES: [[f32; 2]; 6] = [
     [911.0, 512.0],
 ];
 
-const STEPS: [&str; 5] = [
-    "1 Session",
-    "2 Regions",
-    "3 Identify",
-    "4 Find the gap",
-    "5 Export",
-];
-
 /// Inner margin of the side panels, points.
 const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
@@ -41,12 +31,8 @@ const ROUNDING: f32 = 1.5;
 const LEAST_WORKSPACE: [f32; 2] = [300.0, 130.0];
 const LEAST_CHART: [f32; 2] = [300.0, 70.0];
 
-fn window([width, height]: [f32; 2]) -> Window {
-    let mut window = Harness::builder()
-        .with_size([width, height])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
-    window.run_steps(5);
-    window
+fn window(size: [f32; 2]) -> Window {
+    window_of(size, None, Runner::AtOnce)
 }
 
 /// Something on the screen.

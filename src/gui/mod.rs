@@ -11,6 +11,8 @@
 //! - `known`: what its samples cover, before anything is identified.
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
+//! - `tally`: what regions hold, for any boundaries; `thinning`: which samples are drawn where not
+//!   all can be.
 //! - `search`: what a diagnosis found, ready to be added.
 //! - `setup`: robot and instrument as they are filled in.
 //! - `preferences`: units, digits, colours; `help`: what the words mean.
@@ -51,9 +53,11 @@ mod search;
 mod setup;
 mod simulate;
 mod subject;
+mod tally;
 mod tasks;
 #[cfg(test)]
 mod testing;
+mod thinning;
 mod tokens;
 mod undo;
 mod units;

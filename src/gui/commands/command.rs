@@ -9,7 +9,7 @@ use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{Canvas, Colouring, Lower, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Chart, Colouring, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -90,6 +90,8 @@ pub(crate) enum Command {
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
+    /// Look at the deviation around the joint's angle.
+    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.
@@ -112,8 +114,12 @@ pub(crate) enum Command {
     Side(Side),
     /// Open the right-hand side, or shut it.
     Results(bool),
-    /// Show this below the workspace in the step that finds the gap.
-    Lower(Lower),
+    /// Show this below the workspace.
+    Chart(Chart),
+    /// Let charts be about this joint, counted from 0.
+    ChartJoint(usize),
+    /// Show the curve of an effect that was found, by its place in the answer.
+    ShowEffect(usize),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

@@ -3,6 +3,7 @@
 //! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
 //! only function that changes anything.
 
+mod charts;
 mod command;
 mod desk;
 mod follow;
@@ -28,7 +29,6 @@ use crate::gui::given::Given;
 use crate::gui::keeping::settings::Recent;
 use crate::gui::layers::{Heat, Nearest};
 use crate::gui::outcome::{After, Answer, Outcome};
-use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::reporting::About;
 use crate::gui::search::Search;
@@ -36,7 +36,7 @@ use crate::gui::subject::Subject;
 use crate::gui::tasks::{Report, Tasks, What};
 use crate::gui::undo::History;
 use crate::gui::units::Units;
-use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::gui::view::{Canvas, Message, Plane, Sheet, Side, Step, Then, ViewState};
 use crate::sessions::Samples;
 
 /// Document, view, answer and tasks.
@@ -179,13 +179,12 @@ impl Workbench {
         self.backdrop().filter(seen)?.heat.as_ref()
     }
 
-    /// The extremes of the deviation chart; `None` where samples are few, or until they are found.
-    pub(crate) fn envelope(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| {
-            b.scenery.component == self.view.component
-                && b.scenery.outcome.is_some() == self.outcome().is_some()
-        };
-        self.backdrop().filter(seen)?.envelope.as_deref()
+    /// Samples that are drawn where not all can be; `None` where they are few, or until they are
+    /// chosen.
+    pub(crate) fn thinned(&self) -> Option<&[u32]> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        let thinned = self.backdrop().filter(seen)?.thinned.as_deref()?;
+        Some(&thinned.samples)
     }
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
@@ -323,7 +322,8 @@ impl Workbench {
         let view = &mut self.view;
         match command {
             Command::GoTo(step) => view.step = step,
-            Command::Look(plane) => view.plane = plane,
+            Command::Look(plane) => (view.plane, view.polar) = (plane, false),
+            Command::LookAround => view.polar = true,
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -345,7 +345,9 @@ impl Workbench {
             }
             Command::Side(side) => view.side = side,
             Command::Results(open) => view.results = Some(open),
-            Command::Lower(lower) => view.lower = lower,
+            Command::Chart(chart) => self.choose_chart(chart),
+            Command::ChartJoint(joint) => view.joint = joint,
+            Command::ShowEffect(index) => self.show_effect(index),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
                 self.keep_preferences();
@@ -429,6 +431,7 @@ impl Workbench {
     /// Looks at the workspace in the plane in which joint 1 turns.
     fn look_along_the_axis(&mut self) {
         let along = self.subject().joint.along;
+        self.view.polar = false;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()
@@ -551,7 +554,10 @@ impl Workbench {
             outcome,
             plane: self.view.plane,
             heat: self.view.heat,
+            thins: self.view.canvas == Canvas::Shapes,
+            polar: self.view.polar,
             component: self.view.component,
+            chart: self.charting(),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
         if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {

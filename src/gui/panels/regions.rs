@@ -157,6 +157,13 @@ fn counted(ui: &Ui, workbench: &Workbench) -> Arc<[usize]> {
 
 fn samples_by_region(workbench: &Workbench) -> Vec<usize> {
     let regions = &workbench.document().regions;
+    if let Some(tally) = workbench.subject().tallied.ready() {
+        return tally
+            .held(regions)
+            .iter()
+            .map(|held| held.samples)
+            .collect();
+    }
     let assignment = Assignment::new(regions);
     let mut counts = vec![0; regions.len()];
     let subject = workbench.subject();

@@ -63,6 +63,8 @@ pub(crate) enum Action {
     Step(Step),
     /// The workspace from another side.
     Look(Plane),
+    /// The deviation around the joint's angle.
+    LookAround,
     /// What the words mean.
     Words,
     /// The keyboard.
@@ -80,7 +82,7 @@ const COMMAND: Modifiers = Modifiers::COMMAND;
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 36] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 38] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(COMMAND, Key::Z), "undo"),
     (
@@ -153,10 +155,16 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 36] = [
         "workspace from the front",
     ),
     (
+        Action::LookAround,
+        with(SHIFTED, Key::Num4),
+        "deviation around the angle (polar)",
+    ),
+    (
         Action::Fit,
         with(COMMAND, Key::F),
         "show everything in the plots",
     ),
+    (Action::Fit, with(PLAIN, Key::Home), "the same"),
     (
         Action::Step(Step::Session),
         with(COMMAND, Key::Num1),
@@ -259,6 +267,7 @@ pub(crate) fn command_for(ctx: &Context, action: Action, workbench: &Workbench) 
         Action::Fit => Command::Fit,
         Action::Step(step) => Command::GoTo(step),
         Action::Look(plane) => Command::Look(plane),
+        Action::LookAround => Command::LookAround,
         Action::Words => sheet(Sheet::Words),
         Action::Keys => sheet(Sheet::Shortcuts),
         Action::About => sheet(Sheet::About),
