@@ -292,3 +292,66 @@ fn samples_stand_beside_the_results_on_a_large_screen() {
     press(&mut window, "Samples");
     assert!(there(&window, "sample"));
 }
+
+#[test]
+fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
+    let sheets = [
+        ("Edit", "Preferences…", "Preferences"),
+        ("Help", "What the words mean", "What the words mean"),
+        ("Help", "Keyboard shortcuts", "Keyboard shortcuts"),
+        ("Help", "About truepose", "About truepose"),
+    ];
+    let buttons = |window: &Window| window.query_all_by_label("Done").count();
+    for size in [[911.0, 512.0], [1024.0, 700.0]] {
+        let mut window = window(size);
+        let whole = window.ctx.content_rect();
+        for (menu, item, sheet) in sheets {
+            for leave in ["button", "Enter", "Escape"] {
+                let at = format!("{size:?}, {sheet}, {leave}");
+                press(&mut window, menu);
+                window.get_by_label(item).click();
+                window.run_steps(5);
+                assert_eq!(buttons(&window), 1, "{at}");
+                match leave {
+                    "Enter" => window.key_press(egui::Key::Enter),
+                    "Escape" => window.key_press(egui::Key::Escape),
+                    _ => {
+                        window.get_by_label("Done").scroll_to_me();
+                        window.run_steps(6);
+                        let done = window.get_by_label("Done").rect();
+                        assert!(whole.contains_rect(done), "{at}: {done}");
+                        window.get_by_label("Done").click();
+                    }
+                }
+                window.run_steps(4);
+                assert_eq!(buttons(&window), 0, "{at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn whatever_has_the_keyboard_shows_it_and_tab_reaches_every_control_of_a_step() {
+    let mut window = window([1280.0, 800.0]);
+    let mut reached = std::collections::BTreeSet::new();
+    for _ in 0..60 {
+        window.key_press(egui::Key::Tab);
+        window.run_steps(2);
+        let focused = window.root().children_recursive();
+        let focused = focused.filter(egui_kittest::Node::is_focused);
+        let names = focused.filter_map(|node| node.accesskit_node().label());
+        reached.extend(names);
+    }
+    for name in [
+        "1 Session",
+        "5 Export",
+        "Open…",
+        "New by simulation…",
+        "Continue to regions",
+        "Hide results",
+        "heat map",
+        "Samples",
+    ] {
+        assert!(reached.contains(name), "{name} is not among {reached:?}");
+    }
+}

@@ -7,9 +7,9 @@ use crate::gui::help::{self, Word};
 use crate::gui::pictures::Plot;
 use crate::gui::plots::{correction, deviation, effect, histogram, orders, picture, waterfall};
 use crate::gui::subject::Component;
-use crate::gui::tokens::{size, space};
+use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Chart;
-use crate::gui::widgets::{self, caption};
+use crate::gui::widgets;
 
 use super::copies;
 
@@ -56,9 +56,9 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
         let padding = 2.0 * ui.spacing().button_padding.x + 2.0;
         let wide = self.offered.iter().map(|(_, short, _)| {
             let text = (*short).to_owned();
-            let galley = ui
-                .painter()
-                .layout_no_wrap(text, font.clone(), egui::Color32::WHITE);
+            let galley =
+                ui.painter()
+                    .layout_no_wrap(text, font.clone(), egui::Color32::PLACEHOLDER);
             galley.size().x + padding
         });
         wide.map(|w| w.max(36.0)).sum::<f32>() + 8.0
@@ -166,8 +166,12 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
             widgets::question(ui, word(chart));
             if !says.is_empty() {
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
-                    caption(ui, &says).on_hover_text(&says);
+                    let muted = Palette::of(ui).muted;
+                    let text = egui::RichText::new(&says).size(size::SMALL).color(muted);
+                    let label = egui::Label::new(text)
+                        .truncate()
+                        .show_tooltip_when_elided(true);
+                    ui.add(label);
                 });
             }
         });

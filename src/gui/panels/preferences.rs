@@ -90,7 +90,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         if button.inner.clicked() {
             next = Preferences::default();
         }
-        if widgets::primary(&mut columns[1], "Done").clicked() {
+        let done = widgets::primary(&mut columns[1], "Done").clicked();
+        if done || super::sheets::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }
     });
