@@ -28,7 +28,7 @@ const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
 const ROUNDING: f32 = 1.5;
 /// The least that a plot may be, points.
-const LEAST_WORKSPACE: [f32; 2] = [300.0, 130.0];
+const LEAST_WORKSPACE: [f32; 2] = [300.0, 100.0];
 const LEAST_CHART: [f32; 2] = [300.0, 70.0];
 
 fn window(size: [f32; 2]) -> Window {
@@ -138,6 +138,10 @@ fn look(window: &Window, at: &str) {
         let Thing { role, says, rect } = thing;
         let is_text = *role == Role::Label;
         if !(is_text || interactive(*role)) || rect.width() < 1.0 {
+            continue;
+        }
+        // Lines of a file that is shown scroll sideways.
+        if is_text && says.contains(',') && !says.contains(' ') {
             continue;
         }
         let [from, to] = panels.around(*rect);

@@ -164,14 +164,13 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
             }
             copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
             widgets::question(ui, word(chart));
-            if !says.is_empty() {
+            // Where it has no room the question mark says it.
+            let font = egui::FontId::proportional(size::SMALL);
+            let muted = Palette::of(ui).muted;
+            let galley = ui.painter().layout_no_wrap(says.clone(), font, muted);
+            if !says.is_empty() && galley.size().x + space::ROW <= ui.available_width() {
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    let muted = Palette::of(ui).muted;
-                    let text = egui::RichText::new(&says).size(size::SMALL).color(muted);
-                    let label = egui::Label::new(text)
-                        .truncate()
-                        .show_tooltip_when_elided(true);
-                    ui.add(label);
+                    widgets::caption(ui, &says);
                 });
             }
         });

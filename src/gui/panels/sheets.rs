@@ -32,7 +32,9 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         ui.spacing_mut().item_spacing.y = space::ROW;
         // On a small screen, or with large text, a sheet is higher than the window.
         let high = ui.ctx().content_rect().height() - 2.0 * f32::from(SHEET) - MARGIN;
-        let scroll = ScrollArea::vertical().max_height(high);
+        let scroll = ScrollArea::vertical()
+            .max_height(high)
+            .min_scrolled_height(high);
         scroll.show(ui, |ui| match sheet {
             Sheet::SavePath { path, replace } => {
                 let says = "The samples are written beside it, as a CSV file of the same name";
@@ -71,7 +73,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
 pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec<Command>) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if widgets::secondary(&mut columns[0], "Cancel").clicked() {
+        if widgets::other(&mut columns[0], "Cancel").clicked() {
             commands.push(Command::Sheet(None));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
