@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::foreign::Foreign;
 use super::keeping::disk::Fate;
+use super::placing::Typed;
 use super::preferences::Preferences;
 use super::setup::SetupForm;
 use super::simulate::Form;
@@ -383,6 +384,8 @@ pub(crate) struct ViewState {
     pub(crate) preferences: Preferences,
     /// Robot and instrument as they are being typed, while that makes no robot.
     pub(crate) setup: Option<Box<SetupForm>>,
+    /// What is typed for boundaries of regions and could not be taken over, or not yet.
+    pub(crate) typed: Vec<Typed>,
     /// An open file that is not what it was.
     pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
@@ -417,6 +420,7 @@ impl Default for ViewState {
             effect: 0,
             preferences: Preferences::default(),
             setup: None,
+            typed: Vec::new(),
             on_disk: None,
             sheet: None,
             leaving: false,

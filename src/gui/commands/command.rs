@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
 use crate::gui::foreign::Foreign;
+use crate::gui::placing::End;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
@@ -77,6 +78,17 @@ pub(crate) enum Command {
         path: PathBuf,
         /// Whether files that are there may be replaced.
         replace: bool,
+    },
+    /// Divide the joint's range where the samples ask for it.
+    Adapt,
+    /// What is being typed for an end of a region; `None`: what the document says.
+    Type {
+        /// The region's name.
+        region: String,
+        /// Which end.
+        end: End,
+        /// The text.
+        text: Option<String>,
     },
     /// Search for what is missing.
     Search,
