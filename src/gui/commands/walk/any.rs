@@ -336,6 +336,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         152 => Command::ChartJoint(random.random_range(0..7)),
         153 => Command::ShowEffect(random.random_range(0..4)),
         154 => Command::LookAround,
+        155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137..=139 => Command::Prefer(preferences(random)),
         140..=142 => Command::Draft(
