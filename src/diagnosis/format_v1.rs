@@ -9,6 +9,7 @@ use crate::units::deg_from_rad;
 
 use super::anonymous::Where;
 use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
+use super::limits::Sight;
 use super::next_poses::NextPose;
 
 mod correction;
@@ -152,7 +153,10 @@ struct NotFound {
     effect: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<usize>,
+    /// A parameter that these poses do not show at any size has no limit, and is not in here.
     would_have_been_seen_above: serde_json::Map<String, serde_json::Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    not_shown_at_any_size: Vec<&'static str>,
 }
 
 #[derive(Debug, Serialize)]
@@ -266,7 +270,14 @@ impl Document {
                     would_have_been_seen_above: n
                         .sizes
                         .iter()
+                        .filter(|(_, size)| Sight::of(*size) != Sight::AtNoSize)
                         .map(|(name, size)| ((*name).to_owned(), (*size).into()))
+                        .collect(),
+                    not_shown_at_any_size: n
+                        .sizes
+                        .iter()
+                        .filter(|(_, size)| Sight::of(*size) == Sight::AtNoSize)
+                        .map(|(name, _)| *name)
                         .collect(),
                 })
                 .collect(),

@@ -15,7 +15,7 @@ use super::backdrop::{Backdrop, Scenery};
 use super::document::Question;
 use super::figures::Figures;
 use super::files::Saved;
-use super::foreign::Foreign;
+use super::foreign::{Beside, Foreign, Look};
 use super::given::Given;
 use super::keeping::recovery::LeftBehind;
 use super::keeping::watcher::{Order, Seen, Watched};
@@ -34,6 +34,10 @@ pub(crate) enum Report {
     Opened(Result<Arc<Subject>, Message>),
     /// A file that an instrument wrote was looked at.
     Foreign(Box<Foreign>),
+    /// It was looked at again, with what was said since.
+    Looked(Box<(Foreign, Look)>),
+    /// A file beside it was chosen; `None`: cancelled, or there is no dialog on this system.
+    ChosenBeside(Beside, Option<PathBuf>),
     /// A model was read.
     OpenedModel(Result<Arc<Given>, Message>),
     /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.
@@ -198,6 +202,8 @@ enum Kind {
     Identifies,
     Prepares,
     Searches,
+    /// Looks at a foreign file.
+    Looks,
     /// What is only drawn: it passes without a word.
     Draws,
     /// Nobody has to know.
@@ -366,6 +372,22 @@ impl Tasks {
         self.spawn(what.into(), Kind::Once, work);
     }
 
+    /// Looks at a foreign file, unless that is under way.
+    pub(crate) fn look(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Report + Send + 'static,
+    ) {
+        if !self.looks() {
+            self.spawn(what.into(), Kind::Looks, work);
+        }
+    }
+
+    /// Whether a foreign file is being looked at.
+    pub(crate) fn looks(&self) -> bool {
+        self.running.iter().any(|r| r.kind == Kind::Looks)
+    }
+
     /// Asks for an answer. A question that is waiting is forgotten for it.
     pub(crate) fn ask(&mut self, question: Question) {
         if let Some(question) = self.questions.ask(question) {
@@ -488,7 +510,7 @@ impl Tasks {
         let cancelled = self.running.remove(place);
         cancelled.watch.stop();
         match cancelled.kind {
-            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws => {}
+            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws | Kind::Looks => {}
             Kind::Identifies => {
                 let Latest { asked, waiting } = std::mem::take(&mut self.questions);
                 return waiting.or(asked);
@@ -511,7 +533,7 @@ impl Tasks {
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Searches | Kind::Quiet => {}
+                Kind::Once | Kind::Searches | Kind::Quiet | Kind::Looks => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);
