@@ -19,7 +19,6 @@ mod walk;
 use std::path::{Path, PathBuf};
 
 use egui::Theme;
-use egui_kittest::kittest::Queryable;
 use walk::{Window, press, there};
 
 /// Writes pictures of one theme.

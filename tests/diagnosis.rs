@@ -36,15 +36,7 @@ fn without(ids: &[&str]) -> Options {
 }
 
 fn measured(design: &Design, ids: &[&str], lambda: f64, seed: u64) -> Rig {
-    let mut random = Random(seed);
-    let mut rig = Rig::new(design, &mut random);
-    for id in ids {
-        let hidden = Hidden::random(id, &mut random, design);
-        let hidden = rig.sized(&hidden, lambda);
-        rig.hidden.push(hidden);
-    }
-    rig.measure(&mut random);
-    rig
+    Rig::measured(design, ids, lambda, seed).0
 }
 
 #[test]

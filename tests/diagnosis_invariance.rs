@@ -5,7 +5,7 @@
 #[path = "support/rig.rs"]
 mod rig;
 
-use rig::{Design, Hidden, Random, Rig};
+use rig::{Design, Rig};
 use truepose::diagnosis::{Diagnosis, Options, Verdict, diagnose};
 use truepose::sessions::{Session, load, parse};
 
@@ -25,12 +25,7 @@ fn measured(id: &str, lambda: f64, seed: u64) -> Rig {
         gravity_across: id == "joint-compliance",
         ..Design::default()
     };
-    let mut random = Random(seed);
-    let mut rig = Rig::new(&design, &mut random);
-    let hidden = Hidden::random(id, &mut random, &design);
-    rig.hidden = vec![rig.sized(&hidden, lambda)];
-    rig.measure(&mut random);
-    rig
+    Rig::measured(&design, &[id], lambda, seed).0
 }
 
 fn session(rig: &Rig) -> Session {

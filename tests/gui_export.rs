@@ -2,36 +2,20 @@
 //! cannot do is said there.
 #![cfg(feature = "gui")]
 
-use std::path::Path;
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
 
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use support::{Window, export_to, press, window_of};
 use truepose::export::EXPORTERS;
-use truepose::gui::{App, Runner};
+use truepose::gui::Runner;
 
-fn window() -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 1000.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
-    window.run_steps(4);
-    window
-}
-
-fn press(window: &mut Harness<'_, App>, label: &str) {
-    window.get_by_label(label).click();
-    window.run_steps(4);
-}
-
-/// The dialog of the system cannot be driven; the path is typed.
-fn save(window: &mut Harness<'_, App>, path: &Path) {
-    window.state_mut().type_export_path(path);
-    window.run_steps(4);
-    press(window, "Save");
-    window.run_steps(4);
-}
+/// High enough to press everything without scrolling.
+const TALL: [f32; 2] = [1280.0, 1000.0];
 
 /// The bundled session, identified, at the Export step.
-fn at_export(window: &mut Harness<'_, App>) {
+fn at_export(window: &mut Window) {
     press(window, "3 Identify");
     press(window, "Identify");
     press(window, "5 Export");
@@ -40,7 +24,7 @@ fn at_export(window: &mut Harness<'_, App>) {
 #[test]
 fn one_of_each_format_is_chosen_seen_and_saved() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window();
+    let mut window = window_of(TALL, None, Runner::AtOnce);
     at_export(&mut window);
     for format in EXPORTERS {
         press(&mut window, format.title);
@@ -59,7 +43,7 @@ fn one_of_each_format_is_chosen_seen_and_saved() {
             window.get_by_label("Gap to this robot");
         }
         let path = folder.path().join(format!("pan.{}", format.extension));
-        save(&mut window, &path);
+        export_to(&mut window, &path);
         let written = std::fs::read(&path).unwrap_or_default();
         assert!(!written.is_empty(), "{} was not saved", format.id);
         let beside = folder
@@ -75,7 +59,7 @@ fn one_of_each_format_is_chosen_seen_and_saved() {
 
 #[test]
 fn a_format_for_one_direction_says_that_backlash_has_no_place_in_it() {
-    let mut window = window();
+    let mut window = window_of(TALL, None, Runner::AtOnce);
     press(&mut window, "3 Identify");
     press(&mut window, "Backlash");
     press(&mut window, "Identify");
@@ -105,7 +89,7 @@ fn a_format_for_one_direction_says_that_backlash_has_no_place_in_it() {
 
 #[test]
 fn an_own_step_is_taken_or_refused_with_the_limit() {
-    let mut window = window();
+    let mut window = window_of(TALL, None, Runner::AtOnce);
     at_export(&mut window);
     press(&mut window, "LinuxCNC COMP_FILE");
     press(&mut window, "Own step");

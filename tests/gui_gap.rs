@@ -4,12 +4,15 @@
 
 #[path = "support/rig.rs"]
 mod rig;
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
 
 use std::path::{Path, PathBuf};
 
-use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
-use truepose::gui::{App, Runner};
+use egui_kittest::kittest::Queryable;
+use support::{Window, press, says, status, window_of};
+use truepose::gui::Runner;
 use truepose::sessions::Replacing;
 use truepose::simulation::format_v1::parse_scenario;
 use truepose::simulation::{simulate, unwatched};
@@ -40,29 +43,9 @@ fn session_with(effects: &str, speeds: &str, folder: &Path) -> PathBuf {
     path
 }
 
-fn window(path: PathBuf, runner: Runner) -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, Some(path), runner));
-    window.run_steps(4);
-    window
-}
-
-fn press(window: &mut Harness<'_, App>, label: &str) {
-    window.get_by_label(label).click();
-    window.run_steps(4);
-}
-
-fn says(window: &Harness<'_, App>, part: &str) -> bool {
-    window.query_all_by_label_contains(part).count() > 0
-}
-
 /// The gap that the status bar names last, mm.
-fn gap_mm(window: &Harness<'_, App>) -> f64 {
-    let mut lines = window.get_all_by_label_contains("samples · gap");
-    let line = lines.next().expect("the status bar is there");
-    let line = line.accesskit_node().label().or(line.value());
-    let line = line.expect("it says something");
+fn gap_mm(window: &Window) -> f64 {
+    let line = status(window);
     let numbers = line.split([' ', '→']);
     let mut numbers = numbers.filter_map(|word| word.parse::<f64>().ok());
     let last = numbers.next_back();
@@ -78,7 +61,7 @@ const FLOOR_MM: f64 = 0.052;
 fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with(BACKLASH, "0", folder.path());
-    let mut window = window(session, Runner::AtOnce);
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
     assert!(says(&window, "The gap is explained"));
@@ -121,7 +104,7 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
 fn poses_that_decide_are_saved_as_a_measuring_list() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with(BACKLASH, "10", folder.path());
-    let mut window = window(session, Runner::AtOnce);
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
     // At one speed a lag looks like a backlash.
@@ -148,7 +131,7 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
 fn noise_alone_is_said_to_be_noise() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with("", "0", folder.path());
-    let mut window = window(session, Runner::AtOnce);
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
     assert!(says(&window, "Nothing is missing"));
@@ -160,9 +143,9 @@ fn noise_alone_is_said_to_be_noise() {
 fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with(BACKLASH, "0", folder.path());
-    let mut window = window(session, Runner::Threads);
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::Threads);
     // No clock: as many frames as it takes.
-    let until = |window: &mut Harness<'_, App>, label: &str| {
+    let until = |window: &mut Window, label: &str| {
         for _ in 0..200_000 {
             window.step();
             if window.query_by_label(label).is_some() {
@@ -195,7 +178,7 @@ fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
     hidden.measure(&mut random);
     let session = folder.path().join("bump.json");
     std::fs::write(&session, hidden.json("bump")).expect("written");
-    let mut window = window(session, Runner::AtOnce);
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
     press(&mut window, "4 Find the gap");
     press(&mut window, "Search");
     assert!(says(&window, "A part of the gap is explained"));

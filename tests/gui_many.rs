@@ -1,11 +1,15 @@
 //! The window on many samples, and the layers of the workspace as a person switches them.
 #![cfg(feature = "gui")]
 
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use support::window;
 use truepose::gui::{App, Runner};
 
 const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot": { "name": "axis",
@@ -27,14 +31,6 @@ fn write_session(folder: &Path, samples: u32) -> PathBuf {
     let path = folder.join("many.json");
     std::fs::write(&path, HEAD).expect("the folder can be written to");
     path
-}
-
-fn window(path: Option<PathBuf>) -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, path, Runner::AtOnce));
-    window.run_steps(4);
-    window
 }
 
 /// Triangles and callbacks of one frame with layers.

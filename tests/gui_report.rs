@@ -2,32 +2,23 @@
 //! PDF, plots as SVG, the standards' figures, tables for a spreadsheet.
 #![cfg(feature = "gui")]
 
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
+
 use std::path::Path;
 use std::time::Duration;
 
 use egui::OutputCommand;
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use truepose::gui::{App, Runner};
+use support::{Window, press, says, window_of};
+use truepose::gui::Runner;
 use truepose::report::ExportedTable;
 use truepose::sessions::load;
 use truepose::standards::standards;
 
-fn window(runner: Runner) -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 2000.0])
-        .build_eframe(move |cc| App::new(&cc.egui_ctx, None, runner));
-    window.run_steps(4);
-    window
-}
-
-fn press(window: &mut Harness<'_, App>, label: &str) {
-    window.get_by_label(label).click();
-    window.run_steps(4);
-}
-
 /// The dialog of the system cannot be driven; the path is typed.
-fn save(window: &mut Harness<'_, App>, replace: bool) {
+fn save(window: &mut Window, replace: bool) {
     window.run_steps(4);
     if replace {
         press(window, "replace the file if it exists");
@@ -36,18 +27,17 @@ fn save(window: &mut Harness<'_, App>, replace: bool) {
     window.run_steps(4);
 }
 
-fn identified(window: &mut Harness<'_, App>) {
+fn identified(window: &mut Window) {
     press(window, "3 Identify");
     press(window, "Identify");
 }
 
-fn is_said(window: &Harness<'_, App>, text: &str) {
-    let said = window.query_all_by_label_contains(text).count();
-    assert!(said > 0, "nothing says: {text}");
+fn is_said(window: &Window, text: &str) {
+    assert!(says(window, text), "nothing says: {text}");
 }
 
 /// What the button puts on the clipboard.
-fn copied(window: &mut Harness<'_, App>, label: &str) -> String {
+fn copied(window: &mut Window, label: &str) -> String {
     window.get_by_label(label).click();
     for _ in 0..4 {
         window.step();
@@ -72,7 +62,7 @@ fn files_in(folder: &Path) -> usize {
 #[test]
 fn the_report_is_written_as_html_and_as_pdf_and_names_the_tables_of_this_session() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window(Runner::AtOnce);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
     identified(&mut window);
     press(&mut window, "5 Export");
     window.get_by_label("Report…");
@@ -111,7 +101,7 @@ fn the_report_is_written_as_html_and_as_pdf_and_names_the_tables_of_this_session
 #[test]
 fn a_wrong_ending_is_said_and_nothing_is_written() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window(Runner::AtOnce);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
     press(&mut window, "5 Export");
     for name in ["report.docx", "report"] {
         let path = folder.path().join(name);
@@ -130,7 +120,7 @@ fn a_wrong_ending_is_said_and_nothing_is_written() {
 #[test]
 fn a_report_replaces_neither_another_file_unasked_nor_a_table_of_this_session() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window(Runner::AtOnce);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
     identified(&mut window);
     press(&mut window, "5 Export");
     // A table may have any name, this one too.
@@ -158,7 +148,7 @@ fn a_report_replaces_neither_another_file_unasked_nor_a_table_of_this_session() 
 #[test]
 fn a_report_that_is_cancelled_leaves_nothing_behind() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window(Runner::Threads);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::Threads);
     press(&mut window, "5 Export");
     let path = folder.path().join("report.html");
     // How long one takes that nobody cancels.
@@ -190,7 +180,7 @@ fn a_report_that_is_cancelled_leaves_nothing_behind() {
 #[test]
 fn every_plot_is_saved_as_svg() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window(Runner::AtOnce);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
     for plot in ["workspace", "deviation"] {
         window.get_by_label(&format!("Save picture of the {plot}…"));
         let path = folder.path().join(format!("{plot}-before.svg"));
@@ -227,7 +217,7 @@ fn every_plot_is_saved_as_svg() {
 
 #[test]
 fn the_standards_figures_stand_beside_the_table_and_can_be_copied() {
-    let mut window = window(Runner::AtOnce);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
     identified(&mut window);
     press(&mut window, "5 Export");
     is_said(&window, "ISO 230-2");
@@ -248,7 +238,7 @@ fn the_standards_figures_stand_beside_the_table_and_can_be_copied() {
 
 #[test]
 fn the_tables_of_the_results_are_copied_for_a_spreadsheet() {
-    let mut window = window(Runner::AtOnce);
+    let mut window = window_of([1280.0, 2000.0], None, Runner::AtOnce);
     identified(&mut window);
     let text = copied(&mut window, "Copy table of parameters");
     let offset = text

@@ -1,45 +1,19 @@
 //! The whole job in the window, without a display: what a person would see, press, type and drag.
 #![cfg(feature = "gui")]
 
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
+
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
-use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT, Queryable};
-use truepose::gui::{App, Runner};
-
-fn window() -> Harness<'static, App> {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
-    window.run_steps(4);
-    window
-}
-
-fn press(window: &mut Harness<'_, App>, label: &str) {
-    window.get_by_label(label).click();
-    window.run_steps(4);
-}
-
-/// The line at the bottom of the window.
-fn status(window: &Harness<'_, App>) -> String {
-    let lines = window.get_all_by_label_contains("samples · gap");
-    let labels = lines.filter_map(|node| node.accesskit_node().label().or(node.value()));
-    labels.into_iter().next().expect("the status bar is there")
-}
-
-/// The first number after "gap", and the one after the arrow.
-fn gaps(window: &Harness<'_, App>) -> (f64, Option<f64>) {
-    let line = status(window);
-    let (_, gaps) = line.split_once("gap ").expect("the gap is named");
-    let mut numbers = gaps
-        .split([' ', '→'])
-        .filter_map(|word| word.parse::<f64>().ok());
-    (numbers.next().expect("the gap is a number"), numbers.next())
-}
+use egui_kittest::kittest::Queryable;
+use support::{STEPS, Window, bundled, export_to, gaps, press, status, window, window_of};
+use truepose::gui::Runner;
 
 #[test]
 fn it_opens_on_the_bundled_commissioning_session() {
-    let window = window();
+    let window = window(None);
     assert!(status(&window).starts_with("208 samples"));
     assert_eq!(gaps(&window).1, None);
     window.get_by_label("lamp commissioning");
@@ -50,7 +24,7 @@ fn it_opens_on_the_bundled_commissioning_session() {
 #[test]
 fn the_whole_job_from_a_file_to_a_table_and_back() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut window = window();
+    let mut window = window(None);
 
     // Open, by typing the path.
     let session = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-30.json");
@@ -120,23 +94,15 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
     assert!(folder.path().join("table.csv.meta.json").exists());
 }
 
-fn press_if_there(window: &mut Harness<'_, App>, label: &str) {
+fn press_if_there(window: &mut Window, label: &str) {
     if window.query_by_label(label).is_some() {
         press(window, label);
     }
 }
 
-/// The dialog of the system cannot be driven; the path is typed.
-fn export_to(window: &mut Harness<'_, App>, path: &std::path::Path) {
-    window.state_mut().type_export_path(path);
-    window.run_steps(4);
-    press(window, "Save");
-    window.run_steps(4);
-}
-
 #[test]
 fn a_boundary_moves_with_the_keys_and_stands_in_a_field() {
-    let mut window = window();
+    let mut window = window(None);
     press(&mut window, "2 Regions");
     let handle = window.get_by_role_and_label(Role::Slider, "boundary at 50°");
     handle.focus();
@@ -163,7 +129,7 @@ fn a_wrong_file_is_explained_and_nothing_is_lost() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("wrong.json");
     std::fs::write(&path, "{\n  \"format\": \"truepose-session/9\"\n}").expect("written");
-    let mut window = window();
+    let mut window = window(None);
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     let before = status(&window);
@@ -188,7 +154,7 @@ fn a_wrong_file_is_explained_and_nothing_is_lost() {
 
 #[test]
 fn a_session_made_by_simulation_gives_back_what_went_in() {
-    let mut window = window();
+    let mut window = window(None);
     press(&mut window, "New by simulation…");
     press(&mut window, "Simulate");
     assert!(
@@ -204,14 +170,8 @@ fn a_session_made_by_simulation_gives_back_what_went_in() {
 
 #[test]
 fn every_control_has_a_name() {
-    let mut window = window();
-    for step in [
-        "1 Session",
-        "2 Regions",
-        "3 Identify",
-        "4 Find the gap",
-        "5 Export",
-    ] {
+    let mut window = window(None);
+    for step in STEPS {
         press(&mut window, step);
         let unnamed = window.unnamed_widgets();
         assert!(unnamed.is_empty(), "{step}: {unnamed:?}");
@@ -220,20 +180,13 @@ fn every_control_has_a_name() {
 
 #[test]
 fn a_path_that_is_given_at_the_start_is_opened() {
-    let session = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-run.json");
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, Some(session.into()), Runner::AtOnce));
-    window.run_steps(4);
+    let window = window(Some(bundled("paper-run.json")));
     assert!(status(&window).starts_with("361 samples"));
 }
 
 #[test]
 fn on_threads_the_window_goes_on_and_the_answer_arrives() {
-    let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::Threads));
-    window.run_steps(4);
+    let mut window = window_of([1280.0, 800.0], None, Runner::Threads);
     press(&mut window, "3 Identify");
     window.get_by_label("Identify").click();
     // No clock: as many frames as it takes, each yielding to the task.
@@ -249,7 +202,7 @@ fn on_threads_the_window_goes_on_and_the_answer_arrives() {
 
 #[test]
 fn every_menu_and_every_sheet_opens_and_closes() {
-    let mut window = window();
+    let mut window = window(None);
     for menu in ["File", "Edit", "View"] {
         press(&mut window, menu);
         window.key_press(Key::Escape);
@@ -273,7 +226,7 @@ fn every_menu_and_every_sheet_opens_and_closes() {
 
 #[test]
 fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
-    let mut window = window();
+    let mut window = window(None);
     press(&mut window, "Samples");
     let plot = window.get_by_label("workspace plot, 208 samples").rect();
     // Somewhere on the way of the outer reflector there is a sample.

@@ -84,18 +84,6 @@ fn names(answer: &Diagnosis) -> Vec<&'static str> {
     names
 }
 
-fn measured(design: &Design, ids: &[&str], lambda: f64, seed: u64) -> (Rig, Random) {
-    let mut random = Random(seed);
-    let mut rig = Rig::new(design, &mut random);
-    for id in ids {
-        let hidden = Hidden::random(id, &mut random, design);
-        let hidden = rig.sized(&hidden, lambda);
-        rig.hidden.push(hidden);
-    }
-    rig.measure(&mut random);
-    (rig, random)
-}
-
 /// Poses as the rig measures them, one after the other; travel as the file's order has it.
 fn shots(poses: &[NextPose], before: Option<&Shot>) -> Vec<Shot> {
     let mut last = before.copied();
@@ -146,7 +134,7 @@ fn one_radius_is_resolved_by_the_proposed_poses_with_the_truth_alone() {
         ..Design::default()
     };
     for seed in [3, 4, 5] {
-        let (rig, mut random) = measured(&design, &truth, 400.0, seed);
+        let (rig, mut random) = Rig::measured(&design, &truth, 400.0, seed);
         let first = diagnosed(&rig);
         assert!(!first.equivalent.is_empty(), "one radius is ambiguous");
         let plan =
@@ -169,7 +157,7 @@ fn one_speed_is_resolved_by_the_proposed_poses_with_the_truth_alone() {
             one_speed: true,
             ..Design::default()
         };
-        let (rig, mut random) = measured(&design, &[id], 400.0, seed);
+        let (rig, mut random) = Rig::measured(&design, &[id], 400.0, seed);
         let poses = diagnosed(&rig).next_poses;
         assert!(!poses.is_empty() && poses.len() <= 24);
         let again = diagnosed(&extended(&rig, &poses, &mut random));
@@ -184,7 +172,7 @@ fn what_was_never_tried_is_unlocked_and_then_found() {
         one_way: true,
         ..Design::default()
     };
-    let (rig, mut random) = measured(&design, &["backlash"], 400.0, 12);
+    let (rig, mut random) = Rig::measured(&design, &["backlash"], 400.0, 12);
     // The rig's backlash cannot be seen from one side; a size that can be seen later.
     let mut rig = rig;
     rig.hidden = vec![Hidden::Backlash(1e-3)];
@@ -370,7 +358,7 @@ fn two_effects_are_told_apart_or_it_is_said_that_nothing_does() {
         one_speed: true,
         ..Design::default()
     };
-    let (rig, _) = measured(&design, &[], 0.0, 5);
+    let (rig, _) = Rig::measured(&design, &[], 0.0, 5);
     let plan =
         plan_session(&session(&rig), &two("backlash", "tracking-lag"), &|_| true).expect("a plan");
     let separation = plan.separation.expect("asked for");
@@ -391,7 +379,7 @@ fn two_effects_are_told_apart_or_it_is_said_that_nothing_does() {
 
 #[test]
 fn more_poses_than_needed_lower_the_detection_limits() {
-    let (rig, _) = measured(&Design::default(), &[], 0.0, 8);
+    let (rig, _) = Rig::measured(&Design::default(), &[], 0.0, 8);
     let with = |poses| {
         let options = PlanOptions {
             poses: Some(poses),
@@ -572,7 +560,7 @@ fn tiny_sessions_and_single_poses_are_planned_for_as_well() {
             samples,
             ..Design::default()
         };
-        let (rig, _) = measured(&design, &[], 0.0, 17);
+        let (rig, _) = Rig::measured(&design, &[], 0.0, 17);
         for poses in [None, Some(1), Some(7)] {
             let options = PlanOptions {
                 poses,

@@ -113,8 +113,9 @@ pub fn searched(window: &mut Window) {
 
 /// Everything that was found, in the model.
 pub fn added(window: &mut Window) {
-    while let Some(button) = window.query_all_by_label("Add to model").next() {
-        button.click();
+    while there(window, "Add to model") {
+        let button = window.get_all_by_label("Add to model").next();
+        button.expect("it was there").click();
         window.run_steps(6);
     }
 }

@@ -7,13 +7,11 @@ use clap::Args;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
+use truepose::diagnosis::needs::Locked;
 use truepose::diagnosis::next_poses::NextPose;
 use truepose::diagnosis::plan::{self, PlanError, PlanOptions, Subject};
 use truepose::diagnosis::plan_v1::Document;
-use truepose::diagnosis::unlock::Locked;
 use truepose::diagnosis::{Options, Sight, measuring_list};
-use truepose::kinematics::JointKind;
-use truepose::units::deg_from_rad;
 
 use super::failure::Failure;
 use super::output;
@@ -288,10 +286,7 @@ fn table(plan: &plan::Plan) -> String {
 fn pose_in_words(pose: &NextPose, plan: &plan::Plan) -> String {
     let mut words: Vec<String> = Vec::new();
     for (j, joint) in plan.robot.joints.iter().enumerate() {
-        let (q, unit) = match joint.kind {
-            JointKind::Revolute => (deg_from_rad(pose.q[j]), "°"),
-            JointKind::Prismatic => (pose.q[j], " mm"),
-        };
+        let (q, unit) = (joint.kind.outer(pose.q[j]), joint.kind.sign());
         let side = match pose.dir[j] {
             d if d > 0.0 => "↑",
             d if d < 0.0 => "↓",
@@ -306,10 +301,7 @@ fn pose_in_words(pose: &NextPose, plan: &plan::Plan) -> String {
         let moving: Vec<String> = speed
             .iter()
             .zip(&plan.robot.joints)
-            .map(|(s, joint)| match joint.kind {
-                JointKind::Revolute => format!("{:.0}°/s", deg_from_rad(*s)),
-                JointKind::Prismatic => format!("{s:.0} mm/s"),
-            })
+            .map(|(s, joint)| format!("{:.0}{}/s", joint.kind.outer(*s), joint.kind.sign()))
             .collect();
         words.push(format!("{:>6}", moving.join(" ")));
     }

@@ -200,18 +200,9 @@ mod tests {
     use crate::compensation::Conditions;
     use crate::compensation::conditions::Side;
     use crate::effects::Term;
+    use crate::kinematics::testing::column;
     use crate::kinematics::{Axis, Joint, Pose, Robot};
     use nalgebra::{Point3, Vector3};
-
-    fn column() -> Robot {
-        let axis = Axis::through(Vector3::z(), Point3::origin()).unwrap();
-        Robot {
-            name: "column".to_owned(),
-            joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
-            base_from_tool: Pose::translation(250.0, 0.0, 300.0),
-            gravity_m_s2: None,
-        }
-    }
 
     fn arm() -> Robot {
         let joint = |name: &str, direction: Vector3<f64>, x: f64, z: f64| {

@@ -16,7 +16,7 @@ use crate::effects::{Stage, Term};
 use crate::kinematics::{JointKind, Range};
 use crate::lanes::add_scaled;
 use crate::model::{Calibration, Model};
-use crate::units::{deg_from_rad, rad_from_deg};
+use crate::units::deg_from_rad;
 
 use super::conditions::{Conditions, Side};
 use super::interpolation::UniformTable;
@@ -151,26 +151,17 @@ impl JointTable {
 
     /// Unit of the joint as names and texts carry it.
     pub fn unit(&self) -> &'static str {
-        match self.kind {
-            JointKind::Revolute => "deg",
-            JointKind::Prismatic => "mm",
-        }
+        self.kind.unit()
     }
 
     /// A value of the joint in the user's unit.
     pub fn outer(&self, inner: f64) -> f64 {
-        match self.kind {
-            JointKind::Revolute => deg_from_rad(inner),
-            JointKind::Prismatic => inner,
-        }
+        self.kind.outer(inner)
     }
 
     /// The column of a side (in inner units, over commands in inner units), to look values up in.
     pub fn lookup(&self, side: Side) -> UniformTable {
-        let inner = |outer: f64| match self.kind {
-            JointKind::Revolute => rad_from_deg(outer),
-            JointKind::Prismatic => outer,
-        };
+        let inner = |outer: f64| self.kind.inner(outer);
         let values: Vec<f64> = match side {
             Side::Forward => self.forward.clone(),
             Side::Reverse => self.reverse.clone(),
@@ -308,10 +299,7 @@ impl Grid {
     }
 
     fn inner(&self, kind: JointKind) -> Vec<f64> {
-        let inner = |outer: &f64| match kind {
-            JointKind::Revolute => rad_from_deg(*outer),
-            JointKind::Prismatic => *outer,
-        };
+        let inner = |outer: &f64| kind.inner(*outer);
         self.commanded.iter().map(inner).collect()
     }
 

@@ -241,10 +241,7 @@ pub fn gap_to_robot(
 
 fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String>, VerifyError> {
     let kinds = |robot: &crate::kinematics::Robot| {
-        let kinds = robot.joints.iter().map(|j| match j.kind {
-            crate::kinematics::JointKind::Revolute => "revolute",
-            crate::kinematics::JointKind::Prismatic => "prismatic",
-        });
+        let kinds = robot.joints.iter().map(|j| j.kind.name());
         kinds.collect::<Vec<_>>().join(", ")
     };
     let (a, b) = (kinds(&session.robot), kinds(&calibration.model.robot));

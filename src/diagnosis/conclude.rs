@@ -4,8 +4,8 @@
 use std::borrow::Cow;
 
 use crate::effects::Term;
-use crate::identification::Outlier;
 use crate::identification::gap::{Deviations, Spread, deviations};
+use crate::identification::outliers;
 use crate::identification::problem::Problem;
 use crate::identification::robust::suspects;
 use crate::kinematics::Range;
@@ -116,7 +116,8 @@ pub(super) fn answer(
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
-    let outliers = outliers(problem, &after, &suspected);
+    let counted = problem.fit.iter().zip(&suspected);
+    let outliers = outliers(&after, counted.map(|(fit, suspected)| *fit && *suspected));
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
@@ -190,16 +191,4 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, poses: &[NextPose]) -> Vec
         });
     }
     all
-}
-
-fn outliers(problem: &Problem, after: &Deviations, suspected: &[bool]) -> Vec<Outlier> {
-    let mut outliers: Vec<Outlier> = (0..suspected.len())
-        .filter(|i| problem.fit[*i] && suspected[*i])
-        .map(|sample| Outlier {
-            sample,
-            deviation_mm: after.length_mm[sample],
-        })
-        .collect();
-    outliers.sort_by(|a, b| b.deviation_mm.total_cmp(&a.deviation_mm));
-    outliers
 }

@@ -6,8 +6,7 @@
 
 use std::fmt::Write as _;
 
-use crate::kinematics::{JointKind, Robot};
-use crate::units::deg_from_rad;
+use crate::kinematics::Robot;
 
 use super::next_poses::NextPose;
 
@@ -17,11 +16,8 @@ type Cell<'a> = Box<dyn Fn(&NextPose) -> String + 'a>;
 pub fn measuring_list(poses: &[NextPose], robot: &Robot) -> String {
     let mut columns: Vec<(String, Cell)> = Vec::new();
     for (j, joint) in robot.joints.iter().enumerate() {
-        let (unit, turns) = match joint.kind {
-            JointKind::Revolute => ("deg", true),
-            JointKind::Prismatic => ("mm", false),
-        };
-        let outer = move |v: f64| number(if turns { deg_from_rad(v) } else { v });
+        let (unit, kind) = (joint.kind.unit(), joint.kind);
+        let outer = move |v: f64| number(kind.outer(v));
         columns.push((
             format!("q{}_{unit}", j + 1),
             Box::new(move |p| p.q.get(j).map_or_else(String::new, |q| outer(*q))),

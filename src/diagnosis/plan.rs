@@ -21,11 +21,12 @@ use super::contest::{Axes, prospects};
 use super::duel::{self, Named, Separation};
 use super::first_measurement::{self, Brief, Stop, Way};
 use super::foresight::{self, Foresight};
+use super::needs::{self, Locked, TEST_LOAD_KG};
 use super::next_poses::{self, NextPose};
 use super::prepare::Prepared;
 use super::search::mean_sigma_mm;
 use super::testable::not_testable;
-use super::unlock::{self, Locked, TEST_LOAD_KG};
+use super::unlock;
 use super::{DiagnoseError, Options, Watch, checked, searched};
 
 /// Noise of the instrument where nobody says it, mm: a laser tracker.
@@ -186,19 +187,9 @@ pub fn plan_session(
     let most = |usual: usize| options.poses.unwrap_or(usual);
     let base = arena.fit(&arena.base, Vec::new());
     let locked_now = unlock::locked(&prepared, &not_testable(arena, &base));
-    let mut plan = Plan {
-        subject: Subject::Session,
-        name: session.name.clone(),
-        robot: session.robot.clone(),
-        targets: session.targets.clone(),
-        poses: Vec::new(),
-        open: Vec::new(),
-        separation: None,
-        unlocks: Vec::new(),
-        cannot: Vec::new(),
-        sigma_mm,
-        foresight: Foresight::default(),
-    };
+    let name = session.name.clone();
+    let (robot, targets) = (&session.robot, &session.targets);
+    let mut plan = Plan::empty(Subject::Session, name, robot, targets, sigma_mm);
     if let Some(between) = between {
         let separation = two(&prepared, &found.fit, between, most(next_poses::MOST));
         plan.poses.clone_from(&separation.poses);
@@ -263,19 +254,8 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         seed: options.diagnosis.seed,
     };
     let mut stops = first_measurement::design(robot, &targets, &brief);
-    let mut plan = Plan {
-        subject: Subject::Robot,
-        name: robot.name.clone(),
-        robot: robot.clone(),
-        targets: targets.clone(),
-        poses: Vec::new(),
-        open: Vec::new(),
-        separation: None,
-        unlocks: Vec::new(),
-        cannot: Vec::new(),
-        sigma_mm,
-        foresight: Foresight::default(),
-    };
+    let name = robot.name.clone();
+    let mut plan = Plan::empty(Subject::Robot, name, robot, &targets, sigma_mm);
     let imagined = |stops: &[Stop]| {
         let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
         let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
@@ -321,7 +301,7 @@ fn two(
     between: [Named; 2],
     most: usize,
 ) -> Separation {
-    let met = unlock::all_met(&prepared.survey);
+    let met = needs::all_met(&prepared.survey);
     for named in between {
         let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
         if let Some(because) = obstacle {
@@ -440,6 +420,28 @@ pub struct SeenAbove {
 }
 
 impl Plan {
+    fn empty(
+        subject: Subject,
+        name: String,
+        robot: &Robot,
+        targets: &[Target],
+        sigma_mm: f64,
+    ) -> Self {
+        Self {
+            subject,
+            name,
+            robot: robot.clone(),
+            targets: targets.to_vec(),
+            poses: Vec::new(),
+            open: Vec::new(),
+            separation: None,
+            unlocks: Vec::new(),
+            cannot: Vec::new(),
+            sigma_mm,
+            foresight: Foresight::default(),
+        }
+    }
+
     /// Detection limits once the poses are measured; what is called degrees is millimetres where
     /// a joint slides.
     pub fn seen_above(&self) -> Vec<SeenAbove> {

@@ -29,8 +29,8 @@ use serde::Serialize;
 
 use super::duel::Separation;
 use super::format_v1::{Pose, poses};
+use super::needs::Locked;
 use super::plan::{Plan, Subject};
-use super::unlock::Locked;
 
 /// The document.
 #[derive(Debug, Serialize)]

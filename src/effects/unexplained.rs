@@ -156,19 +156,8 @@ mod tests {
     use super::*;
     use crate::effects::Inputs;
     use crate::effects::curve::Knots;
-    use crate::kinematics::{Axis, Joint, Pose, Robot};
+    use crate::kinematics::testing::column;
     use crate::model::Model;
-    use nalgebra::{Point3, Vector3};
-
-    fn column() -> Robot {
-        let axis = Axis::through(Vector3::z(), Point3::origin()).unwrap();
-        Robot {
-            name: "column".to_owned(),
-            joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
-            base_from_tool: Pose::translation(250.0, 0.0, 300.0),
-            gravity_m_s2: None,
-        }
-    }
 
     fn curve() -> Curve {
         let knots = Knots {

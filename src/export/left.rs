@@ -22,7 +22,6 @@ use crate::compensation::{Compensation, JointTable, Side};
 use crate::kinematics::JointKind;
 use crate::lanes::{dot, minus};
 use crate::model::Calibration;
-use crate::units::rad_from_deg;
 
 /// What a table may add.
 const SHARE: f64 = 0.01;
@@ -82,20 +81,14 @@ impl Exact {
         let wide = joint.and_then(|joint| joint.limits);
         let wide = wide.or_else(|| job.calibration.measured.get(job.joint).copied());
         let span = wide.map_or(1.0, |range| range.to - range.from);
-        let span = match joint.map(|joint| joint.kind) {
-            Some(JointKind::Revolute) => crate::units::deg_from_rad(span),
-            _ => span,
-        };
+        let span = joint.map_or(span, |joint| joint.kind.outer(span));
         let points = (PER_UNIT * span).ceil().clamp(POINTS[0], POINTS[1]);
         // What is wrong with the joint or its range is said by the table.
         let step = span / points;
         let usable = step.is_finite() && step > 0.0;
         let table = job.table(if usable { step } else { 1.0 })?;
         let lever = lever(job);
-        let lever_outer_mm = match table.kind {
-            JointKind::Revolute => rad_from_deg(lever),
-            JointKind::Prismatic => lever,
-        };
+        let lever_outer_mm = table.kind.inner(lever);
         Ok(Self {
             table,
             lever_outer_mm,

@@ -127,6 +127,17 @@ pub struct Document {
     pub bytes: Vec<u8>,
 }
 
+impl Document {
+    /// A file under the name that was asked for, and beside it what its numbers mean.
+    fn with_sidecar(name: &str, bytes: Vec<u8>, sidecar: Vec<u8>) -> Vec<Self> {
+        let document = |name: String, bytes| Self { name, bytes };
+        vec![
+            document(name.to_owned(), bytes),
+            document(format!("{name}.meta.json"), sidecar),
+        ]
+    }
+}
+
 /// What an exporter has made. The first document is the one that was asked for, the others stand
 /// beside it.
 #[derive(Debug, Clone, PartialEq)]

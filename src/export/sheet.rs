@@ -3,7 +3,6 @@
 use super::rules::{Directions, Rules};
 use crate::compensation::{Conditions, JointTable};
 use crate::kinematics::{JointKind, Range};
-use crate::units::{deg_from_rad, rad_from_deg};
 
 /// Corrections (what to add), in degrees or mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,26 +98,17 @@ impl Sheet {
 
     /// Unit of the joint as names and texts carry it.
     pub fn unit(&self) -> &'static str {
-        match self.kind {
-            JointKind::Revolute => "deg",
-            JointKind::Prismatic => "mm",
-        }
+        self.kind.unit()
     }
 
     /// A value of the joint in the user's unit.
     pub fn outer(&self, inner: f64) -> f64 {
-        match self.kind {
-            JointKind::Revolute => deg_from_rad(inner),
-            JointKind::Prismatic => inner,
-        }
+        self.kind.outer(inner)
     }
 
     /// A value of the joint in inner units.
     pub fn inner(&self, outer: f64) -> f64 {
-        match self.kind {
-            JointKind::Revolute => rad_from_deg(outer),
-            JointKind::Prismatic => outer,
-        }
+        self.kind.inner(outer)
     }
 
     /// First and last place.

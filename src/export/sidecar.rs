@@ -11,7 +11,7 @@ use crate::compensation::conditions::Side;
 use crate::compensation::inverse::{closest_commands, places};
 use crate::compensation::{Compensation, Remainder};
 use crate::effects::Inputs;
-use crate::kinematics::{JointKind, Range};
+use crate::kinematics::Range;
 use crate::model::format_v1::model_hash;
 use crate::sessions::format_v1::layout::write_document;
 
@@ -221,11 +221,7 @@ impl Example {
         let commanded = sheet.places[largest];
         let correction = sheet.forward[largest] + 0.0;
         let reached = sheet.outer(reached(job, sheet, commanded, correction));
-        let unit = if sheet.kind == JointKind::Revolute {
-            "°"
-        } else {
-            " mm"
-        };
+        let unit = sheet.kind.sign();
         let says = rules.says.sign() * correction * rules.per_outer + 0.0;
         let digits = 6;
         let number = if rules.per_outer == 1.0 {

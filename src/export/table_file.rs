@@ -54,16 +54,7 @@ impl Exporter for TableFile {
         }
         sidecar.fingerprint(text.as_bytes());
         Ok(Export {
-            documents: vec![
-                Document {
-                    name: job.file_name.to_owned(),
-                    bytes: text.into_bytes(),
-                },
-                Document {
-                    name: format!("{}.meta.json", job.file_name),
-                    bytes: sidecar.to_json(),
-                },
-            ],
+            documents: Document::with_sidecar(job.file_name, text.into_bytes(), sidecar.to_json()),
             reads_as: Some(reads_as),
             robot: None,
             left: Some(left),

@@ -118,16 +118,7 @@ impl Exporter for Urdf {
         let mut json = Vec::new();
         write_document(&mut json, &sidecar).expect("writing to memory does not fail");
         Ok(Export {
-            documents: vec![
-                Document {
-                    name: job.file_name.to_owned(),
-                    bytes: text.into_bytes(),
-                },
-                Document {
-                    name: format!("{}.meta.json", job.file_name),
-                    bytes: json,
-                },
-            ],
+            documents: Document::with_sidecar(job.file_name, text.into_bytes(), json),
             reads_as: None,
             robot: Some(robot),
             left: None,

@@ -66,23 +66,54 @@ pub fn identify_watched(
     values: JointValues,
     go_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyError> {
-    let Prepared {
-        mut problem,
-        start,
-        nominal,
-        not_identifiable,
-    } = prepare(session, effects, known, values, go_on)?;
-    let fitted = fit_without_outliers(&mut problem, &start);
-    if fitted.stopped == Stopped::Cancelled || !go_on() {
-        return Err(IdentifyError::Cancelled);
+    let fresh = Fresh::fitted(prepare(session, effects, known, values, go_on)?, go_on)?;
+    Ok(fresh.report(session))
+}
+
+/// A fit from all samples, with what it was made of.
+pub(super) struct Fresh<'a> {
+    /// The samples.
+    pub(super) problem: Problem<'a>,
+    /// The solution.
+    pub(super) fitted: Solution,
+    /// The robot without the terms.
+    nominal: Model,
+    /// What was asked for and cannot be fitted.
+    pub(super) not_identifiable: Vec<NotIdentifiable>,
+}
+
+impl<'a> Fresh<'a> {
+    pub(super) fn fitted(
+        prepared: Prepared<'a>,
+        go_on: &dyn Fn() -> bool,
+    ) -> Result<Self, IdentifyError> {
+        let Prepared {
+            mut problem,
+            start,
+            nominal,
+            not_identifiable,
+        } = prepared;
+        let fitted = fit_without_outliers(&mut problem, &start);
+        if fitted.stopped == Stopped::Cancelled || !go_on() {
+            return Err(IdentifyError::Cancelled);
+        }
+        Ok(Self {
+            problem,
+            fitted,
+            nominal,
+            not_identifiable,
+        })
     }
-    Ok(report(
-        session,
-        &problem,
-        fitted,
-        &nominal,
-        not_identifiable,
-    ))
+
+    pub(super) fn report(self, session: &Session) -> Identification {
+        let Self {
+            problem,
+            fitted,
+            nominal,
+            not_identifiable,
+        } = self;
+        report(session, &problem, fitted, &nominal, not_identifiable)
+    }
 }
 
 /// What a fit begins with.
@@ -192,7 +223,7 @@ pub fn report(
             samples: 0,
         }),
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
-        outliers: outliers(&after, &suspected),
+        outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(session),
         noise_mm: noise_by_axis(problem, &after, rank),
         quality: Quality {
@@ -401,9 +432,11 @@ fn gap(
     })
 }
 
-pub(super) fn outliers(after: &Deviations, suspected: &[bool]) -> Vec<Outlier> {
-    let mut outliers: Vec<Outlier> = (0..suspected.len())
-        .filter(|i| suspected[*i])
+/// The samples that stand out, the farthest first.
+pub(crate) fn outliers(after: &Deviations, stands_out: impl Iterator<Item = bool>) -> Vec<Outlier> {
+    let mut outliers: Vec<Outlier> = stands_out
+        .enumerate()
+        .filter_map(|(sample, stands_out)| stands_out.then_some(sample))
         .map(|sample| Outlier {
             sample,
             deviation_mm: after.length_mm[sample],

@@ -10,13 +10,12 @@ use crate::model::Model;
 use crate::sessions::Session;
 
 use super::IdentifyError;
-use super::exact::{Prepared, fit_without_outliers, prepare, report};
+use super::exact::{Fresh, prepare, report};
 use super::gap::deviations;
 use super::outcome::{Identification, NotIdentifiable};
 use super::problem::{Problem, Watch};
 use super::recursive::Recursive;
 use super::robust::suspects;
-use super::solver::Stopped;
 
 /// What one answer leaves for the next.
 #[derive(Debug, Clone)]
@@ -64,26 +63,16 @@ pub fn identify_live(
     if let Some(found) = before.and_then(|b| brought_along(session, b, values, go_on)) {
         return Ok(found);
     }
-    let Prepared {
-        mut problem,
-        start,
-        nominal,
-        not_identifiable,
-    } = prepare(session, effects, known, values, go_on)?;
-    let fitted = fit_without_outliers(&mut problem, &start);
-    if fitted.stopped == Stopped::Cancelled || !go_on() {
-        return Err(IdentifyError::Cancelled);
-    }
+    let fresh = Fresh::fitted(prepare(session, effects, known, values, go_on)?, go_on)?;
     let live = Live {
-        recursive: Recursive::at(&problem, &fitted.model),
-        used: problem.used.clone(),
-        not_identifiable: not_identifiable.clone(),
+        recursive: Recursive::at(&fresh.problem, &fresh.fitted.model),
+        used: fresh.problem.used.clone(),
+        not_identifiable: fresh.not_identifiable.clone(),
         effects: effects.to_vec(),
         known: known.to_vec(),
         online: false,
     };
-    let identification = report(session, &problem, fitted, &nominal, not_identifiable);
-    Ok((identification, live))
+    Ok((fresh.report(session), live))
 }
 
 /// The answer by the new samples alone; `None` where the linearisation would be too old.

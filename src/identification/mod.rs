@@ -20,11 +20,11 @@ mod plane;
 mod regional;
 mod unidentifiable;
 
-pub(crate) use exact::free_frames;
 pub use exact::{
     DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_watched, identify_with, report,
     testable_effects,
 };
+pub(crate) use exact::{free_frames, outliers};
 pub use live::{Live, identify_live};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,

@@ -105,7 +105,7 @@ pub fn identify_regional(
         not_identifiable: Vec::new(),
         gap,
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
-        outliers: outliers(&after, &suspected),
+        outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(session),
         noise_mm: None,
         quality: Quality {

@@ -64,10 +64,8 @@ impl<'a> Case<'a> {
 
     /// Finds the table and notes what it looks like.
     pub(crate) fn grid(&mut self) -> Option<Grid<'a>> {
-        match {
-            let (separator, header) = (self.reading.separator, self.reading.header);
-            Grid::find(self.text, separator, header, &self.place)
-        } {
+        let (separator, header) = (self.reading.separator, self.reading.header);
+        match Grid::find(self.text, separator, header, &self.place) {
             Ok(grid) => {
                 self.found.separator = Some(grid.separator);
                 self.found.preamble = grid.preamble.iter().map(|line| line.join(" ")).collect();

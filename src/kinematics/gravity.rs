@@ -112,18 +112,12 @@ fn potential_n_mm(robot: &Robot, q: &[f64], load_kg: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::robot_and_pose;
+    use super::super::testing::{beside, robot_and_pose};
     use super::super::{Axis, Joint, LinkMass};
     use super::*;
     use proptest::prelude::*;
 
     const STEP: f64 = 1e-5;
-
-    fn beside(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
-        let mut q = q.to_vec();
-        q[joint] += by;
-        q
-    }
 
     proptest! {
         #[test]

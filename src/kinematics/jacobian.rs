@@ -111,18 +111,12 @@ pub(super) fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{robot_and_pose, space_twist_between, target};
+    use super::super::testing::{beside, robot_and_pose, space_twist_between, target};
     use super::*;
     use proptest::prelude::*;
 
     /// Central differences lose about h² and ε/h; this step balances the two at 1 m of reach.
     const STEP: f64 = 1e-5;
-
-    fn beside(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
-        let mut q = q.to_vec();
-        q[joint] += by;
-        q
-    }
 
     proptest! {
         #[test]

@@ -141,44 +141,28 @@ fn are_parallel(one: &Axis, other: &Axis) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::robot::{Axis, LinkMass, Range};
+    use super::super::robot::{LinkMass, Range};
+    use super::super::testing::{revolute, robot_of, z_axis_at};
     use super::*;
     use crate::diagnostic::Severity;
     use nalgebra::{Point3, Vector3};
-
-    fn z_axis_at(x_mm: f64) -> Axis {
-        Axis::through(Vector3::z(), Point3::new(x_mm, 0.0, 0.0)).unwrap()
-    }
-
-    fn robot(joints: Vec<Joint>) -> Robot {
-        Robot {
-            name: "test".to_owned(),
-            joints,
-            base_from_tool: Pose::translation(300.0, 10.0, 5.0),
-            gravity_m_s2: None,
-        }
-    }
-
-    fn revolute(axis: Axis) -> Joint {
-        Joint::new("j", JointKind::Revolute, axis)
-    }
 
     #[test]
     fn two_neighbouring_joints_on_one_line_are_an_error() {
         let mut second = z_axis_at(0.0);
         second.point_mm.z = 120.0;
         second.direction = -second.direction;
-        let twin = robot(vec![revolute(z_axis_at(0.0)), revolute(second)]);
+        let twin = robot_of(vec![revolute(z_axis_at(0.0)), revolute(second)]);
         let problems = twin.problems(&Place::default());
         assert_eq!(problems[0].severity, Severity::Error);
         assert!(problems[0].found.contains("joints 1 and 2"));
-        let apart = robot(vec![revolute(z_axis_at(0.0)), revolute(z_axis_at(1.0))]);
+        let apart = robot_of(vec![revolute(z_axis_at(0.0)), revolute(z_axis_at(1.0))]);
         assert_eq!(apart.problems(&Place::default()), vec![]);
     }
 
     #[test]
     fn four_parallel_axes_are_worth_a_warning() {
-        let planar = robot(
+        let planar = robot_of(
             [0.0, 100.0, 210.0, 290.0]
                 .map(|x| revolute(z_axis_at(x)))
                 .to_vec(),
@@ -197,7 +181,7 @@ mod tests {
             mass_kg: -2.0,
             centre_mm: Point3::new(f64::NAN, 0.0, 0.0),
         });
-        let mut robot = robot(vec![joint]);
+        let mut robot = robot_of(vec![joint]);
         robot.gravity_m_s2 = Some(Vector3::new(0.0, f64::INFINITY, 0.0));
         robot.base_from_tool.translation.vector.x = f64::NAN;
         assert_eq!(robot.problems(&Place::default()).len(), 5);

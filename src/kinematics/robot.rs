@@ -5,6 +5,8 @@
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
+use crate::units::{deg_from_rad, rad_from_deg};
+
 /// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
 pub type Pose = Isometry3<f64>;
 
@@ -46,6 +48,48 @@ pub enum JointKind {
     Revolute,
     /// Slides along its axis; the value is a length in mm.
     Prismatic,
+}
+
+impl JointKind {
+    /// Its word in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Revolute => "revolute",
+            Self::Prismatic => "prismatic",
+        }
+    }
+
+    /// The user's unit of its values, as names in files carry it: `deg` or `mm`.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Revolute => "deg",
+            Self::Prismatic => "mm",
+        }
+    }
+
+    /// The same unit, as it stands behind a number.
+    pub fn sign(self) -> &'static str {
+        match self {
+            Self::Revolute => "°",
+            Self::Prismatic => " mm",
+        }
+    }
+
+    /// A value (rad or mm) in the user's unit.
+    pub fn outer(self, inner: f64) -> f64 {
+        match self {
+            Self::Revolute => deg_from_rad(inner),
+            Self::Prismatic => inner,
+        }
+    }
+
+    /// A value in the user's unit in rad or mm.
+    pub fn inner(self, outer: f64) -> f64 {
+        match self {
+            Self::Revolute => rad_from_deg(outer),
+            Self::Prismatic => outer,
+        }
+    }
 }
 
 /// The line in space about or along which a joint moves, at home, in the base frame.
@@ -215,24 +259,8 @@ impl Robot {
 
 #[cfg(test)]
 mod tests {
+    use super::super::testing::{revolute, robot_of, z_axis_at};
     use super::*;
-
-    fn z_axis_at(x_mm: f64) -> Axis {
-        Axis::through(Vector3::z(), Point3::new(x_mm, 0.0, 0.0)).unwrap()
-    }
-
-    fn robot(joints: Vec<Joint>) -> Robot {
-        Robot {
-            name: "test".to_owned(),
-            joints,
-            base_from_tool: Pose::translation(300.0, 10.0, 5.0),
-            gravity_m_s2: None,
-        }
-    }
-
-    fn revolute(axis: Axis) -> Joint {
-        Joint::new("j", JointKind::Revolute, axis)
-    }
 
     #[test]
     fn an_axis_is_normalised_whatever_its_length() {
@@ -257,7 +285,7 @@ mod tests {
 
     #[test]
     fn a_pose_with_another_number_of_values_is_named_as_such() {
-        let robot = robot(vec![revolute(z_axis_at(0.0))]);
+        let robot = robot_of(vec![revolute(z_axis_at(0.0))]);
         let wrong = robot.check_joint_values(&[0.0, 1.0]).unwrap_err();
         assert_eq!(
             wrong.to_string(),

@@ -6,6 +6,42 @@ use proptest::prelude::*;
 use super::robot::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
 use super::screw::{self, Twist};
 
+/// The pose with one joint moved.
+pub(crate) fn beside(q: &[f64], joint: usize, by: f64) -> Vec<f64> {
+    let mut q = q.to_vec();
+    q[joint] += by;
+    q
+}
+
+/// The upright line at x.
+pub(crate) fn z_axis_at(x_mm: f64) -> Axis {
+    Axis::through(Vector3::z(), Point3::new(x_mm, 0.0, 0.0)).unwrap()
+}
+
+/// A joint that turns about `axis`.
+pub(crate) fn revolute(axis: Axis) -> Joint {
+    Joint::new("j", JointKind::Revolute, axis)
+}
+
+/// A robot of these joints.
+pub(crate) fn robot_of(joints: Vec<Joint>) -> Robot {
+    Robot {
+        name: "test".to_owned(),
+        joints,
+        base_from_tool: Pose::translation(300.0, 10.0, 5.0),
+        gravity_m_s2: None,
+    }
+}
+
+/// A column that turns, its reflector at 250 mm.
+pub(crate) fn column() -> Robot {
+    Robot {
+        name: "column".to_owned(),
+        base_from_tool: Pose::translation(250.0, 0.0, 300.0),
+        ..robot_of(vec![revolute(z_axis_at(0.0))])
+    }
+}
+
 /// A vector with components in ±`size`.
 pub(crate) fn vector(size: f64) -> impl Strategy<Value = Vector3<f64>> {
     prop::array::uniform3(-size..size).prop_map(Vector3::from)

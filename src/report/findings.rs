@@ -7,7 +7,7 @@ use crate::effects;
 use super::accuracy::sides;
 use super::document::{Block, Section, Table, clean};
 use super::numbers::{in_words, mm, plain, short, three_digits};
-use super::parts::{fact, of_joint, title, unit_of_joint};
+use super::parts::{fact, title};
 use super::session::{MOST_ROWS, Told};
 use crate::diagnosis::Sight;
 
@@ -124,9 +124,10 @@ impl Told<'_> {
         let mut table = Table::new(&["Joints", "Side", "Reflector", "Speed", ">Load", "Why"]);
         let joints = &self.robot().joints;
         let values = |q: &[f64]| {
-            let each = joints.iter().zip(q).map(|(joint, q)| {
-                format!("{}{}", short(of_joint(*q, joint)), unit_of_joint(joint))
-            });
+            let each = joints
+                .iter()
+                .zip(q)
+                .map(|(joint, q)| format!("{}{}", short(joint.kind.outer(*q)), joint.kind.sign()));
             each.collect::<Vec<_>>().join(", ")
         };
         for pose in poses.iter().take(MOST_ROWS) {

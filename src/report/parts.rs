@@ -2,9 +2,8 @@
 
 use crate::effects;
 use crate::identification::Estimate;
-use crate::kinematics::{Joint, JointKind, Range, Robot};
+use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
-use crate::units::deg_from_rad;
 
 use super::Extras;
 use super::document::{Block, Section, Table, clean};
@@ -19,20 +18,6 @@ pub(super) fn title(effect: &str, joint: Option<usize>, robot: &Robot) -> String
     }
 }
 
-pub(super) fn of_joint(value: f64, joint: &Joint) -> f64 {
-    match joint.kind {
-        JointKind::Revolute => deg_from_rad(value),
-        JointKind::Prismatic => value,
-    }
-}
-
-pub(super) fn unit_of_joint(joint: &Joint) -> &'static str {
-    match joint.kind {
-        JointKind::Revolute => "°",
-        JointKind::Prismatic => " mm",
-    }
-}
-
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
     let mut facts = vec![("Robot".to_owned(), or_unnamed(&robot.name))];
@@ -43,11 +28,11 @@ pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, Str
         };
         let mut about = format!("{}, {kind}", or_unnamed(&joint.name));
         let range = |range: &Range| {
-            let unit = unit_of_joint(joint);
+            let unit = joint.kind.sign();
             format!(
                 "{}{unit} to {}{unit}",
-                short(of_joint(range.from, joint)),
-                short(of_joint(range.to, joint))
+                short(joint.kind.outer(range.from)),
+                short(joint.kind.outer(range.to))
             )
         };
         if let Some(limits) = &joint.limits {

@@ -12,7 +12,7 @@ use super::ReportError;
 use super::document::{Block, Section};
 use super::drawing::{AFTER, BEFORE, CORRECTED};
 use super::numbers::short;
-use super::parts::{of_joint, or_unnamed, unit_of_joint};
+use super::parts::or_unnamed;
 use super::plots::{Stage, Stages, deviation, shortened, workspace};
 
 /// A session's samples as measured, with corrected commands, and against the model.
@@ -82,11 +82,11 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
             "joint {} ({}), {}",
             k + 1,
             shortened(&or_unnamed(&joints[k].name), 40),
-            unit_of_joint(&joints[k]).trim()
+            joints[k].kind.sign().trim()
         ),
         values: problem.inputs.q[k]
             .iter()
-            .map(|q| of_joint(*q, &joints[k]))
+            .map(|q| joints[k].kind.outer(*q))
             .collect(),
         side: (0..n)
             .map(|i| dir.map_or(0.0, |d| if d[i].is_nan() { 0.0 } else { d[i] }))

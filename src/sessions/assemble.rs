@@ -15,6 +15,28 @@ const MOST_COMPLAINTS: usize = 10;
 /// Where a cell is: column, then row, both counted from 0.
 pub(crate) type Locate<'a> = &'a dyn Fn(usize, usize) -> Place;
 
+/// Makes samples of the rows of a text file, and says of each on which line it stands.
+pub(crate) fn rows(
+    mut table: Table,
+    targets: &[Target],
+    file: &Place,
+    findings: &mut Vec<Diagnostic>,
+) -> Samples {
+    let lines = std::mem::take(&mut table.line);
+    let names = table.names.clone();
+    let locate = |column: usize, row: usize| {
+        let place = match lines.get(row) {
+            Some(line) => file.clone().at_line(line),
+            None => file.clone(),
+        };
+        let place = place.at_column(column as u64 + 1);
+        place.in_field(names[column].as_str())
+    };
+    let mut samples = samples(table, targets, &locate, file, findings);
+    samples.line = lines;
+    samples
+}
+
 /// Makes samples of a table. They are usable only if `findings` got no error.
 pub(crate) fn samples(
     table: Table,

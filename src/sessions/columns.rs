@@ -295,10 +295,7 @@ fn require_columns(
     for (joint, kind) in joints.unwrap_or_default().iter().enumerate() {
         if !has(Quantity::Commanded(joint)) {
             let number = joint + 1;
-            let unit = match kind {
-                JointKind::Revolute => "deg",
-                JointKind::Prismatic => "mm",
-            };
+            let unit = kind.unit();
             missing(
                 format!("no column for the commanded value of joint {number}"),
                 format!("q{number}_{unit}"),

@@ -158,24 +158,10 @@ impl Growing {
             Rejected::because(error)
         })?;
         let further = if grown { self.lines - 1 } else { 0 };
-        let samples = table.and_then(|mut table| {
-            if table.rows() == 0 {
-                return None;
-            }
-            let lines = std::mem::take(&mut table.line);
-            let names = table.names.clone();
-            let locate = |column: usize, row: usize| {
-                let place = match lines.get(row) {
-                    Some(line) => file.clone().at_line(line),
-                    None => file.clone(),
-                };
-                let place = place.at_column(column as u64 + 1);
-                place.in_field(names[column].as_str())
-            };
-            let mut samples =
-                assemble::samples(table, &self.targets, &locate, &file, &mut findings);
-            samples.line = lines.moved_down(further);
-            Some(samples)
+        let samples = table.filter(|table| table.rows() > 0).map(|table| {
+            let mut samples = assemble::rows(table, &self.targets, &file, &mut findings);
+            samples.line = samples.line.moved_down(further);
+            samples
         });
         findings.retain(|finding| finding.severity == Severity::Error);
         if findings.is_empty() {

@@ -8,7 +8,6 @@
 
 use sha2::{Digest, Sha256};
 
-use crate::kinematics::JointKind;
 use crate::sessions::domain::{Samples, Session};
 
 /// The hash of a session's robot, targets and samples: 64 hexadecimal digits.
@@ -28,10 +27,7 @@ pub fn hash_of_samples(session: &Session) -> String {
 
 fn robot(canonical: &mut Canonical, session: &Session) {
     for joint in &session.robot.joints {
-        canonical.label(match joint.kind {
-            JointKind::Revolute => "revolute",
-            JointKind::Prismatic => "prismatic",
-        });
+        canonical.label(joint.kind.name());
         canonical.numbers("axis", joint.axis.direction.as_slice());
         canonical.numbers("point", joint.axis.point_mm.coords.as_slice());
         if let Some(link) = &joint.link {

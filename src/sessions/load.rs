@@ -10,7 +10,7 @@ use crate::sessions::domain::{Samples, Session};
 use crate::sessions::format_v1::inline;
 use crate::sessions::format_v1::read::{self, SamplesAt};
 use crate::sessions::format_v1::robot;
-use crate::sessions::json::{self, Fields, Path as JsonPath, Source};
+use crate::sessions::json::{Fields, Path as JsonPath};
 use crate::sessions::{assemble, csv, files, validation};
 
 /// A session and the notes and warnings that came up on the way.
@@ -107,12 +107,7 @@ fn read_robot(
 ) -> Result<LoadedRobot, Rejected> {
     let place = path.map(Place::file).unwrap_or_default();
     let text = files::as_text(bytes, &place)?;
-    let source = Source {
-        file: place.file,
-        text,
-    };
-    let root = json::parse(&source)?;
-    let mut fields = Fields::new(source);
+    let (mut fields, root) = Fields::open(place, text)?;
     let robot = robot::read(&mut fields, &root, &JsonPath::Root, folder);
     if let Some(robot) = &robot {
         validation::robot(
@@ -133,12 +128,7 @@ fn read_robot(
 fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result<Loaded, Rejected> {
     let place = path.map(Place::file).unwrap_or_default();
     let text = files::as_text(bytes, &place)?;
-    let source = Source {
-        file: place.file,
-        text,
-    };
-    let root = json::parse(&source)?;
-    let mut fields = Fields::new(source);
+    let (mut fields, root) = Fields::open(place, text)?;
     let Some(head) = read::head(&mut fields, root, beside.folder()) else {
         return Err(Rejected {
             diagnostics: fields.findings,
@@ -257,25 +247,13 @@ fn samples_from(
     targets: &[crate::sessions::Target],
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Samples> {
-    let mut table =
+    let table =
         csv::read(input, bytes, file, kinds, findings).unwrap_or_else(|error: io::Error| {
             let expected = "a file that can be read to its end";
             findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
             None
         })?;
-    let names = table.names.clone();
-    let lines = std::mem::take(&mut table.line);
-    let locate = |column: usize, row: usize| {
-        let place = match lines.get(row) {
-            Some(line) => file.clone().at_line(line),
-            None => file.clone(),
-        };
-        let place = place.at_column(column as u64 + 1);
-        place.in_field(names[column].as_str())
-    };
-    let mut samples = assemble::samples(table, targets, &locate, file, findings);
-    samples.line = lines;
-    Some(samples)
+    Some(assemble::rows(table, targets, file, findings))
 }
 
 /// Lets notes and warnings pass; an error refuses everything.

@@ -17,7 +17,7 @@ use serde::ser::{SerializeMap, Serializer};
 use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
-use crate::kinematics::{JointKind, Robot};
+use crate::kinematics::Robot;
 use crate::sessions::domain::Session;
 use crate::sessions::format_v1::layout::write_document;
 use crate::sessions::format_v1::number;
@@ -154,10 +154,7 @@ impl Serialize for ColumnsTwin<'_> {
 
 /// The headings that a robot's poses are listed under: `q1_deg`, or `q1_mm` for a sliding joint.
 pub fn commanded_heading(robot: &Robot, joint: usize) -> String {
-    let unit = match robot.joints[joint].kind {
-        JointKind::Revolute => "deg",
-        JointKind::Prismatic => "mm",
-    };
+    let unit = robot.joints[joint].kind.unit();
     format!("q{}_{unit}", joint + 1)
 }
 

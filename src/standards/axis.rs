@@ -14,7 +14,6 @@
 use nalgebra::{Point3, Unit, Vector3};
 
 use crate::kinematics::JointKind;
-use crate::units::deg_from_rad;
 
 use super::grouping::{Keys, once_per_stay, stays};
 use super::points::Points;
@@ -239,10 +238,7 @@ impl<'p, 's> Sweep<'p, 's> {
 
     /// `None` if a point is too near to the axis.
     fn deviations(&self, compensated: bool) -> Option<Vec<Position>> {
-        let outer = |q: f64| match self.points.robot.joints[self.joint].kind {
-            JointKind::Revolute => deg_from_rad(q),
-            JointKind::Prismatic => q,
-        };
+        let outer = |q: f64| self.points.robot.joints[self.joint].kind.outer(q);
         let position = |(q, sides): &(f64, [Vec<usize>; 2])| {
             let deviations = |side: &Vec<usize>| -> Option<Vec<f64>> {
                 side.iter()
@@ -279,10 +275,7 @@ impl<'p, 's> Sweep<'p, 's> {
             session, inputs, ..
         } = self.points;
         let i = self.first;
-        let outer = |joint: usize, value: f64| match self.points.robot.joints[joint].kind {
-            JointKind::Revolute => deg_from_rad(value),
-            JointKind::Prismatic => value,
-        };
+        let outer = |joint: usize, value: f64| self.points.robot.joints[joint].kind.outer(value);
         let others = (0..inputs.q.len()).filter(|j| *j != self.joint);
         Fixed {
             target: inputs

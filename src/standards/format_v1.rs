@@ -12,7 +12,6 @@ use super::axis::{AxisTest, Fixed, Series};
 use super::pose::{Attained, PoseFigures, PoseTest, Turned, Variation};
 use super::positioning::{AtPosition, Positioning};
 use super::{Standards, axis, pose};
-use crate::kinematics::JointKind;
 
 /// The document.
 #[derive(Debug, Serialize)]
@@ -188,10 +187,7 @@ fn axis_twin(axis: &AxisTest) -> AxisTwin<'_> {
     AxisTwin {
         joint: axis.joint + 1,
         name: &axis.name,
-        kind: match axis.kind {
-            JointKind::Revolute => "revolute",
-            JointKind::Prismatic => "prismatic",
-        },
+        kind: axis.kind.name(),
         unit: axis.unit,
         position_unit: axis.position_unit,
         series: axis.series.iter().map(series).collect(),

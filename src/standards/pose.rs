@@ -14,7 +14,7 @@
 
 use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 
-use crate::kinematics::{JointKind, quaternion};
+use crate::kinematics::quaternion;
 use crate::units::deg_from_rad;
 
 use super::grouping::{Keys, once_per_stay, stays};
@@ -255,10 +255,7 @@ impl PoseTest {
 fn outer_pose(points: &Points<'_>, sample: usize) -> Vec<f64> {
     let joints = points.robot.joints.iter().zip(&points.inputs.q);
     joints
-        .map(|(joint, q)| match joint.kind {
-            JointKind::Revolute => deg_from_rad(q[sample]),
-            JointKind::Prismatic => q[sample],
-        })
+        .map(|(joint, q)| joint.kind.outer(q[sample]))
         .collect()
 }
 

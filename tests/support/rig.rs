@@ -523,6 +523,19 @@ impl Rig {
         h
     }
 
+    /// What the tests measure most: these effects, hidden at random, each of this size.
+    pub fn measured(design: &Design, ids: &[&str], lambda: f64, seed: u64) -> (Self, Random) {
+        let mut random = Random(seed);
+        let mut rig = Self::new(design, &mut random);
+        for id in ids {
+            let hidden = Hidden::random(id, &mut random, design);
+            let hidden = rig.sized(&hidden, lambda);
+            rig.hidden.push(hidden);
+        }
+        rig.measure(&mut random);
+        (rig, random)
+    }
+
     /// Measures all shots.
     pub fn measure(&mut self, random: &mut Random) {
         let sigma = self.design.sigma_mm;

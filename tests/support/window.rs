@@ -18,13 +18,31 @@ pub fn window(path: Option<PathBuf>) -> Window {
 
 /// A window that keeps its things in this folder.
 pub fn window_at(path: Option<PathBuf>, home: Option<&Path>) -> Window {
+    made([1280.0, 800.0], path, home, Runner::AtOnce)
+}
+
+/// A window of this size, which works on threads or at once.
+pub fn window_of(size: [f32; 2], path: Option<PathBuf>, runner: Runner) -> Window {
+    made(size, path, None, runner)
+}
+
+fn made(size: [f32; 2], path: Option<PathBuf>, home: Option<&Path>, runner: Runner) -> Window {
     let home = home.map(Path::to_path_buf);
     let mut window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, path, Runner::AtOnce).at_home(home));
+        .with_size(size)
+        .build_eframe(|cc| App::new(&cc.egui_ctx, path, runner).at_home(home));
     window.run_steps(4);
     window
 }
+
+/// The steps as they are labelled.
+pub const STEPS: [&str; 5] = [
+    "1 Session",
+    "2 Regions",
+    "3 Identify",
+    "4 Find the gap",
+    "5 Export",
+];
 
 /// Presses something; brings it into sight first where it is not.
 pub fn press(window: &mut Window, label: &str) {
@@ -92,24 +110,43 @@ pub fn choose(window: &mut Window, menu: &str, item: &str) {
 
 /// A copy of a bundled session that may be changed.
 pub fn copy_of(session: &str, folder: &Path) -> PathBuf {
-    let bundled = Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions");
     for ending in ["json", "csv"] {
         let name = format!("{session}.{ending}");
-        std::fs::copy(bundled.join(&name), folder.join(&name)).expect("a bundled session");
+        std::fs::copy(bundled(&name), folder.join(&name)).expect("a bundled session");
     }
     folder.join(format!("{session}.json"))
 }
 
-/// What the status bar says of the gap: before, and after where there is an answer.
-pub fn gaps(window: &Window) -> (f64, Option<f64>) {
+/// The line at the bottom of the window.
+pub fn status(window: &Window) -> String {
     use egui_kittest::kittest::NodeT;
     let mut lines = window.get_all_by_label_contains("· gap");
     let line = lines.next().expect("the status bar is there");
     let node = line.accesskit_node();
-    let line = node.label().or(node.value()).expect("it says something");
+    node.label().or(node.value()).expect("it says something")
+}
+
+/// What the status bar says of the gap: before, and after where there is an answer.
+pub fn gaps(window: &Window) -> (f64, Option<f64>) {
+    let line = status(window);
     let (_, gaps) = line.split_once("gap ").expect("the gap is named");
     let mut numbers = gaps
         .split([' ', '→'])
         .filter_map(|word| word.parse::<f64>().ok());
     (numbers.next().expect("the gap is a number"), numbers.next())
+}
+
+/// The dialog of the system cannot be driven; the path is typed.
+pub fn export_to(window: &mut Window, path: &Path) {
+    window.state_mut().type_export_path(path);
+    window.run_steps(4);
+    press(window, "Save");
+    window.run_steps(4);
+}
+
+/// A bundled session, where it stands.
+pub fn bundled(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("sessions")
+        .join(name)
 }

@@ -13,7 +13,7 @@ use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::sessions::files;
 use crate::sessions::format_v1::read::{default_targets, positive, targets};
-use crate::sessions::json::{self, Fields, Member, Node, Path, Source, Value, optional};
+use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::units::rad_from_deg;
 
 /// Reads the model at `path`.
@@ -58,12 +58,7 @@ pub fn read_model(text: &str) -> Result<Calibration, Rejected> {
 }
 
 fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<Calibration, Rejected> {
-    let source = Source {
-        file: place.file,
-        text,
-    };
-    let root = json::parse(&source)?;
-    let mut fields = Fields::new(source);
+    let (mut fields, root) = Fields::open(place, text)?;
     let calibration = document(&mut fields, &root, folder);
     match calibration {
         Some(calibration) if !fields.has_errors() => Ok(calibration),

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::fmt;
 
 use super::{Member, Node, Source, Value, element_offset};
-use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::sessions::number::quoted;
 
 /// The way from the document to a value, such as `robot.joints[0].axis`.
@@ -49,12 +49,19 @@ pub(crate) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    pub(crate) fn new(source: Source<'a>) -> Self {
-        Self {
+    /// A document as it was read, and its outermost value; what is no JSON is refused whole.
+    pub(crate) fn open(place: Place, text: &'a str) -> Result<(Self, Node), Rejected> {
+        let source = Source {
+            file: place.file,
+            text,
+        };
+        let root = super::parse(&source)?;
+        let fields = Self {
             source,
             findings: Vec::new(),
             also_read: Vec::new(),
-        }
+        };
+        Ok((fields, root))
     }
 
     /// Whether anything so far makes the document unusable.

@@ -20,7 +20,7 @@ use crate::kinematics::Robot;
 use crate::model::format_v1::term;
 use crate::sessions::format_v1::read::{default_targets, instrument, positive, regions, targets};
 use crate::sessions::format_v1::robot;
-use crate::sessions::json::{self, Fields, Member, Node, Path, Source, Value, optional};
+use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::sessions::{files, validation};
 
 /// What the key `format` says.
@@ -60,12 +60,7 @@ pub fn parse_scenario(document: &[u8]) -> Result<LoadedScenario, Rejected> {
 }
 
 fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<LoadedScenario, Rejected> {
-    let source = Source {
-        file: place.file,
-        text,
-    };
-    let root = json::parse(&source)?;
-    let mut fields = Fields::new(source);
+    let (mut fields, root) = Fields::open(place, text)?;
     let scenario = document(&mut fields, &root, folder);
     let mut findings = std::mem::take(&mut fields.findings);
     let sound = |findings: &[Diagnostic]| findings.iter().all(|f| f.severity != Severity::Error);

@@ -52,10 +52,7 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         let found = next.clock_offset_s.is_none();
         let ways = [(true, "found from the motion"), (false, "typed")];
         if let Some(found) = widgets::segmented(ui, &ways, found) {
-            next.clock_offset_s = match found {
-                true => None,
-                false => Some(clock.map_or(0.0, |clock| clock.offset_s)),
-            };
+            next.clock_offset_s = (!found).then(|| clock.map_or(0.0, |clock| clock.offset_s));
         }
         if let Some(offset) = &mut next.clock_offset_s {
             let field = DragValue::new(offset)

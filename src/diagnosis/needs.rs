@@ -1,0 +1,142 @@
+//! What an effect lacks before a session can show it: the effect is asked again with one condition
+//! after the other met, until nothing stands against it.
+
+use super::offer;
+use crate::effects::{Effect, Survey};
+
+/// Load for a test where the session says nothing about loads, kg.
+pub const TEST_LOAD_KG: f64 = 3.0;
+/// How much warmer a warm machine is, K.
+pub const WARMING_C: f64 = 6.0;
+
+/// A condition that is missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Need {
+    /// Poses approached from both sides.
+    BothSides,
+    /// Poses measured while the joint moves, at two speeds.
+    Speeds,
+    /// Two loads.
+    Loads,
+    /// A cold and a warm machine.
+    Temperatures,
+    /// More values of the joint.
+    Travel,
+    /// A second reflector at another radius.
+    Reflector,
+    /// The time of every sample.
+    Times,
+    /// All three coordinates.
+    Height,
+    /// The direction of gravity in the robot's file.
+    Gravity,
+}
+
+const NEEDS: [Need; 9] = [
+    Need::BothSides,
+    Need::Speeds,
+    Need::Loads,
+    Need::Temperatures,
+    Need::Travel,
+    Need::Reflector,
+    Need::Times,
+    Need::Height,
+    Need::Gravity,
+];
+
+impl Need {
+    /// What the technician does.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::BothSides => "approach the same places from both sides",
+            Self::Speeds => "measure in motion at two speeds as well",
+            Self::Loads => "measure without and with a load",
+            Self::Temperatures => {
+                "measure with the machine cold and warm, and again while it cools down"
+            }
+            Self::Travel => "spread the poses over the whole travel",
+            Self::Reflector => "mount a second reflector at another radius",
+            Self::Times => "write down the time of every sample (time_s)",
+            Self::Height => "measure z as well",
+            Self::Gravity => "give the direction of gravity in the robot's file (gravity_m_s2)",
+        }
+    }
+
+    /// Whether poses and their conditions are enough; otherwise something has to be written down.
+    pub fn by_poses(self) -> bool {
+        !matches!(self, Self::Times | Self::Height | Self::Gravity)
+    }
+
+    /// The survey as it would be.
+    pub(super) fn met(self, survey: &Survey) -> Survey {
+        let mut survey = survey.clone();
+        for joint in &mut survey.joints {
+            match self {
+                Self::BothSides => joint.from_sides = [8, 8],
+                Self::Speeds => {
+                    joint.speeds = joint.speeds.max(3);
+                    joint.largest_speed = joint.largest_speed.max(offer::usual_speed(joint.kind));
+                }
+                Self::Travel => {
+                    joint.values = crate::effects::survey::ENOUGH;
+                    joint.span = joint.span.max(1.0);
+                }
+                // Where gravity is unknown it may well be across the axis.
+                Self::Gravity if !survey.gravity => joint.gravity_lever = true,
+                _ => {}
+            }
+        }
+        match self {
+            Self::Loads => {
+                survey.loads = survey.loads.max(2);
+                survey.largest_load_kg = survey.largest_load_kg.max(TEST_LOAD_KG);
+            }
+            Self::Temperatures => survey.warming_c = Some(WARMING_C),
+            Self::Reflector => survey.targets = survey.targets.max(2),
+            Self::Times => survey.duration_s = Some(survey.duration_s.unwrap_or(0.0).max(600.0)),
+            Self::Height => survey.spatial = true,
+            Self::Gravity => survey.gravity = true,
+            _ => {}
+        }
+        survey
+    }
+}
+
+/// An effect that cannot be seen, and what would change that.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Locked {
+    /// The effect's name.
+    pub effect: &'static str,
+    /// Joint, counted from 0; `None` where it belongs to none.
+    pub joint: Option<usize>,
+    /// Why it cannot be seen.
+    pub because: String,
+    /// What is needed; empty where nothing helps.
+    pub needs: Vec<Need>,
+}
+
+/// A survey in which every condition that poses can meet is met.
+pub(super) fn all_met(survey: &Survey) -> Survey {
+    let by_poses = NEEDS.into_iter().filter(|n| n.by_poses());
+    by_poses
+        .chain([Need::Times])
+        .fold(survey.clone(), |survey, need| need.met(&survey))
+}
+
+/// What an effect lacks; empty where nothing helps, or nothing is lacking.
+pub(super) fn lacks(effect: &dyn Effect, survey: &Survey, joint: usize) -> Vec<Need> {
+    let mut now = survey.clone();
+    let mut needs: Vec<Need> = Vec::new();
+    while let Some(reason) = effect.obstacle(&now, joint) {
+        let helps = |need: &Need| {
+            !needs.contains(need)
+                && effect.obstacle(&need.met(&now), joint).as_ref() != Some(&reason)
+        };
+        let Some(need) = NEEDS.into_iter().find(|n| helps(n)) else {
+            return Vec::new();
+        };
+        now = need.met(&now);
+        needs.push(need);
+    }
+    needs
+}
