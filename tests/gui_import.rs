@@ -159,7 +159,7 @@ fn alignment_shows_how_far_each_point_is_off() {
         &walk("reflectors.csv"),
     );
     assert!(says(&window, "168 samples, "));
-    assert!(says(&window, "13 measurements without a command"));
+    assert!(says(&window, "without a partner: 13 measured, 0 commanded"));
     type_path(
         &mut window,
         "File of the known points",

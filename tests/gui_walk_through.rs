@@ -110,11 +110,11 @@ fn from_the_trackers_file_to_the_signed_report() {
     }
     let mut before = identified;
     for name in hidden {
-        window
-            .get_all_by_label("Add to model")
-            .next()
-            .expect("a card with a button")
-            .click();
+        let button = window.get_all_by_label("Add to model").next();
+        button.expect("a card with a button").scroll_to_me();
+        window.run_steps(6);
+        let button = window.get_all_by_label("Add to model").next();
+        button.expect("a card with a button").click();
         window.run_steps(6);
         let (_, now) = gaps(&window);
         let now = now.expect("identified");

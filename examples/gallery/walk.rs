@@ -23,13 +23,6 @@ pub fn window(theme: Theme, path: Option<PathBuf>) -> Window {
     window
 }
 
-/// A file of the walk.
-pub fn raw(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("sessions/walk-through")
-        .join(name)
-}
-
 pub fn press(window: &mut Window, label: &str) {
     window.get_by_label(label).scroll_to_me();
     window.run_steps(6);
@@ -113,9 +106,6 @@ pub fn searched(window: &mut Window) {
 
 /// Everything that was found, in the model.
 pub fn added(window: &mut Window) {
-    while there(window, "Add to model") {
-        let button = window.get_all_by_label("Add to model").next();
-        button.expect("it was there").click();
-        window.run_steps(6);
-    }
+    press(window, "Add all 3 to the model");
+    window.run_steps(8);
 }

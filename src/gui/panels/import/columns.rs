@@ -42,7 +42,7 @@ fn meanings(kind: Option<Kind>, joints: usize) -> Vec<Meaning> {
         one("target", "reflector"),
     ]);
     for axis in ["x", "y", "z"] {
-        all.push(one(axis, &format!("{axis}, unit as below")));
+        all.push(one(axis, &format!("{axis}, unit as chosen")));
         for unit in ["mm", "m", "in"] {
             all.push(one(&format!("{axis}_{unit}"), &format!("{axis}, {unit}")));
         }
@@ -151,7 +151,9 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
     let fixed = matches!(found.kind, Some(Kind::Optitrack | Kind::Tum));
     let bar = ScrollArea::horizontal().id_salt("columns");
     bar.show(ui, |ui| {
-        let grid = Grid::new("columns of the file").striped(true);
+        let grid = Grid::new("columns of the file")
+            .striped(true)
+            .min_row_height(18.0);
         grid.spacing([10.0, 4.0]).show(ui, |ui| {
             for (k, guess) in found.columns.iter().enumerate() {
                 let meaning = offered.iter().find(|m| m.word == guess.meaning);
@@ -180,6 +182,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
                 super::name(ui, &list.response, &label);
             }
             ui.end_row();
+            widgets::dense(ui);
             for guess in &found.columns {
                 let color = if guess.is_guess() && now.asks_for_confirmation() {
                     palette.warning
@@ -189,10 +192,12 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
                 ui.label(RichText::new(how(guess)).size(size::SMALL).color(color));
             }
             ui.end_row();
-            for guess in &found.columns {
-                ui.label(RichText::new(&guess.heading).font(strong(size::SMALL)));
+            if found.columns.iter().any(|c| !c.heading.is_empty()) {
+                for guess in &found.columns {
+                    ui.label(RichText::new(&guess.heading).font(strong(size::SMALL)));
+                }
+                ui.end_row();
             }
-            ui.end_row();
             for cells in found.first_rows.iter().take(ROWS) {
                 for k in 0..found.columns.len() {
                     let cell = cells.get(k).map_or("", String::as_str);

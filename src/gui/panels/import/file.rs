@@ -63,14 +63,24 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
             if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
                 reading.separator = chosen;
             }
+            widgets::caption(ui, "header");
+            header(ui, found.header_line, &mut reading.header);
         });
-        header(ui, found.header_line, &mut reading.header);
     }
     let decimal = reading.decimal.or(found.decimal);
     let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
+    let units = [
+        (None, "as the headings say"),
+        (Some(AngleUnit::Degrees), "degrees"),
+        (Some(AngleUnit::Radians), "radians"),
+    ];
     widgets::form_row(ui, "Decimal sign", |ui| {
         if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
             reading.decimal = chosen;
+        }
+        widgets::caption(ui, "angles in");
+        if let Some(chosen) = widgets::segmented(ui, &units, reading.angle_unit) {
+            reading.angle_unit = chosen;
         }
     });
     let units = [
@@ -82,16 +92,6 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     widgets::form_row(ui, "Lengths in", |ui| {
         if let Some(chosen) = widgets::segmented(ui, &units, reading.unit) {
             reading.unit = chosen;
-        }
-    });
-    let units = [
-        (None, "as the headings say"),
-        (Some(AngleUnit::Degrees), "degrees"),
-        (Some(AngleUnit::Radians), "radians"),
-    ];
-    widgets::form_row(ui, "Angles in", |ui| {
-        if let Some(chosen) = widgets::segmented(ui, &units, reading.angle_unit) {
-            reading.angle_unit = chosen;
         }
     });
     if kind == Some(Kind::Optitrack) || reading.z_up {
@@ -139,19 +139,17 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
         (Header::None, "none"),
         (Header::Line, "in line"),
     ];
-    widgets::form_row(ui, "Header", |ui| {
-        if let Some(chosen) = widgets::segmented(ui, &ways, now) {
-            *header = match chosen {
-                Header::Found => None,
-                Header::None => Some(0),
-                Header::Line => Some(found.unwrap_or(1)),
-            };
-        }
-        if let Some(line @ 1..) = header {
-            let field = DragValue::new(line).range(1..=1_000_000);
-            widgets::cell_number(ui, "Line of the header", 64.0, field);
-        }
-    });
+    if let Some(chosen) = widgets::segmented(ui, &ways, now) {
+        *header = match chosen {
+            Header::Found => None,
+            Header::None => Some(0),
+            Header::Line => Some(found.unwrap_or(1)),
+        };
+    }
+    if let Some(line @ 1..) = header {
+        let field = DragValue::new(line).range(1..=1_000_000);
+        widgets::cell_number(ui, "Line of the header", 64.0, field);
+    }
 }
 
 /// Rigid bodies or markers to take.

@@ -34,7 +34,7 @@ fn brings(ui: &mut Ui, trial: &Trial) {
     }
     if let Some(matched) = &trial.matched {
         says += &format!(
-            "; matched by {}: {} measurements without a command, {} commands without a measurement",
+            "; matched by {}; without a partner: {} measured, {} commanded",
             matched.by.id(),
             matched.lonely_measurements.len(),
             matched.lonely_commands.len()
