@@ -263,3 +263,22 @@ impl eframe::App for App {
         self.show(ui);
     }
 }
+
+#[cfg(test)]
+impl App {
+    /// On a workbench that is there already.
+    pub(crate) fn on(workbench: Workbench) -> Self {
+        Self {
+            workbench,
+            shown: Preferences::default(),
+            title: String::new(),
+            recovery_due: None,
+            look_due: 0.0,
+        }
+    }
+
+    /// The workbench.
+    pub(crate) fn bench(&mut self) -> &mut Workbench {
+        &mut self.workbench
+    }
+}

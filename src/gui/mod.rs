@@ -8,8 +8,12 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `boundaries`: regions as they are dragged, `placing` as they are typed, `angles`: how many samples
+//!   each has; `division`: how they came about.
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
+//! - `tally`: what regions hold, for any boundaries; `thinning`: which samples are drawn where not
+//!   all can be.
 //! - `search`: what a diagnosis found, ready to be added.
 //! - `setup`: robot and instrument as they are filled in.
 //! - `preferences`: units, digits, colours; `help`: what the words mean.
@@ -21,10 +25,12 @@
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
+mod angles;
 mod app;
 mod backdrop;
 mod boundaries;
 mod commands;
+mod division;
 mod document;
 mod edit;
 mod figures;
@@ -38,6 +44,7 @@ mod outcome;
 mod overview;
 mod panels;
 mod pictures;
+mod placing;
 mod plots;
 mod preferences;
 mod preview;
@@ -46,9 +53,11 @@ mod search;
 mod setup;
 mod simulate;
 mod subject;
+mod tally;
 mod tasks;
 #[cfg(test)]
 mod testing;
+mod thinning;
 mod tokens;
 mod undo;
 mod units;

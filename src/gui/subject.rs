@@ -1,8 +1,8 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
@@ -14,9 +14,11 @@ use crate::kinematics::{JointKind, Range};
 use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
+use super::angles::Angles;
 use super::keeping::disk::Print;
 use super::layers::Cloud;
 use super::overview::Overview;
+use super::tally::Tallied;
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -116,6 +118,8 @@ pub(crate) struct Subject {
     pub(crate) usable: Vec<bool>,
     /// What every frame needs to know of it.
     pub(crate) overview: Overview,
+    /// How many samples lie where along joint 1, once somebody asked.
+    angles: OnceLock<Angles>,
     /// Its samples, as they are uploaded.
     pub(crate) cloud: Arc<Cloud>,
     /// Effects that the session can show.
@@ -126,6 +130,8 @@ pub(crate) struct Subject {
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
+    /// What regions of it hold, for any boundaries.
+    pub(crate) tallied: Tallied,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
@@ -160,7 +166,9 @@ impl Subject {
             joint,
             arm_mm,
             overview,
+            angles: OnceLock::new(),
             cloud: Arc::default(),
+            tallied: Tallied::default(),
             nominal,
             before,
             gap_before,
@@ -202,6 +210,15 @@ impl Subject {
     /// Number of samples.
     pub(crate) fn len(&self) -> usize {
         self.session.samples.len()
+    }
+
+    /// How many samples lie where along joint 1. The first call sorts them.
+    pub(crate) fn angles(&self) -> &Angles {
+        self.angles.get_or_init(|| {
+            let held_out = self.session.samples.held_out.as_deref();
+            let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
+            Angles::new(&self.session.samples.q[0], is_fitted)
+        })
     }
 
     /// Whether nothing was measured: a model stands by itself.
@@ -254,8 +271,13 @@ impl Subject {
 
     /// One component of a deviation at a sample, mm.
     pub(crate) fn component(&self, e: [f64; 3], sample: usize, component: Component) -> f64 {
+        self.component_at(e, self.nominal.get(sample), component)
+    }
+
+    /// One component of a deviation where the nominal robot is at `p`, mm.
+    pub(crate) fn component_at(&self, e: [f64; 3], p: [f64; 3], component: Component) -> f64 {
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        let [radial, tangential] = self.directions(sample);
+        let [radial, tangential] = self.directions(p);
         match component {
             Component::Length => dot(e, e).sqrt(),
             Component::Tangential => dot(e, tangential),
@@ -267,14 +289,13 @@ impl Subject {
         }
     }
 
-    /// Radial and tangential direction of joint 1 where the nominal robot is at a sample.
-    fn directions(&self, sample: usize) -> [[f64; 3]; 2] {
+    /// Radial and tangential direction of joint 1 where the nominal robot is at `p`.
+    fn directions(&self, p: [f64; 3]) -> [[f64; 3]; 2] {
         let JointFrame {
             origin_mm: o,
             along: a,
             ..
         } = self.joint;
-        let p = self.nominal.get(sample);
         let arm: [f64; 3] = std::array::from_fn(|k| p[k] - o[k]);
         let height: f64 = (0..3).map(|k| arm[k] * a[k]).sum();
         let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * a[k]);
@@ -298,7 +319,12 @@ impl Subject {
 
     /// Whether joint 1 turns.
     pub(crate) fn turns(&self) -> bool {
-        self.session.robot.joints[0].kind == JointKind::Revolute
+        self.joint_turns(0)
+    }
+
+    /// Whether this joint, counted from 0, turns.
+    pub(crate) fn joint_turns(&self, joint: usize) -> bool {
+        self.session.robot.joints[joint].kind == JointKind::Revolute
     }
 
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.

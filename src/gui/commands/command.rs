@@ -4,12 +4,13 @@ use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
 use crate::gui::foreign::{Beside, Said};
+use crate::gui::placing::End;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{Canvas, Colouring, Lower, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Chart, Colouring, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -82,6 +83,17 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Divide the joint's range where the samples ask for it.
+    Adapt,
+    /// What is being typed for an end of a region; `None`: what the document says.
+    Type {
+        /// The region's name.
+        region: String,
+        /// Which end.
+        end: End,
+        /// The text.
+        text: Option<String>,
+    },
     /// Search for what is missing.
     Search,
     /// Make a session by simulation.
@@ -94,6 +106,8 @@ pub(crate) enum Command {
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
+    /// Look at the deviation around the joint's angle.
+    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.
@@ -114,8 +128,12 @@ pub(crate) enum Command {
     Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
-    /// Show this below the workspace in the step that finds the gap.
-    Lower(Lower),
+    /// Show this below the workspace.
+    Chart(Chart),
+    /// Let charts be about this joint, counted from 0.
+    ChartJoint(usize),
+    /// Show the curve of an effect that was found, by its place in the answer.
+    ShowEffect(usize),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

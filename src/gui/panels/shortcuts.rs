@@ -60,6 +60,8 @@ pub(crate) enum Action {
     Step(Step),
     /// The workspace from another side.
     Look(Plane),
+    /// The deviation around the joint's angle.
+    LookAround,
     /// What the words mean.
     Words,
     /// The keyboard.
@@ -77,7 +79,7 @@ const COMMAND: Modifiers = Modifiers::COMMAND;
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 35] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 37] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(COMMAND, Key::Z), "undo"),
     (
@@ -145,10 +147,16 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 35] = [
         "workspace from the front",
     ),
     (
+        Action::LookAround,
+        with(SHIFTED, Key::Num4),
+        "deviation around the angle (polar)",
+    ),
+    (
         Action::Fit,
         with(COMMAND, Key::F),
         "show everything in the plots",
     ),
+    (Action::Fit, with(PLAIN, Key::Home), "the same"),
     (
         Action::Step(Step::Session),
         with(COMMAND, Key::Num1),
@@ -243,6 +251,7 @@ pub(crate) fn command_for(action: Action, workbench: &Workbench, dark: bool) -> 
         Action::Fit => Command::Fit,
         Action::Step(step) => Command::GoTo(step),
         Action::Look(plane) => Command::Look(plane),
+        Action::LookAround => Command::LookAround,
         Action::Words => sheet(Sheet::Words),
         Action::Keys => sheet(Sheet::Shortcuts),
         Action::About => sheet(Sheet::About),
