@@ -104,6 +104,11 @@ impl App {
         self.type_path(What::Table, path);
     }
 
+    /// The same for the model itself.
+    pub fn type_model_path(&mut self, path: &Path) {
+        self.type_path(What::Model, path);
+    }
+
     /// The same for the list of poses to measure next.
     pub fn type_list_path(&mut self, path: &Path) {
         self.type_path(What::Poses, path);
@@ -277,5 +282,24 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+}
+
+#[cfg(test)]
+impl App {
+    /// On a workbench that is there already.
+    pub(crate) fn on(workbench: Workbench) -> Self {
+        Self {
+            workbench,
+            shown: Preferences::default(),
+            title: String::new(),
+            recovery_due: None,
+            look_due: 0.0,
+        }
+    }
+
+    /// The workbench.
+    pub(crate) fn bench(&mut self) -> &mut Workbench {
+        &mut self.workbench
     }
 }

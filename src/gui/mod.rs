@@ -8,6 +8,8 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `boundaries`: regions as they are dragged, `placing` as they are typed, `angles`: how many samples
+//!   each has; `division`: how they came about.
 //! - `known`: what its samples cover, before anything is identified.
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
@@ -26,10 +28,12 @@
 //!   `vision` (tests): how people see the colours.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
+mod angles;
 mod app;
 mod backdrop;
 mod boundaries;
 mod commands;
+mod division;
 mod document;
 mod edit;
 mod figures;
@@ -44,6 +48,7 @@ mod outcome;
 mod overview;
 mod panels;
 mod pictures;
+mod placing;
 mod plots;
 mod preferences;
 mod preview;

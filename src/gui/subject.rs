@@ -1,8 +1,8 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
@@ -14,6 +14,7 @@ use crate::kinematics::{JointKind, Range};
 use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
+use super::angles::Angles;
 use super::keeping::disk::Print;
 use super::known::Known;
 use super::layers::Cloud;
@@ -118,6 +119,8 @@ pub(crate) struct Subject {
     pub(crate) usable: Vec<bool>,
     /// What every frame needs to know of it.
     pub(crate) overview: Overview,
+    /// How many samples lie where along joint 1, once somebody asked.
+    angles: OnceLock<Angles>,
     /// What its samples cover.
     pub(crate) known: Known,
     /// Its samples, as they are uploaded.
@@ -168,6 +171,7 @@ impl Subject {
             joint,
             arm_mm,
             overview,
+            angles: OnceLock::new(),
             known,
             cloud: Arc::default(),
             tallied: Tallied::default(),
@@ -212,6 +216,15 @@ impl Subject {
     /// Number of samples.
     pub(crate) fn len(&self) -> usize {
         self.session.samples.len()
+    }
+
+    /// How many samples lie where along joint 1. The first call sorts them.
+    pub(crate) fn angles(&self) -> &Angles {
+        self.angles.get_or_init(|| {
+            let held_out = self.session.samples.held_out.as_deref();
+            let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
+            Angles::new(&self.session.samples.q[0], is_fitted)
+        })
     }
 
     /// Whether nothing was measured: a model stands by itself.
