@@ -30,7 +30,7 @@ const HIGHEST: usize = 24;
 /// Noise alone gives no bar above the line in this share of sessions.
 const QUIET: f64 = 0.99;
 /// The line, in words.
-pub(crate) const LINE: &str = "noise alone reaches above it in 1 of 100 sessions";
+pub(crate) const LINE: &str = "noise alone stays below the line in 99 of 100 sessions";
 /// On each side of an order that is known (a gear's).
 const AROUND: usize = 2;
 /// Orders beyond this would take too long.
