@@ -8,7 +8,10 @@ use std::sync::Arc;
 use super::layers::{Heat, Nearest};
 use super::outcome::{Answer, Outcome};
 use super::plots::charting::{Asked, Charted};
+use super::plots::deviation::Envelope;
+use super::plots::over::{Over, Variable};
 use super::subject::{Component, Subject};
+use super::thinning::Thinned;
 use super::view::Plane;
 
 /// Up to here samples are few.
@@ -25,6 +28,10 @@ pub(crate) struct Scenery {
     pub(crate) plane: Plane,
     /// Whether the heat map is shown.
     pub(crate) heat: bool,
+    /// Whether not all samples can be drawn.
+    pub(crate) thins: bool,
+    /// Whether the deviation is looked at around the joint's angle.
+    pub(crate) polar: bool,
     /// The component in the chart.
     pub(crate) component: Component,
     /// What the chart needs.
@@ -37,6 +44,8 @@ impl PartialEq for Scenery {
             && self.same_answer(other)
             && self.plane == other.plane
             && self.heat == other.heat
+            && self.thins == other.thins
+            && self.polar == other.polar
             && self.component == other.component
             && self.chart == other.chart
     }
@@ -80,6 +89,10 @@ pub(crate) struct Backdrop {
     pub(crate) heat: Option<Arc<Heat>>,
     /// What the chart is made of.
     pub(crate) charted: Option<Arc<Charted>>,
+    /// Samples that are drawn where not all can be.
+    pub(crate) thinned: Option<Arc<Thinned>>,
+    /// The extremes around the joint's angle, where the polar view shows them.
+    pub(crate) around: Option<Arc<Envelope>>,
 }
 
 impl Backdrop {
@@ -115,11 +128,32 @@ impl Backdrop {
             let (answer, component) = (scenery.answer(), scenery.component);
             Charted::of(&scenery.chart, subject, answer, component).map(Arc::new)
         });
+        // A boundary that is dragged later finds its sums made.
+        if many && subject.single_revolute() {
+            subject.tallied.of(subject);
+        }
+        let known = heat_of.and_then(|l| l.thinned.clone());
+        let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
+        let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
+        let known = heat_of.filter(|l| l.scenery.component == scenery.component);
+        let known = known.and_then(|l| l.around.clone());
+        let around = || {
+            let angle = Over {
+                variable: Variable::Joint,
+                joint: 0,
+            };
+            let (answer, component) = (scenery.answer(), scenery.component);
+            Arc::new(Envelope::of(subject, answer, component, angle))
+        };
+        let polar = many && scenery.polar;
+        let around = polar.then(|| known.unwrap_or_else(around));
         Self {
             scenery,
             nearest,
             heat,
             charted,
+            thinned,
+            around,
         }
     }
 }

@@ -16,7 +16,7 @@ use super::document::plain;
 use super::foreign::{self, Foreign};
 use super::given::Given;
 use super::keeping::disk::{Fate, Print};
-use super::preview::{Preview, Wanted};
+use super::preview::Wanted;
 use super::simulate::Form;
 use super::subject::{Origin, Subject};
 use super::tasks::{Report, Watch, What};
@@ -76,7 +76,11 @@ pub(crate) fn first_example() -> Arc<Subject> {
 /// Reads a bundled session.
 pub(crate) fn open_example(index: usize) -> Report {
     let Some(example) = EXAMPLES.get(index) else {
-        return Report::Broken;
+        return Report::Opened(Err(Message {
+            wrong: true,
+            title: "There is no such example".to_owned(),
+            details: vec!["The examples are in the File menu".to_owned()],
+        }));
     };
     let loaded = sessions::parse_with_csv(example.document, example.samples);
     opened(loaded, Origin::Bundled, example.name)
@@ -314,7 +318,7 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
 }
 
 /// Writes a table with what stands beside it, or a model: all of it, or nothing.
-pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> Report {
+pub(crate) fn export(wanted: &Wanted, what: What, path: &Path, replace: bool) -> Report {
     let written =
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
     Report::Exported(match written {
@@ -384,22 +388,22 @@ pub(crate) fn write_one(
     written.map_err(|error| advice(&error))
 }
 
-fn documents(wanted: Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
+fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or("expected the name of a file, in UTF-8")?;
     let choice = wanted.choice;
-    let made = Preview::of(wanted).made?;
+    let answer = wanted.outcome.answer.as_ref().map_err(Clone::clone)?;
     if what == What::Model {
         return Ok(vec![Document {
             name: name.to_owned(),
-            bytes: write_model(&made.calibration).into_bytes(),
+            bytes: write_model(&answer.calibration).into_bytes(),
         }]);
     }
-    // Once more, because the documents say what the file is called.
+    // Not as it is shown: the documents say what the file is called.
     let job = Job {
         joint: choice.joint,
         step: choice.step,
-        ..Job::new(&made.calibration, name)
+        ..Job::new(&answer.calibration, name)
     };
     let format = find(choice.format).ok_or("there is no such format")?;
     let export = format.exporter.export(&job).map_err(|e| e.to_string())?;

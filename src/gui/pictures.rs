@@ -14,6 +14,8 @@ use super::document::Document;
 use super::files;
 use super::outcome::Outcome;
 use super::plots::sketch::Sketch;
+use super::plots::workspace::polar_sheet;
+use super::subject::Component;
 use super::tasks::{Report, Watch};
 use super::view::{Chart, Message};
 
@@ -28,11 +30,13 @@ pub(crate) enum Plot {
     Waterfall,
     /// Another chart, as it is shown.
     Chart(Chart),
+    /// A component of the deviation around the joint's angle.
+    Polar,
 }
 
 impl Plot {
     /// All of them.
-    pub(crate) const ALL: [Self; 10] = [
+    pub(crate) const ALL: [Self; 11] = [
         Self::Workspace,
         Self::Deviation,
         Self::Waterfall,
@@ -43,6 +47,7 @@ impl Plot {
         Self::Chart(Chart::Histogram),
         Self::Chart(Chart::Effect),
         Self::Chart(Chart::Table),
+        Self::Polar,
     ];
 
     /// Its name, as it stands within a sentence.
@@ -58,6 +63,7 @@ impl Plot {
             Self::Chart(Chart::Histogram) => "histogram",
             Self::Chart(Chart::Effect) => "effect's curve",
             Self::Chart(Chart::Table) => "correction table",
+            Self::Polar => "polar",
         }
     }
 
@@ -77,6 +83,8 @@ pub(crate) struct Wanted {
     pub(crate) document: Arc<Document>,
     /// What was identified, if anything was.
     pub(crate) outcome: Option<Arc<Outcome>>,
+    /// The component of the deviation that is looked at, and whether what is left alone.
+    pub(crate) component: (Component, bool),
     /// The noise floor, where a search found it, mm.
     pub(crate) floor_mm: Option<f64>,
     /// The chart as it is shown, where it is one that is.
@@ -137,6 +145,12 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
     }
     if session.samples.is_empty() || wanted.plot == Plot::Deviation {
         return Err("there are no samples to draw".to_owned());
+    }
+    if wanted.plot == Plot::Polar {
+        let (subject, tolerance) = (&wanted.document.subject, wanted.document.tolerance_mm);
+        let (component, only_after) = wanted.component;
+        let drawing = polar_sheet(subject, answer, component, only_after, tolerance)?;
+        return Ok((drawing, of("the deviation around the angle")));
     }
     let stages = match answer {
         None => as_measured(&session, wanted.floor_mm),

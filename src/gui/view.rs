@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::foreign::Foreign;
 use super::keeping::disk::Fate;
+use super::placing::Typed;
 use super::preferences::Preferences;
 use super::setup::SetupForm;
 use super::simulate::Form;
@@ -349,6 +350,8 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
+    /// Whether the deviation around the joint's angle is shown instead of a plane.
+    pub(crate) polar: bool,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
     /// From 0, before, to 1, after.
@@ -377,10 +380,14 @@ pub(crate) struct ViewState {
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
+    /// Whether the right-hand side is open; `None`: where there is room for it.
+    pub(crate) results: Option<bool>,
     /// Units, digits, colours, size of text.
     pub(crate) preferences: Preferences,
     /// Robot and instrument as they are being typed, while that makes no robot.
     pub(crate) setup: Option<Box<SetupForm>>,
+    /// What is typed for boundaries of regions and could not be taken over, or not yet.
+    pub(crate) typed: Vec<Typed>,
     /// An open file that is not what it was.
     pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
@@ -398,6 +405,7 @@ impl Default for ViewState {
         Self {
             step: Step::default(),
             plane: Plane::default(),
+            polar: false,
             magnification: None,
             blend: 1.0,
             colouring: Colouring::default(),
@@ -412,8 +420,10 @@ impl Default for ViewState {
             chart: None,
             joint: 0,
             effect: 0,
+            results: None,
             preferences: Preferences::default(),
             setup: None,
+            typed: Vec::new(),
             on_disk: None,
             sheet: None,
             leaving: false,

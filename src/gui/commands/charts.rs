@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::gui::backdrop::Backdrop;
 use crate::gui::pictures::Plot;
 use crate::gui::plots::charting::{Asked, Charted};
 use crate::gui::plots::deviation::{self, Envelope};
@@ -127,10 +128,19 @@ impl Workbench {
         }
     }
 
+    /// The extremes around the joint's angle, as [`Self::envelope`].
+    pub(crate) fn around(&self) -> Option<&Envelope> {
+        let seen = |b: &&Backdrop| {
+            b.scenery.component == self.view.component
+                && b.scenery.outcome.is_some() == self.outcome().is_some()
+        };
+        self.backdrop().filter(seen)?.around.as_deref()
+    }
+
     /// The chart as it is shown, to be saved.
     pub(super) fn sketch(&self, plot: Plot) -> Option<Sketch> {
         let chart = match plot {
-            Plot::Workspace | Plot::Waterfall => return None,
+            Plot::Workspace | Plot::Polar | Plot::Waterfall => return None,
             Plot::Deviation => Chart::Angle,
             Plot::Chart(chart) => chart,
         };

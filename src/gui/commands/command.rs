@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
 use crate::gui::foreign::Foreign;
+use crate::gui::placing::End;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
@@ -78,6 +79,17 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Divide the joint's range where the samples ask for it.
+    Adapt,
+    /// What is being typed for an end of a region; `None`: what the document says.
+    Type {
+        /// The region's name.
+        region: String,
+        /// Which end.
+        end: End,
+        /// The text.
+        text: Option<String>,
+    },
     /// Search for what is missing.
     Search,
     /// Make a session by simulation.
@@ -90,6 +102,8 @@ pub(crate) enum Command {
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
+    /// Look at the deviation around the joint's angle.
+    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.
@@ -116,6 +130,8 @@ pub(crate) enum Command {
     ChartJoint(usize),
     /// Show the curve of an effect that was found, by its place in the answer.
     ShowEffect(usize),
+    /// Open the right-hand side, or shut it.
+    Results(bool),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

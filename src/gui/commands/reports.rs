@@ -73,6 +73,7 @@ impl Workbench {
                 self.searched = Some(Arc::new(*search));
                 self.keep_drawing();
             }
+            Report::Adapted(adapted) => self.take_adapted(*adapted),
             Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {

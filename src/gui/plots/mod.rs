@@ -18,6 +18,7 @@ pub(crate) mod workspace;
 
 pub(crate) use axes::{axis, named_axis, steps};
 pub(crate) use drawing::Drawing;
+pub(crate) use marks::disc;
 
 use egui::{Response, Role, Ui, WidgetInfo};
 

@@ -284,7 +284,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let lines = [line("before", of_before), line("after", of_after)];
         let mut lines: Vec<_> = lines.into_iter().flatten().collect();
         lines.push(("click".to_owned(), "marks them".to_owned()));
-        widgets::sample_card(ui, &(title, lines));
+        widgets::facts(ui, &(title, lines));
     });
 }
 

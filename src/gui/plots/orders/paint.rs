@@ -250,7 +250,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
     if let Some(order) = under {
         response.on_hover_ui_at_pointer(|ui| {
-            widgets::sample_card(ui, &about(workbench, spectrum, order));
+            widgets::facts(ui, &about(workbench, spectrum, order));
         });
     }
 }
