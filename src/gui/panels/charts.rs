@@ -7,7 +7,7 @@ use crate::gui::help::{self, Word};
 use crate::gui::pictures::Plot;
 use crate::gui::plots::{correction, deviation, effect, histogram, orders, picture, waterfall};
 use crate::gui::subject::Component;
-use crate::gui::tokens::{size, space};
+use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Chart;
 use crate::gui::widgets::{self, caption};
 
@@ -55,12 +55,11 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
     /// How wide it is side by side with so much space beside each name, points.
     fn width(&self, ui: &Ui, beside: f32) -> f32 {
         let font = egui::FontId::proportional(size::SMALL);
+        let color = Palette::of(ui).text;
         let padding = 2.0 * beside + 3.0;
         let wide = self.offered.iter().map(|(_, short, _)| {
             let text = (*short).to_owned();
-            let galley = ui
-                .painter()
-                .layout_no_wrap(text, font.clone(), egui::Color32::WHITE);
+            let galley = ui.painter().layout_no_wrap(text, font.clone(), color);
             galley.size().x + padding
         });
         wide.map(|w| w.max(36.0)).sum::<f32>() + 8.0
