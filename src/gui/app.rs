@@ -104,6 +104,11 @@ impl App {
         self.type_path(What::Table, path);
     }
 
+    /// The same for the model itself.
+    pub fn type_model_path(&mut self, path: &Path) {
+        self.type_path(What::Model, path);
+    }
+
     /// The same for the list of poses to measure next.
     pub fn type_list_path(&mut self, path: &Path) {
         self.type_path(What::Poses, path);

@@ -14,7 +14,7 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, words_and_unit};
-use crate::importers::settings::{About, ColumnGuess};
+use crate::importers::settings::{About, ColumnGuess, Known};
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
@@ -59,6 +59,11 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
         .zip(&parts)
         .map(|(heading, part)| ColumnGuess {
             heading: heading.clone(),
+            known: match (case.reading.columns.is_empty(), heading.as_str()) {
+                (false, _) => Known::Said,
+                (true, "") => Known::FromContent,
+                (true, _) => Known::FromHeading,
+            },
             meaning: match part {
                 Part::Target => "target".to_owned(),
                 Part::Direction => "direction".to_owned(),

@@ -24,7 +24,7 @@ enum Kind {
 /// Reads measured points.
 pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
-    let roles = match case.given_roles(grid.width) {
+    let roles = match case.given_roles(&grid) {
         Some(roles) => roles,
         None if !case.reading.columns.is_empty() => return None,
         // Some programs can be told to write a header: then it says.

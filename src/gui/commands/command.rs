@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
-use crate::gui::foreign::Foreign;
+use crate::gui::foreign::{Beside, Said};
 use crate::gui::placing::End;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
@@ -29,10 +29,14 @@ pub(crate) enum Command {
     ChooseFile,
     /// Read this file.
     OpenFile(PathBuf),
-    /// Look at a foreign file again, with what was said since.
-    Inspect(Box<Foreign>),
-    /// Make a session of a foreign file.
-    Import(Box<Foreign>),
+    /// Say something about the foreign file on the sheet.
+    Say(Box<Said>),
+    /// Its columns were looked at, and are right.
+    ConfirmColumns,
+    /// Ask for a file beside it.
+    ChooseBeside(Beside),
+    /// Make a session of it.
+    Import,
     /// Open a session that comes with the program.
     OpenExample(usize),
     /// Do it, whatever is lost.

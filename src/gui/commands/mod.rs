@@ -10,6 +10,7 @@ mod desk;
 mod dividing;
 mod exports;
 mod follow;
+mod imports;
 mod leaving;
 mod papers;
 mod recovering;
@@ -37,7 +38,7 @@ use crate::gui::outcome::Outcome;
 use crate::gui::preview::Preview;
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
-use crate::gui::tasks::{Report, Tasks};
+use crate::gui::tasks::Tasks;
 use crate::gui::undo::History;
 use crate::gui::units::Units;
 use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
@@ -162,20 +163,15 @@ impl Workbench {
                     files::choose_to_save(&name)
                 });
             }
-            Command::Inspect(foreign) => {
-                // What was typed meanwhile is not lost while it is looked at.
-                self.view.sheet = Some(Sheet::Import(foreign.clone()));
-                self.tasks.start("looking at the file", move |_| {
-                    Report::Foreign(Box::new(foreign.looked_at()))
-                });
-            }
-            Command::Import(foreign) => {
+            Command::Say(said) => self.say(*said),
+            Command::ConfirmColumns => self.confirm_columns(),
+            Command::ChooseBeside(which) => {
                 self.tasks
-                    .start("importing", move |_| match foreign.import() {
-                        Ok(subject) => Report::Opened(Ok(Arc::new(subject))),
-                        Err(refused) => Report::Foreign(refused),
+                    .start("waiting for a file to be chosen", move |_| {
+                        files::choose_beside(which)
                     });
             }
+            Command::Import => self.import(),
             Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {
                 let replace = if replace {

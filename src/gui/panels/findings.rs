@@ -4,7 +4,7 @@
 use egui::{CollapsingHeader, Grid, RichText, Ui};
 
 use crate::diagnosis::next_poses::NextPose;
-use crate::diagnosis::{Diagnosis, FloorFrom, Found, Mend, Verdict};
+use crate::diagnosis::{Diagnosis, FloorFrom, Found, Mend, Sight, Verdict};
 use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
@@ -370,10 +370,15 @@ fn limits(ui: &mut Ui, d: &Diagnosis) {
             ui.label(find(limit.effect).map_or(limit.effect, |e| e.about().title));
             let sizes = limit.sizes.iter().map(|(name, size)| {
                 let (name, unit) = named(name);
-                format!("{name} {} {unit}", significant(*size, 2))
+                match Sight::of(*size) {
+                    Sight::Above(size) => {
+                        format!("{name} above {} {unit} (95 %)", significant(size, 2))
+                    }
+                    Sight::AtAnySize => format!("{name} of any size: there is no noise"),
+                    Sight::AtNoSize => format!("{name} at no size, by these poses"),
+                }
             });
-            let sizes = sizes.collect::<Vec<_>>().join(", ");
-            widgets::hint(ui, format!("above {sizes} (95 %)"));
+            widgets::hint(ui, sizes.collect::<Vec<_>>().join(", "));
         }
     });
 }

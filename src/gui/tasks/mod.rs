@@ -149,6 +149,22 @@ impl Tasks {
         self.spawn(what.into(), Kind::Once, work);
     }
 
+    /// Looks at a foreign file, unless that is under way.
+    pub(crate) fn look(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Report + Send + 'static,
+    ) {
+        if !self.looks() {
+            self.spawn(what.into(), Kind::Looks, work);
+        }
+    }
+
+    /// Whether a foreign file is being looked at.
+    pub(crate) fn looks(&self) -> bool {
+        self.running.iter().any(|r| r.kind == Kind::Looks)
+    }
+
     /// Asks for an answer. A question that is waiting is forgotten for it.
     pub(crate) fn ask(&mut self, question: Question) {
         if let Some(question) = self.questions.ask(question) {
@@ -271,7 +287,7 @@ impl Tasks {
         let cancelled = self.running.remove(place);
         cancelled.watch.stop();
         match cancelled.kind {
-            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws => {}
+            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws | Kind::Looks => {}
             Kind::Identifies => {
                 let Latest { asked, waiting } = std::mem::take(&mut self.questions);
                 return waiting.or(asked);
@@ -294,7 +310,7 @@ impl Tasks {
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Searches | Kind::Quiet => {}
+                Kind::Once | Kind::Searches | Kind::Quiet | Kind::Looks => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

@@ -23,8 +23,8 @@ macro_rules! kinds {
 
 kinds!(
     COMMANDS, command, Command:
-    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Inspect(..),
-    Import(..), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
+    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
+    ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
     Follow(..), Forget(..), Restore(..), DiscardLeft(..), KeepRecovery(), LookAtDisk(),
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, Adapt(), Type {..},
     Search(), Simulate(..), Cancel(), StopSearch(), GoTo(..), Look(..), Magnify(..), Blend(..),
@@ -41,8 +41,12 @@ kinds!(
 );
 
 /// These open a dialog of the system, which nobody can drive.
-pub(super) const ASK_THE_SYSTEM: &[&str] =
-    &["ChooseFile", "ChooseWhereToSave", "ChooseWhereToExport"];
+pub(super) const ASK_THE_SYSTEM: &[&str] = &[
+    "ChooseFile",
+    "ChooseWhereToSave",
+    "ChooseWhereToExport",
+    "ChooseBeside",
+];
 
 /// These come only of a background task, which the walk starts.
 pub(super) const COME_BACK: &[&str] = &["Open", "OpenModel", "Adapt", "Recover"];
