@@ -9,7 +9,7 @@ use crate::gui::plots::{correction, deviation, effect, histogram, orders, pictur
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Chart;
-use crate::gui::widgets::{self, caption};
+use crate::gui::widgets;
 
 use super::copies;
 
@@ -168,10 +168,13 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
             }
             copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
             widgets::question(ui, word(chart));
-            if !says.is_empty() {
+            // Where it has no room the question mark says it.
+            let font = egui::FontId::proportional(size::SMALL);
+            let muted = Palette::of(ui).muted;
+            let galley = ui.painter().layout_no_wrap(says.clone(), font, muted);
+            if !says.is_empty() && galley.size().x + space::ROW <= ui.available_width() {
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
-                    caption(ui, &says).on_hover_text(&says);
+                    widgets::caption(ui, &says);
                 });
             }
         });
