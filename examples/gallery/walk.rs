@@ -96,7 +96,10 @@ pub fn imported(window: &mut Window) {
 
 pub fn identified(window: &mut Window) {
     press(window, "3 Identify");
-    press(window, "Identify");
+    press(window, "Exact");
+    if there(window, "Identify") {
+        press(window, "Identify");
+    }
 }
 
 pub fn searched(window: &mut Window) {
