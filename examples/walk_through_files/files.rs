@@ -96,7 +96,7 @@ fn tracker(session: &Session) -> String {
         let p = tracker_from_base * in_base;
         let _ = writeln!(text, "{group},{name},{:.4},{:.4},{:.4}", p.x, p.y, p.z);
     };
-    let mut base = |when: usize, line: &mut dyn FnMut(&str, &str, Point3<f64>)| {
+    let base = |when: usize, line: &mut dyn FnMut(&str, &str, Point3<f64>)| {
         for (name, at, off_um) in BASE {
             let off = off_um[when];
             let place = Point3::new(

@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
-use crate::effects::{CATALOGUE, Inputs, JointValues, Survey};
+use crate::effects::{CATALOGUE, JointValues, Survey};
 use crate::identification::gap::{Deviations, Spread, deviations};
 use crate::identification::problem::Problem;
 use crate::kinematics::{JointKind, Range};
@@ -16,6 +16,7 @@ use crate::sessions::Session;
 
 use super::angles::Angles;
 use super::keeping::disk::Print;
+use super::known::Known;
 use super::layers::Cloud;
 use super::overview::Overview;
 use super::tally::Tallied;
@@ -120,6 +121,8 @@ pub(crate) struct Subject {
     pub(crate) overview: Overview,
     /// How many samples lie where along joint 1, once somebody asked.
     angles: OnceLock<Angles>,
+    /// What its samples cover.
+    pub(crate) known: Known,
     /// Its samples, as they are uploaded.
     pub(crate) cloud: Arc<Cloud>,
     /// Effects that the session can show.
@@ -151,7 +154,7 @@ impl Subject {
         let before = deviations(&problem, &model);
         let usable = problem.usable.clone();
         let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
-        let (testable, not_testable) = effects_of(&session, &problem.inputs);
+
         let joint = JointFrame::new(&session.robot, 0);
         let arm_mm = arm_mm(&session, &joint);
         let single = is_single_revolute(&session);
@@ -162,11 +165,14 @@ impl Subject {
             &before.length_mm,
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
+        let known = Known::new(&session, &problem.inputs, overview.travel);
+        let (testable, not_testable) = effects_of(&session, &known.survey);
         let mut subject = Self {
             joint,
             arm_mm,
             overview,
             angles: OnceLock::new(),
+            known,
             cloud: Arc::default(),
             tallied: Tallied::default(),
             nominal,
@@ -360,8 +366,7 @@ fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
     distances.fold(0.0, f64::max)
 }
 
-fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<NotTestable>) {
-    let survey = Survey::new(session, inputs);
+fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
     let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
     for effect in CATALOGUE {
         let about = effect.about();
@@ -370,7 +375,7 @@ fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<Not
         } else {
             1
         };
-        let mut obstacles = (0..joints).map(|joint| effect.obstacle(&survey, joint));
+        let mut obstacles = (0..joints).map(|joint| effect.obstacle(survey, joint));
         let first = obstacles.next().flatten();
         match first {
             Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {

@@ -380,6 +380,8 @@ pub(crate) struct ViewState {
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
+    /// Whether the right-hand side is open; `None`: where there is room for it.
+    pub(crate) results: Option<bool>,
     /// Units, digits, colours, size of text.
     pub(crate) preferences: Preferences,
     /// Robot and instrument as they are being typed, while that makes no robot.
@@ -418,6 +420,7 @@ impl Default for ViewState {
             chart: None,
             joint: 0,
             effect: 0,
+            results: None,
             preferences: Preferences::default(),
             setup: None,
             typed: Vec::new(),

@@ -134,6 +134,8 @@ pub(crate) enum Command {
     ChartJoint(usize),
     /// Show the curve of an effect that was found, by its place in the answer.
     ShowEffect(usize),
+    /// Open the right-hand side, or shut it.
+    Results(bool),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

@@ -258,6 +258,7 @@ impl Workbench {
             Command::Chart(chart) => self.choose_chart(chart),
             Command::ChartJoint(joint) => view.joint = joint,
             Command::ShowEffect(index) => self.show_effect(index),
+            Command::Results(open) => view.results = Some(open),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
                 self.keep_preferences();
