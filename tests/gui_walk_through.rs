@@ -48,6 +48,7 @@ fn save_session(window: &mut Window, path: &Path) {
 fn import(window: &mut Window) {
     open(window, &raw("tracker.txt"));
     assert!(says(window, "the unit of x, y, z is not said"));
+    type_into(window, "Name of the session", "inspection column");
     press(window, "It is mm");
     press(window, "The columns are right");
     press(window, "the one in this file");
@@ -77,6 +78,7 @@ fn from_the_trackers_file_to_the_signed_report() {
     let session = folder.path().join("column.json");
     save_session(&mut window, &session);
     let kept = load(&session).expect("what was saved can be read").session;
+    assert_eq!(kept.name, "inspection column");
     assert_eq!(kept.samples.len(), 168);
     assert!(
         kept.note
