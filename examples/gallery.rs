@@ -58,8 +58,6 @@ impl Gallery {
         press(&mut window, "Identify by region");
         press(&mut window, "2 Regions");
         self.picture(&mut window, "regions")?;
-        window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
-        window.run_steps(8);
         walk::identified(&mut window);
         self.picture(&mut window, "identify")?;
         walk::searched(&mut window);

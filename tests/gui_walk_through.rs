@@ -48,6 +48,7 @@ fn save_session(window: &mut Window, path: &Path) {
 fn import(window: &mut Window) {
     open(window, &raw("tracker.txt"));
     assert!(says(window, "the unit of x, y, z is not said"));
+    type_into(window, "Name of the session", "inspection column");
     press(window, "It is mm");
     press(window, "The columns are right");
     press(window, "the one in this file");
@@ -77,6 +78,7 @@ fn from_the_trackers_file_to_the_signed_report() {
     let session = folder.path().join("column.json");
     save_session(&mut window, &session);
     let kept = load(&session).expect("what was saved can be read").session;
+    assert_eq!(kept.name, "inspection column");
     assert_eq!(kept.samples.len(), 168);
     assert!(
         kept.note
@@ -85,13 +87,17 @@ fn from_the_trackers_file_to_the_signed_report() {
 
     // 2 Regions: six of them show that constants do not fit.
     press(&mut window, "2 Regions");
-    type_into(&mut window, "Number of regions", "6");
-    press(&mut window, "Divide");
-    assert!(there(&window, "From, region 6"), "each has its boundaries");
+    press(&mut window, "Identify by region");
+    press(&mut window, "2 Regions");
+    assert!(says(&window, "To, region 6"), "each has its boundaries");
+
+    let (_, regional) = gaps(&window);
+    let regional = regional.expect("the regions are identified at once");
+    assert!((regional - 0.829).abs() < 0.002, "{regional}");
 
     // 3 Identify: the zero and the length.
     press(&mut window, "3 Identify");
-    press(&mut window, "Identify");
+    press(&mut window, "Exact");
     let (_, identified) = gaps(&window);
     let identified = identified.expect("identified");
     assert!((identified - 0.2376).abs() < 0.002, "{identified}");

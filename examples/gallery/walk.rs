@@ -34,13 +34,14 @@ pub fn there(window: &Window, label: &str) -> bool {
     window.query_all_by_label(label).count() > 0
 }
 
-fn type_path(window: &mut Window, label: &str, path: &Path) {
+fn type_into(window: &mut Window, label: &str, text: &str) {
     window.get_by_label(label).scroll_to_me();
     window.run_steps(6);
     window.get_by_label(label).click();
     window.run_steps(2);
-    let typed = path.to_string_lossy().into_owned();
-    window.get_by_label(label).type_text(&typed);
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    window.run_steps(1);
+    window.get_by_label(label).type_text(text);
     window.run_steps(2);
     window.key_press(egui::Key::Enter);
     window.run_steps(4);
@@ -66,22 +67,15 @@ pub fn asked(window: &mut Window) {
 
 /// The sheet filled in, at the residuals of the alignment.
 pub fn filled_in(window: &mut Window) {
+    type_into(window, "Name of the session", "inspection column");
     press(window, "It is mm");
     press(window, "The columns are right");
     press(window, "the one in this file");
-    type_path(window, "File of the robot", Path::new("robot.json"));
-    type_path(window, "File of the commands", Path::new("commands.csv"));
+    type_into(window, "File of the robot", "robot.json");
+    type_into(window, "File of the commands", "commands.csv");
     press(window, "by name");
-    type_path(
-        window,
-        "File of the known points",
-        Path::new("base-points.csv"),
-    );
-    type_path(
-        window,
-        "File of the reflectors",
-        Path::new("reflectors.csv"),
-    );
+    type_into(window, "File of the known points", "base-points.csv");
+    type_into(window, "File of the reflectors", "reflectors.csv");
     window
         .get_by_label_contains("What the import brings")
         .scroll_to_me();
@@ -96,7 +90,10 @@ pub fn imported(window: &mut Window) {
 
 pub fn identified(window: &mut Window) {
     press(window, "3 Identify");
-    press(window, "Identify");
+    press(window, "Exact");
+    if there(window, "Identify") {
+        press(window, "Identify");
+    }
 }
 
 pub fn searched(window: &mut Window) {

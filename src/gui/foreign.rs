@@ -25,6 +25,8 @@ const LONGEST: u64 = 1 << 30;
 /// What a person said.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Said {
+    /// What the session is called.
+    pub(crate) name: String,
     /// About the measured file.
     pub(crate) reading: Reading,
     /// Whose robot was measured.
@@ -134,6 +136,11 @@ impl Foreign {
 
     fn read(path: &Path, bytes: Vec<u8>) -> Result<Self, Rejected> {
         let said = Said {
+            name: path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
             reading: Reading {
                 file: Some(path.to_path_buf()),
                 ..Reading::default()
@@ -205,6 +212,9 @@ impl Foreign {
         }
         if self.asks_for_confirmation() {
             return Some("Look at the columns above, and confirm them");
+        }
+        if self.said.name.trim().is_empty() {
+            return Some("Give the session a name");
         }
         match (&self.said.robot, &self.seen.robot) {
             (RobotFrom::Open, _) => return Some("Say whose robot was measured"),

@@ -81,7 +81,13 @@ impl<'a> Case<'a> {
     }
 
     /// The roles that the person gave, one for each column; `None` if there are none, or wrong ones.
-    pub(crate) fn given_roles(&mut self, grid: &Grid<'_>) -> Option<Vec<Role>> {
+    /// A column that is said to be what it was found to be is one of `found`, or what its heading
+    /// says.
+    pub(crate) fn given_roles(
+        &mut self,
+        grid: &Grid<'_>,
+        found: Option<&[Role]>,
+    ) -> Option<Vec<Role>> {
         let width = grid.width;
         let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
         let words = &self.reading.columns;
@@ -91,7 +97,10 @@ impl<'a> Case<'a> {
         let mut roles = Vec::new();
         for (index, word) in words.iter().enumerate() {
             let role = match word.trim() {
-                AUTO => Some(understand(heading_at(headings, index))),
+                AUTO => match found.and_then(|found| found.get(index)) {
+                    Some(role) => Some(*role),
+                    None => Some(understand(heading_at(headings, index))),
+                },
                 word => Role::from_word(word),
             };
             let Some(role) = role else {

@@ -54,15 +54,17 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let headings = headings(&grid);
     let parts = parts(case, &grid, &headings)?;
+    let said = &case.reading.columns;
     case.found.columns = headings
         .iter()
         .zip(&parts)
-        .map(|(heading, part)| ColumnGuess {
+        .enumerate()
+        .map(|(k, (heading, part))| ColumnGuess {
             heading: heading.clone(),
-            known: match (case.reading.columns.is_empty(), heading.as_str()) {
-                (false, _) => Known::Said,
-                (true, "") => Known::FromContent,
-                (true, _) => Known::FromHeading,
+            known: match (said.get(k), heading.as_str()) {
+                (Some(word), heading) if word != heading => Known::Said,
+                (_, "") => Known::FromContent,
+                _ => Known::FromHeading,
             },
             meaning: match part {
                 Part::Target => "target".to_owned(),

@@ -38,9 +38,8 @@ impl Trial {
         let commands = read(&said.commands).map_err(refused)?;
         let reference = read(&said.reference).map_err(refused)?;
         let targets = read(&said.targets).map_err(refused)?;
-        let name = path.file_stem().unwrap_or_default();
         let settings = Settings {
-            name: name.to_string_lossy().into_owned(),
+            name: said.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
             matching: said.matching,
             motion: said.motion,

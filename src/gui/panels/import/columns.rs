@@ -106,7 +106,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
     let offered = meanings(found.kind, joints);
     let changed = table(ui, now, &offered);
     if let Some((k, word)) = changed {
-        next.reading.columns = said(&found.columns, &now.said.reading.columns);
+        next.reading.columns = said(found.kind, &found.columns, &now.said.reading.columns);
         next.reading.columns[k] = word;
     }
     if !found.preamble.is_empty() {
@@ -129,17 +129,22 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
     }
 }
 
-/// The columns as words that mean the same when they are said.
-fn said(columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
-    let word = |(k, guess): (usize, &ColumnGuess)| match guess.known {
-        Known::Said => before
-            .get(k)
-            .cloned()
-            .unwrap_or_else(|| guess.meaning.clone()),
+/// The columns as words that mean the same when they are said, and are guesses still where they
+/// were.
+fn said(kind: Option<Kind>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
+    let word = |(k, guess): (usize, &ColumnGuess)| match (guess.known, guess.heading.as_str()) {
+        (Known::Said, _) => {
+            let before = before.get(k).cloned();
+            before.unwrap_or_else(|| guess.meaning.clone())
+        }
+        (_, "") if matches!(guess.meaning.as_str(), "" | "-") => "-".to_owned(),
+        // Such a file's headings are its words.
+        (_, heading) if kind == Some(Kind::Iso230) => match heading {
+            "" => guess.meaning.clone(),
+            heading => heading.to_owned(),
+        },
         // A heading may say more than a word can: a time in ms, a length in cm.
-        Known::Certain | Known::FromHeading if !guess.heading.is_empty() => "auto".to_owned(),
-        _ if guess.meaning.is_empty() => "-".to_owned(),
-        _ => guess.meaning.clone(),
+        _ => "auto".to_owned(),
     };
     columns.iter().enumerate().map(word).collect()
 }
@@ -244,7 +249,7 @@ mod tests {
             ..Reading::default()
         };
         let found = inspect(text, &reading);
-        let mut words = said(&found.columns, &[]);
+        let mut words = said(found.kind, &found.columns, &[]);
         "load_kg".clone_into(&mut words[4]);
         let reading = Reading {
             columns: words,

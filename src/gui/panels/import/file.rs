@@ -1,7 +1,7 @@
 //! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
 //! units; and what it leaves open.
 
-use egui::{ComboBox, DragValue, RichText, Ui};
+use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::foreign::{Foreign, Said, in_the_sheets_words};
 use crate::gui::tokens::Palette;
@@ -30,6 +30,11 @@ pub(super) fn found_out(now: &Foreign) -> String {
 /// The rows of the form.
 pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     let found = &now.seen.inspection;
+    widgets::form_row(ui, "Session", |ui| {
+        let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
+        let field = ui.add(field);
+        super::name(ui, &field, "Name of the session");
+    });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
     widgets::form_row(ui, "Written by", |ui| {
