@@ -3,17 +3,15 @@
 //! next stays in sight.
 #![cfg(feature = "gui")]
 
-mod support {
-    #[allow(dead_code, reason = "included in several tests")]
-    pub mod window;
-}
+#[path = "support/window.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod support;
 
 use egui::accesskit::Role;
 use egui::{Color32, FontFamily, FontId, Rect};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use support::window::{Window, press, there};
-use truepose::gui::{App, Runner};
+use support::{STEPS, Window, press, there, window_of};
+use truepose::gui::Runner;
 
 /// Width and height in points; the last two are 1920 × 1080 and 1366 × 768 with text of 150 %.
 const SIZES: [[f32; 2]; 6] = [
@@ -25,28 +23,16 @@ const SIZES: [[f32; 2]; 6] = [
     [911.0, 512.0],
 ];
 
-const STEPS: [&str; 5] = [
-    "1 Session",
-    "2 Regions",
-    "3 Identify",
-    "4 Find the gap",
-    "5 Export",
-];
-
 /// Inner margin of the side panels, points.
 const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
 const ROUNDING: f32 = 1.5;
 /// The least that a plot may be, points.
-const LEAST_WORKSPACE: [f32; 2] = [300.0, 130.0];
+const LEAST_WORKSPACE: [f32; 2] = [300.0, 100.0];
 const LEAST_CHART: [f32; 2] = [300.0, 70.0];
 
-fn window([width, height]: [f32; 2]) -> Window {
-    let mut window = Harness::builder()
-        .with_size([width, height])
-        .build_eframe(|cc| App::new(&cc.egui_ctx, None, Runner::AtOnce));
-    window.run_steps(5);
-    window
+fn window(size: [f32; 2]) -> Window {
+    window_of(size, None, Runner::AtOnce)
 }
 
 /// Something on the screen.
@@ -152,6 +138,10 @@ fn look(window: &Window, at: &str) {
         let Thing { role, says, rect } = thing;
         let is_text = *role == Role::Label;
         if !(is_text || interactive(*role)) || rect.width() < 1.0 {
+            continue;
+        }
+        // Lines of a file that is shown scroll sideways.
+        if is_text && says.contains(',') && !says.contains(' ') {
             continue;
         }
         let [from, to] = panels.around(*rect);
@@ -305,4 +295,67 @@ fn samples_stand_beside_the_results_on_a_large_screen() {
     window.run_steps(4);
     press(&mut window, "Samples");
     assert!(there(&window, "sample"));
+}
+
+#[test]
+fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
+    let sheets = [
+        ("Edit", "Preferences…", "Preferences"),
+        ("Help", "What the words mean", "What the words mean"),
+        ("Help", "Keyboard shortcuts", "Keyboard shortcuts"),
+        ("Help", "About truepose", "About truepose"),
+    ];
+    let buttons = |window: &Window| window.query_all_by_label("Done").count();
+    for size in [[911.0, 512.0], [1024.0, 700.0]] {
+        let mut window = window(size);
+        let whole = window.ctx.content_rect();
+        for (menu, item, sheet) in sheets {
+            for leave in ["button", "Enter", "Escape"] {
+                let at = format!("{size:?}, {sheet}, {leave}");
+                press(&mut window, menu);
+                window.get_by_label(item).click();
+                window.run_steps(5);
+                assert_eq!(buttons(&window), 1, "{at}");
+                match leave {
+                    "Enter" => window.key_press(egui::Key::Enter),
+                    "Escape" => window.key_press(egui::Key::Escape),
+                    _ => {
+                        window.get_by_label("Done").scroll_to_me();
+                        window.run_steps(6);
+                        let done = window.get_by_label("Done").rect();
+                        assert!(whole.contains_rect(done), "{at}: {done}");
+                        window.get_by_label("Done").click();
+                    }
+                }
+                window.run_steps(4);
+                assert_eq!(buttons(&window), 0, "{at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn whatever_has_the_keyboard_shows_it_and_tab_reaches_every_control_of_a_step() {
+    let mut window = window([1280.0, 800.0]);
+    let mut reached = std::collections::BTreeSet::new();
+    for _ in 0..60 {
+        window.key_press(egui::Key::Tab);
+        window.run_steps(2);
+        let focused = window.root().children_recursive();
+        let focused = focused.filter(egui_kittest::Node::is_focused);
+        let names = focused.filter_map(|node| node.accesskit_node().label());
+        reached.extend(names);
+    }
+    for name in [
+        "1 Session",
+        "5 Export",
+        "Open…",
+        "New by simulation…",
+        "Continue to regions",
+        "Hide results",
+        "heat map",
+        "Samples",
+    ] {
+        assert!(reached.contains(name), "{name} is not among {reached:?}");
+    }
 }

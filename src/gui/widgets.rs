@@ -119,13 +119,22 @@ pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
 
 /// Something else that can be done, as wide as the panel.
 pub(crate) fn secondary(ui: &mut Ui, text: &str) -> Response {
+    quiet(ui, text, 32.0)
+}
+
+/// The same beside the one that stands out, and as high.
+pub(crate) fn other(ui: &mut Ui, text: &str) -> Response {
+    quiet(ui, text, space::PRIMARY)
+}
+
+fn quiet(ui: &mut Ui, text: &str, height: f32) -> Response {
     let palette = Palette::of(ui);
     let look = Look {
         fills: [palette.surface, palette.inset, palette.accent_soft],
         text: palette.text,
         edge: palette.outline,
         heavy: false,
-        height: 32.0,
+        height,
     };
     wide(ui, text, &look)
 }

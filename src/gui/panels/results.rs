@@ -184,6 +184,7 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
                 Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
                 _ => title.to_owned(),
             };
+            ui.add_space(space::TIGHT);
             let name = RichText::new(name).color(palette.muted).size(size::SMALL);
             let name = ui.add(egui::Label::new(name).wrap());
             widgets::explained_effect(name, one.effect);
