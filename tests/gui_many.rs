@@ -77,7 +77,7 @@ fn the_pointer_finds_a_sample_among_many_in_both_plots() {
             let y = rect.top() + part * rect.height();
             window.hover_at(egui::pos2(x, y));
             window.run_steps(3);
-            window.query_by_label("direction").is_some()
+            window.query_by_label_contains("card of sample").is_some()
         });
         assert!(named, "no sample was named in the {name}");
         window.hover_at(egui::pos2(5.0, 5.0));

@@ -235,7 +235,7 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
         window.hover_at(egui::pos2(x, plot.center().y));
         window.run_steps(3);
         window.query_by_label_contains("sample ").is_some()
-            && window.query_by_label("direction").is_some()
+            && window.query_by_label_contains("card of sample").is_some()
     });
     assert!(named, "no sample was named on the whole radius");
 }

@@ -15,7 +15,7 @@ use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
-use super::foreign::{self, Foreign};
+use super::foreign::{Beside, Foreign};
 use super::given::Given;
 use super::keeping::disk::{Fate, Print};
 use super::preview::Wanted;
@@ -125,15 +125,16 @@ pub(crate) fn open(path: &Path) -> Report {
             }),
         });
     }
-    if foreign::is_foreign(path) {
-        return match Foreign::read(path) {
-            Ok(foreign) => Report::Foreign(Box::new(foreign)),
-            Err(rejected) => Report::Opened(Err(Message {
+    match Foreign::of(path) {
+        None => {}
+        Some(Ok(foreign)) => return Report::Foreign(Box::new(foreign)),
+        Some(Err(rejected)) => {
+            return Report::Opened(Err(Message {
                 wrong: true,
-                title: format!("{} could not be read", path.display()),
+                title: format!("{} could not be read; nothing was changed", path.display()),
                 details: listed(&rejected.diagnostics),
-            })),
-        };
+            }));
+        }
     }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
@@ -301,10 +302,28 @@ pub(crate) fn choose_to_open() -> Report {
     let dialog = rfd::FileDialog::new()
         .set_title("Open session, model or measurements")
         .add_filter("Sessions and models", &["json"])
-        .add_filter("Measurements", &["csv", "txt", "tsv", "dat", "asc"])
+        .add_filter("Measurements", TABLES)
         .add_filter("All files", &["*"]);
     Report::ChosenToOpen(dialog.pick_file())
 }
+
+/// Asks the user for a file beside a measured one.
+pub(crate) fn choose_beside(which: Beside) -> Report {
+    let (title, kinds): (_, &[&str]) = match which {
+        Beside::Robot => ("Which robot was measured", &["json", "urdf", "xml"]),
+        Beside::Commands => ("Where the robot was sent", TABLES),
+        Beside::Reference => ("Points known in the base frame", TABLES),
+        Beside::Targets => ("Reflectors in the tool frame", TABLES),
+    };
+    let dialog = rfd::FileDialog::new()
+        .set_title(title)
+        .add_filter("Files of this kind", kinds)
+        .add_filter("All files", &["*"]);
+    Report::ChosenBeside(which, dialog.pick_file())
+}
+
+/// Endings of files with tables.
+const TABLES: &[&str] = &["csv", "txt", "tsv", "dat", "asc"];
 
 /// Asks the user where to save.
 pub(crate) fn choose_to_save(name: &str) -> Report {

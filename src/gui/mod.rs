@@ -10,8 +10,11 @@
 //!   ready for drawing; `given`: a model that was read from a file instead.
 //! - `boundaries`: regions as they are dragged, `placing` as they are typed, `angles`: how many samples
 //!   each has; `division`: how they came about.
+//! - `known`: what its samples cover, before anything is identified.
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
+//! - `tally`: what regions hold, for any boundaries; `thinning`: which samples are drawn where not
+//!   all can be.
 //! - `search`: what a diagnosis found, ready to be added.
 //! - `setup`: robot and instrument as they are filled in.
 //! - `preferences`: units, digits, colours; `help`: what the words mean.
@@ -20,7 +23,9 @@
 //!   `figures`: the standards' figures.
 //! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
-//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
+//! - `room`: how the window is divided at its size.
+//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have;
+//!   `vision` (tests): how people see the colours.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
 mod angles;
@@ -37,6 +42,7 @@ mod foreign;
 mod given;
 mod help;
 mod keeping;
+mod known;
 mod layers;
 mod outcome;
 mod overview;
@@ -47,17 +53,22 @@ mod plots;
 mod preferences;
 mod preview;
 mod reporting;
+mod room;
 mod search;
 mod setup;
 mod simulate;
 mod subject;
+mod tally;
 mod tasks;
 #[cfg(test)]
 mod testing;
+mod thinning;
 mod tokens;
 mod undo;
 mod units;
 mod view;
+#[cfg(test)]
+mod vision;
 mod widgets;
 
 use std::path::PathBuf;
@@ -95,7 +106,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         .with_title(TITLE)
         .with_app_id("truepose")
         .with_inner_size([1280.0, 800.0])
-        .with_min_inner_size([1120.0, 640.0])
+        .with_min_inner_size([1024.0, 700.0])
         .with_icon(icon())
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions {

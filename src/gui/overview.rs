@@ -1,6 +1,7 @@
 //! What every frame needs to know of a session, worked out once: no frame may look at all samples.
 
 use crate::effects::term::travel_of;
+use crate::gui::plots::workspace::robot_extent;
 use crate::gui::plots::{MOST_ARROWS, round_down, stride};
 use crate::model::Positions;
 use crate::sessions::Session;
@@ -40,6 +41,8 @@ pub(crate) struct Overview {
     pub(crate) nominal_mm: [[f64; 3]; 2],
     /// The same of what was measured; of the nominal robot along axes that were not.
     pub(crate) measured_mm: [[f64; 3]; 2],
+    /// Smallest and largest corner of the nominal robot at some of the poses, mm.
+    pub(crate) robot_mm: [[f64; 3]; 2],
     /// Lengths of the deviations before.
     pub(crate) lengths: Lengths,
     /// The magnification at which the deviations before can be read.
@@ -76,12 +79,23 @@ impl Overview {
             travel: (range.from, range.to),
             nominal_mm,
             measured_mm,
+            robot_mm: robot_extent(&session.robot, some_poses(session, &usable)),
             lengths: Lengths::new(lengths_mm),
             readable: readable(reach_mm, lengths_mm),
             reach_mm,
             usable,
         }
     }
+}
+
+/// Some of the poses; home where there is none.
+fn some_poses(session: &Session, usable: &[u32]) -> impl Iterator<Item = Vec<f64>> {
+    const SOME: usize = 128;
+    let q = &session.samples.q;
+    let home = usable.is_empty().then(|| vec![0.0; q.len()]);
+    let some = usable.iter().step_by(stride(usable.len(), SOME));
+    let poses = some.map(|sample| q.iter().map(|q| q[*sample as usize]).collect());
+    home.into_iter().chain(poses)
 }
 
 /// Smallest and largest of the finite values at these samples.

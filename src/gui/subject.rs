@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
-use crate::effects::{CATALOGUE, Inputs, JointValues, Survey};
+use crate::effects::{CATALOGUE, JointValues, Survey};
 use crate::identification::gap::{Deviations, Spread, deviations};
 use crate::identification::problem::Problem;
 use crate::kinematics::{JointKind, Range};
@@ -16,8 +16,10 @@ use crate::sessions::Session;
 
 use super::angles::Angles;
 use super::keeping::disk::Print;
+use super::known::Known;
 use super::layers::Cloud;
 use super::overview::Overview;
+use super::tally::Tallied;
 
 /// Where a session came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -119,6 +121,8 @@ pub(crate) struct Subject {
     pub(crate) overview: Overview,
     /// How many samples lie where along joint 1, once somebody asked.
     angles: OnceLock<Angles>,
+    /// What its samples cover.
+    pub(crate) known: Known,
     /// Its samples, as they are uploaded.
     pub(crate) cloud: Arc<Cloud>,
     /// Effects that the session can show.
@@ -129,6 +133,8 @@ pub(crate) struct Subject {
     pub(crate) joint: JointFrame,
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
+    /// What regions of it hold, for any boundaries.
+    pub(crate) tallied: Tallied,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
@@ -148,7 +154,7 @@ impl Subject {
         let before = deviations(&problem, &model);
         let usable = problem.usable.clone();
         let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
-        let (testable, not_testable) = effects_of(&session, &problem.inputs);
+
         let joint = JointFrame::new(&session.robot, 0);
         let arm_mm = arm_mm(&session, &joint);
         let single = is_single_revolute(&session);
@@ -159,12 +165,16 @@ impl Subject {
             &before.length_mm,
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
+        let known = Known::new(&session, &problem.inputs, overview.travel);
+        let (testable, not_testable) = effects_of(&session, &known.survey);
         let mut subject = Self {
             joint,
             arm_mm,
             overview,
             angles: OnceLock::new(),
+            known,
             cloud: Arc::default(),
+            tallied: Tallied::default(),
             nominal,
             before,
             gap_before,
@@ -267,8 +277,13 @@ impl Subject {
 
     /// One component of a deviation at a sample, mm.
     pub(crate) fn component(&self, e: [f64; 3], sample: usize, component: Component) -> f64 {
+        self.component_at(e, self.nominal.get(sample), component)
+    }
+
+    /// One component of a deviation where the nominal robot is at `p`, mm.
+    pub(crate) fn component_at(&self, e: [f64; 3], p: [f64; 3], component: Component) -> f64 {
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        let [radial, tangential] = self.directions(sample);
+        let [radial, tangential] = self.directions(p);
         match component {
             Component::Length => dot(e, e).sqrt(),
             Component::Tangential => dot(e, tangential),
@@ -280,14 +295,13 @@ impl Subject {
         }
     }
 
-    /// Radial and tangential direction of joint 1 where the nominal robot is at a sample.
-    fn directions(&self, sample: usize) -> [[f64; 3]; 2] {
+    /// Radial and tangential direction of joint 1 where the nominal robot is at `p`.
+    fn directions(&self, p: [f64; 3]) -> [[f64; 3]; 2] {
         let JointFrame {
             origin_mm: o,
             along: a,
             ..
         } = self.joint;
-        let p = self.nominal.get(sample);
         let arm: [f64; 3] = std::array::from_fn(|k| p[k] - o[k]);
         let height: f64 = (0..3).map(|k| arm[k] * a[k]).sum();
         let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * a[k]);
@@ -311,7 +325,12 @@ impl Subject {
 
     /// Whether joint 1 turns.
     pub(crate) fn turns(&self) -> bool {
-        self.session.robot.joints[0].kind == JointKind::Revolute
+        self.joint_turns(0)
+    }
+
+    /// Whether this joint, counted from 0, turns.
+    pub(crate) fn joint_turns(&self, joint: usize) -> bool {
+        self.session.robot.joints[joint].kind == JointKind::Revolute
     }
 
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
@@ -347,8 +366,7 @@ fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
     distances.fold(0.0, f64::max)
 }
 
-fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<NotTestable>) {
-    let survey = Survey::new(session, inputs);
+fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
     let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
     for effect in CATALOGUE {
         let about = effect.about();
@@ -357,7 +375,7 @@ fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<Not
         } else {
             1
         };
-        let mut obstacles = (0..joints).map(|joint| effect.obstacle(&survey, joint));
+        let mut obstacles = (0..joints).map(|joint| effect.obstacle(survey, joint));
         let first = obstacles.next().flatten();
         match first {
             Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {

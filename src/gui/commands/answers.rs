@@ -10,9 +10,8 @@ use crate::gui::edit::Edit;
 use crate::gui::given::Given;
 use crate::gui::layers::{Heat, Nearest};
 use crate::gui::outcome::{After, Answer, Outcome};
-use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Wanted};
-use crate::gui::view::Step;
+use crate::gui::view::{Canvas, Step};
 
 use super::Workbench;
 
@@ -70,13 +69,12 @@ impl Workbench {
         self.backdrop().filter(seen)?.heat.as_ref()
     }
 
-    /// The extremes of the deviation chart; `None` where samples are few, or until they are found.
-    pub(crate) fn envelope(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| {
-            b.scenery.component == self.view.component
-                && b.scenery.outcome.is_some() == self.outcome().is_some()
-        };
-        self.backdrop().filter(seen)?.envelope.as_deref()
+    /// Samples that are drawn where not all can be; `None` where they are few, or until they are
+    /// chosen.
+    pub(crate) fn thinned(&self) -> Option<&[u32]> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        let thinned = self.backdrop().filter(seen)?.thinned.as_deref()?;
+        Some(&thinned.samples)
     }
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
@@ -163,7 +161,10 @@ impl Workbench {
             outcome,
             plane: self.view.plane,
             heat: self.view.heat,
+            thins: self.view.canvas == Canvas::Shapes,
+            polar: self.view.polar,
             component: self.view.component,
+            chart: self.charting(),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
         if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {

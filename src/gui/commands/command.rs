@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
-use crate::gui::foreign::Foreign;
+use crate::gui::foreign::{Beside, Said};
 use crate::gui::placing::End;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{Canvas, Colouring, Lower, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Chart, Colouring, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -29,10 +29,14 @@ pub(crate) enum Command {
     ChooseFile,
     /// Read this file.
     OpenFile(PathBuf),
-    /// Look at a foreign file again, with what was said since.
-    Inspect(Box<Foreign>),
-    /// Make a session of a foreign file.
-    Import(Box<Foreign>),
+    /// Say something about the foreign file on the sheet.
+    Say(Box<Said>),
+    /// Its columns were looked at, and are right.
+    ConfirmColumns,
+    /// Ask for a file beside it.
+    ChooseBeside(Beside),
+    /// Make a session of it.
+    Import,
     /// Open a session that comes with the program.
     OpenExample(usize),
     /// Do it, whatever is lost.
@@ -102,6 +106,8 @@ pub(crate) enum Command {
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
+    /// Look at the deviation around the joint's angle.
+    LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.
     Magnify(Option<f64>),
     /// From before, 0, to after, 1.
@@ -122,8 +128,14 @@ pub(crate) enum Command {
     Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
-    /// Show this below the workspace in the step that finds the gap.
-    Lower(Lower),
+    /// Show this below the workspace.
+    Chart(Chart),
+    /// Let charts be about this joint, counted from 0.
+    ChartJoint(usize),
+    /// Show the curve of an effect that was found, by its place in the answer.
+    ShowEffect(usize),
+    /// Open the right-hand side, or shut it.
+    Results(bool),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

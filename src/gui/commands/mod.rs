@@ -4,11 +4,13 @@
 //! only function that changes anything.
 
 mod answers;
+mod charts;
 mod command;
 mod desk;
 mod dividing;
 mod exports;
 mod follow;
+mod imports;
 mod leaving;
 mod papers;
 mod recovering;
@@ -38,7 +40,7 @@ use crate::gui::outcome::Outcome;
 use crate::gui::preview::Preview;
 use crate::gui::search::Search;
 use crate::gui::subject::Subject;
-use crate::gui::tasks::{Report, Tasks};
+use crate::gui::tasks::Tasks;
 use crate::gui::undo::History;
 use crate::gui::units::Units;
 use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
@@ -163,20 +165,15 @@ impl Workbench {
                     files::choose_to_save(&name)
                 });
             }
-            Command::Inspect(foreign) => {
-                // What was typed meanwhile is not lost while it is looked at.
-                self.view.sheet = Some(Sheet::Import(foreign.clone()));
-                self.tasks.start("looking at the file", move |_| {
-                    Report::Foreign(Box::new(foreign.looked_at()))
-                });
-            }
-            Command::Import(foreign) => {
+            Command::Say(said) => self.say(*said),
+            Command::ConfirmColumns => self.confirm_columns(),
+            Command::ChooseBeside(which) => {
                 self.tasks
-                    .open("importing", move |_| match foreign.import() {
-                        Ok(subject) => Report::Opened(Ok(Arc::new(subject))),
-                        Err(refused) => Report::Foreign(refused),
+                    .start("waiting for a file to be chosen", move |_| {
+                        files::choose_beside(which)
                     });
             }
+            Command::Import => self.import(),
             Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {
                 let replace = if replace {
@@ -240,7 +237,8 @@ impl Workbench {
         let view = &mut self.view;
         match command {
             Command::GoTo(step) => view.step = step,
-            Command::Look(plane) => view.plane = plane,
+            Command::Look(plane) => (view.plane, view.polar) = (plane, false),
+            Command::LookAround => view.polar = true,
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -261,7 +259,10 @@ impl Workbench {
                 view.side = Side::Samples;
             }
             Command::Side(side) => view.side = side,
-            Command::Lower(lower) => view.lower = lower,
+            Command::Chart(chart) => self.choose_chart(chart),
+            Command::ChartJoint(joint) => view.joint = joint,
+            Command::ShowEffect(index) => self.show_effect(index),
+            Command::Results(open) => view.results = Some(open),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
                 self.keep_preferences();
@@ -348,6 +349,7 @@ impl Workbench {
     /// Looks at the workspace in the plane in which joint 1 turns.
     fn look_along_the_axis(&mut self) {
         let along = self.subject().joint.along;
+        self.view.polar = false;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()

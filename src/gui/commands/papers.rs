@@ -73,7 +73,9 @@ impl Workbench {
             plot,
             document: Arc::clone(self.history.present()),
             outcome: self.outcome.clone().filter(|_| shown),
+            component: (self.view.component, self.view.only_after),
             floor_mm: self.diagnosis().map(|d| d.floor.mm),
+            sketch: self.sketch(plot),
             inputs: self.inputs(),
         };
         let says = format!("writing {}", path.display());

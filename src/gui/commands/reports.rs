@@ -27,13 +27,10 @@ impl Workbench {
 
     fn take(&mut self, report: Report) {
         match report {
-            Report::Opened(Ok(subject)) => {
-                if matches!(self.view.sheet, Some(Sheet::Import(_))) {
-                    self.view.sheet = None;
-                }
-                self.execute(Command::Edit(Edit::Open(subject)));
-            }
+            Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
             Report::Foreign(foreign) => self.view.sheet = Some(Sheet::Import(foreign)),
+            Report::Looked(looked) => self.take_looked(*looked),
+            Report::ChosenBeside(which, path) => self.take_beside(which, path),
             Report::OpenedModel(Ok(given)) => {
                 let beside = self.has_a_session_for(&given);
                 self.execute(Command::Edit(Edit::OpenModel { given, beside }));
@@ -69,8 +66,11 @@ impl Workbench {
                 self.keep_preparing();
                 self.keep_drawing();
             }
+            Report::Searched(search) => {
+                self.searched = Some(Arc::new(*search));
+                self.keep_drawing();
+            }
             Report::Adapted(adapted) => self.take_adapted(*adapted),
-            Report::Searched(search) => self.searched = Some(Arc::new(*search)),
             Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {

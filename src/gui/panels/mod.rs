@@ -1,5 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
+mod charts;
 mod copies;
 mod disk;
 pub(super) mod dropped;
@@ -8,6 +9,7 @@ mod findings;
 mod gap;
 mod identify;
 mod import;
+mod known;
 pub(super) mod menu;
 mod model;
 mod preferences;

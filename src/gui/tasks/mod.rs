@@ -174,6 +174,22 @@ impl Tasks {
         self.running.iter().find(|r| r.kind == Kind::Writes)
     }
 
+    /// Looks at a foreign file, unless that is under way.
+    pub(crate) fn look(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Report + Send + 'static,
+    ) {
+        if !self.looks() {
+            self.spawn(what.into(), Kind::Looks, work);
+        }
+    }
+
+    /// Whether a foreign file is being looked at.
+    pub(crate) fn looks(&self) -> bool {
+        self.running.iter().any(|r| r.kind == Kind::Looks)
+    }
+
     /// Asks for an answer. A question that is waiting is forgotten for it.
     pub(crate) fn ask(&mut self, question: Question) {
         if let Some(question) = self.questions.ask(question) {
@@ -312,6 +328,7 @@ impl Tasks {
             | Kind::Writes
             | Kind::Searches
             | Kind::Quiet
+            | Kind::Looks
             | Kind::Draws => {}
         }
         Some(None)
@@ -330,7 +347,12 @@ impl Tasks {
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Opens | Kind::Writes | Kind::Searches | Kind::Quiet => {}
+                Kind::Once
+                | Kind::Opens
+                | Kind::Writes
+                | Kind::Searches
+                | Kind::Quiet
+                | Kind::Looks => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

@@ -7,7 +7,7 @@ use crate::gui::backdrop::Backdrop;
 use crate::gui::commands::Adapted;
 use crate::gui::figures::Figures;
 use crate::gui::files::Saved;
-use crate::gui::foreign::Foreign;
+use crate::gui::foreign::{Beside, Foreign, Look};
 use crate::gui::given::Given;
 use crate::gui::keeping::recovery::LeftBehind;
 use crate::gui::keeping::watcher::Seen;
@@ -26,6 +26,10 @@ pub(crate) enum Report {
     Opened(Result<Arc<Subject>, Message>),
     /// A file that an instrument wrote was looked at.
     Foreign(Box<Foreign>),
+    /// It was looked at again, with what was said since.
+    Looked(Box<(Foreign, Look)>),
+    /// A file beside it was chosen; `None`: cancelled, or there is no dialog on this system.
+    ChosenBeside(Beside, Option<PathBuf>),
     /// A model was read.
     OpenedModel(Result<Arc<Given>, Message>),
     /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.

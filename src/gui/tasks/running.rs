@@ -97,6 +97,8 @@ pub(super) enum Kind {
     Identifies,
     Prepares,
     Searches,
+    /// Looks at a foreign file.
+    Looks,
     /// What is only drawn: it passes without a word.
     Draws,
     /// Nobody has to know.

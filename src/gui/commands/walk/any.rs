@@ -12,7 +12,7 @@ use crate::export::EXPORTERS;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::{ExportChoice, Method};
 use crate::gui::edit::Edit;
-use crate::gui::foreign::{Foreign, RobotFrom};
+use crate::gui::foreign::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::pictures::Plot;
 use crate::gui::placing::{End, Joint};
 use crate::gui::preferences::{Preferences, Theme};
@@ -23,7 +23,7 @@ use crate::gui::simulate::Form;
 use crate::gui::subject::{Component, Subject};
 use crate::gui::tasks::What;
 use crate::gui::view::{
-    AngleUnit, Canvas, Colouring, LengthUnit, Lower, Plane, Sheet, Side, Step, Then,
+    AngleUnit, Canvas, Chart, Colouring, LengthUnit, Plane, Sheet, Side, Step, Then,
 };
 use crate::kinematics::JointKind;
 use crate::units::rad_from_deg;
@@ -192,19 +192,36 @@ fn form(random: &mut ChaCha8Rng) -> Form {
     }
 }
 
+/// A foreign file as it stands in its sheet, and something that somebody says about it.
 fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<Foreign> {
-    let mut foreign = Foreign::read(&files.foreign).expect("the walk has written it");
-    if random.random() {
-        foreign.robot = match random.random_range(0..4) {
-            0 => RobotFrom::File(files.any(random).display().to_string()),
-            1 => RobotFrom::Here(Box::new(workbench.subject().session.robot.clone())),
-            _ => RobotFrom::Example(random.random_range(0..4)),
-        };
-    }
-    if random.random_range(0..3) == 0 {
-        foreign.reading.columns = vec!["q1_deg".to_owned(), "x_mm".to_owned(), "y_mm".to_owned()];
-    }
+    let foreign = Foreign::of(&files.foreign).expect("it is a table");
+    let mut foreign = foreign.expect("the walk has written it");
+    foreign.said = said(random, files, workbench);
     Box::new(foreign)
+}
+
+fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Said {
+    let mut said = Said::default();
+    let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
+    said.robot = match random.random_range(0..5) {
+        0 => RobotFrom::default().of_file(path(random)),
+        1 => RobotFrom::Here(Box::new(workbench.subject().session.robot.clone())),
+        2 => RobotFrom::Typed(TypedAxis::default()),
+        3 => RobotFrom::Example(random.random_range(0..4)),
+        _ => RobotFrom::Open,
+    };
+    if random.random_range(0..3) == 0 {
+        said.reading.columns = vec!["q1_deg".to_owned(), "x_mm".to_owned(), "y_mm".to_owned()];
+    }
+    if random.random_range(0..6) == 0 {
+        said.commands = path(random);
+        said.clock_offset_s = Some(angle(random));
+    }
+    if random.random_range(0..6) == 0 {
+        said.reference = path(random);
+        said.targets = path(random);
+    }
+    said
 }
 
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
@@ -276,8 +293,9 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         56..=63 => Command::Undo,
         64..=67 => Command::Redo,
         68 => Command::OpenFile(files.any(random)),
-        69 => Command::Inspect(foreign(random, files, workbench)),
-        70 => Command::Import(foreign(random, files, workbench)),
+        69 => Command::Say(Box::new(said(random, files, workbench))),
+        70 if random.random() => Command::ConfirmColumns,
+        70 => Command::Import,
         71 => Command::OpenExample(random.random_range(0..4)),
         72 | 73 => Command::Do(then(random, files)),
         74 => match (workbench.file(), workbench.at_risk().session) {
@@ -332,7 +350,11 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         126..=129 => Command::Select(sample(random)),
         130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
         132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
-        134 | 135 => Command::Lower(pick(random, &[Lower::Waterfall, Lower::Deviation])),
+        134 | 135 => Command::Chart(pick(random, &Chart::ALL)),
+        152 => Command::ChartJoint(random.random_range(0..7)),
+        153 => Command::ShowEffect(random.random_range(0..4)),
+        154 => Command::LookAround,
+        155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137..=139 => Command::Prefer(preferences(random)),
         140..=142 => Command::Draft(

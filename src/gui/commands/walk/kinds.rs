@@ -23,13 +23,13 @@ macro_rules! kinds {
 
 kinds!(
     COMMANDS, command, Command:
-    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Inspect(..),
-    Import(..), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
+    Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
+    ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
     Follow(..), Forget(..), Restore(..), DiscardLeft(..), KeepRecovery(), LookAtDisk(),
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, Adapt(), Type {..},
     Search(), Simulate(..), Cancel(), StopSearch(), GoTo(..), Look(..), Magnify(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
-    Lower(..), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(),
+    Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(),
 );
 
 kinds!(
@@ -41,8 +41,12 @@ kinds!(
 );
 
 /// These open a dialog of the system, which nobody can drive.
-pub(super) const ASK_THE_SYSTEM: &[&str] =
-    &["ChooseFile", "ChooseWhereToSave", "ChooseWhereToExport"];
+pub(super) const ASK_THE_SYSTEM: &[&str] = &[
+    "ChooseFile",
+    "ChooseWhereToSave",
+    "ChooseWhereToExport",
+    "ChooseBeside",
+];
 
 /// These come only of a background task, which the walk starts.
 pub(super) const COME_BACK: &[&str] = &["Open", "OpenModel", "Adapt", "Recover"];

@@ -11,12 +11,14 @@ use egui_plot::{PlotPoint, PlotTransform};
 use crate::gui::boundaries::{self, SNAP_DEG};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
+use crate::gui::tally::Held;
 use crate::gui::tokens::Palette;
-use crate::gui::units::trimmed;
+use crate::gui::units::{Units, trimmed};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::layout::HANDLE;
 use super::model::Dial;
+use super::room;
 
 /// Size of a handle, points: large enough for a finger.
 const SIZE: f32 = 22.0;
@@ -81,6 +83,10 @@ pub(crate) fn show(
             commands.push(Command::Edit(Edit::MoveBoundary(index, to)));
         }
         paint(ui, &response, at_deg);
+        if response.dragged() || response.has_focus() {
+            let sides = [boundary.below, boundary.above];
+            follows(ui, workbench, sides, centre, *transform.frame());
+        }
         response.on_hover_text("drag, or press the arrow keys; shift takes larger steps");
     }
 }
@@ -144,5 +150,67 @@ fn paint(ui: &Ui, response: &Response, at_deg: f64) {
         let back = Rect::from_min_size(at, galley.size()).expand2(Vec2::new(6.0, 3.0));
         painter.rect_filled(back, 4.0, palette.accent);
         painter.galley(at, galley, Color32::PLACEHOLDER);
+    }
+}
+
+/// What follows for the regions beside a boundary, at once: the whole answer takes its time with
+/// many samples, the sums of a region do not.
+fn follows(
+    ui: &Ui,
+    workbench: &Workbench,
+    sides: [Option<usize>; 2],
+    handle: egui::Pos2,
+    frame: Rect,
+) {
+    let subject = workbench.subject();
+    let few = subject.len() <= crate::gui::backdrop::FEW;
+    let tally = subject.tallied.ready();
+    let Some(tally) = tally.or_else(|| few.then(|| subject.tallied.of(subject))) else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    let regions = &workbench.document().regions;
+    let held = tally.held(regions);
+    let font = egui::FontId::proportional(crate::gui::tokens::size::SMALL);
+    let line = |region: usize| {
+        let name = regions.get(region).map_or("", |r| r.name.as_str());
+        let says = says(name, held.get(region)?, workbench.units());
+        Some(
+            ui.painter()
+                .layout_no_wrap(says, font.clone(), palette.text),
+        )
+    };
+    let lines: Vec<_> = sides.into_iter().flatten().filter_map(line).collect();
+    let wide = lines.iter().map(|l| l.size().x).fold(0.0, f32::max);
+    let high: f32 = lines.iter().map(|l| l.size().y).sum();
+    let size = Vec2::new(wide + 14.0, high + 8.0);
+    let places = room::around(handle, size, 22.0);
+    // The angle itself stands above the handle.
+    let chip = [handle - Vec2::new(0.0, 30.0)];
+    let Some(place) = room::freest(&places, frame, &[&chip]) else {
+        return;
+    };
+    let painter = ui.painter();
+    let edge = Stroke::new(1.0, palette.line);
+    painter.rect(place, 4.0, palette.surface, edge, egui::StrokeKind::Inside);
+    let mut at = place.min + Vec2::new(7.0, 4.0);
+    for line in lines {
+        let next = at.y + line.size().y;
+        painter.galley(at, line, palette.text);
+        at.y = next;
+    }
+}
+
+/// A region in a line.
+fn says(name: &str, held: &Held, units: Units) -> String {
+    match held.correction() {
+        None => format!("{name}: no samples"),
+        Some((theta_rad, l1_mm, left_mm)) => format!(
+            "{name}: {} samples, Δθ {}, Δl1 {}, left {}",
+            held.samples,
+            units.angle(theta_rad),
+            units.length(l1_mm),
+            units.length(left_mm)
+        ),
     }
 }

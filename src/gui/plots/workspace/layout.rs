@@ -35,6 +35,7 @@ pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
         }
     };
     scene.measured_mm.into_iter().for_each(&mut take);
+    scene.robot_mm.into_iter().for_each(&mut take);
     for p in scene.paths_mm.iter().flatten() {
         take(*p);
     }
@@ -167,7 +168,44 @@ pub(crate) fn under(
 /// One line of what is said about a sample: what, and how much.
 pub(crate) type Line = (String, String);
 
-/// What is said about a sample under the pointer.
+/// What matters most of a sample.
+pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
+    const MOST: usize = 3;
+    let subject = &**workbench.subject();
+    let (title, all) = about(workbench, sample);
+    let joints = subject.session.robot.joints.len();
+    let mut lines: Vec<Line> = Vec::new();
+    if joints > MOST {
+        let values = all.iter().take(joints).map(|(_, value)| value.as_str());
+        let mut values: Vec<&str> = values.take(6).collect();
+        if joints > values.len() {
+            values.push("…");
+        }
+        lines.push(("joints".to_owned(), values.join(", ")));
+    } else {
+        lines.extend(all.iter().take(joints).cloned());
+    }
+    let colour = workbench.view().colouring;
+    let component = workbench.view().component;
+    let matters = |name: &str| {
+        ["left out", "deviation", "before", "after", "tolerance"].contains(&name)
+            || name == colour.name()
+            || name == component.name()
+    };
+    let rest = all.into_iter().skip(joints);
+    lines.extend(rest.filter(|(name, _)| matters(name)));
+    // Before and after are one line where both are there.
+    if let Some(k) = lines.iter().position(|(name, _)| name == "before")
+        && lines.get(k + 1).is_some_and(|(name, _)| name == "after")
+    {
+        let after = lines.remove(k + 1).1;
+        let before = lines[k].1.trim_end_matches(char::is_alphabetic).trim_end();
+        lines[k] = ("before → after".to_owned(), format!("{before} → {after}"));
+    }
+    (title, lines)
+}
+
+/// What is said about a sample.
 pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
     let subject = &**workbench.subject();
     let units = workbench.units();

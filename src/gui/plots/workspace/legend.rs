@@ -1,139 +1,260 @@
-//! The scale of the vectors, what the marks mean, and what is not shown.
+//! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
+//! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
-use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo};
+use egui::{pos2, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::commands::Workbench;
-use crate::gui::plots::{marks, thinned};
+use crate::gui::plots::marks;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
-use crate::gui::view::{Canvas, Colouring};
+use crate::gui::view::Colouring;
 
 use super::layout;
 use super::model::Scene;
+use super::polar::Polar;
+use super::robot::Drawn;
 use super::scales;
 
 /// The longest that the scale's arrow gets, points.
-const LONGEST_SCALE: f64 = 90.0;
+const LONGEST_SCALE: f64 = 64.0;
+/// Room for the arrow and its length in words, points.
+const SCALE: f32 = 112.0;
+/// Height of a row, points.
+const HIGH: f32 = 18.0;
 
-/// The scale of the vectors, what the marks mean, and what is not shown.
+/// A mark of the legend.
+#[derive(Clone, Copy)]
+enum Sign {
+    Line(Color32, f32),
+    Dashes(Color32),
+    Disc(Color32),
+    Ring(Color32),
+    Diamond(Color32),
+    Triangle(f64),
+    Tube,
+    Band(Color32),
+}
+
+impl Sign {
+    fn paint(self, painter: &Painter, at: Pos2, palette: &Palette) {
+        let half = vec2(7.0, 0.0);
+        let ends = [at - half, at + half];
+        match self {
+            Self::Line(color, width) => {
+                painter.line_segment(ends, Stroke::new(width, color));
+            }
+            Self::Dashes(color) => {
+                let stroke = Stroke::new(1.25, color);
+                painter.extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
+            }
+            Self::Disc(color) => {
+                painter.add(marks::disc(at, 2.8, color));
+            }
+            Self::Ring(color) => {
+                painter.add(marks::ring(at, 3.4, Stroke::new(1.2, color)));
+            }
+            Self::Diamond(color) => {
+                let edge = Stroke::new(1.4, color);
+                painter.add(marks::diamond(at, 4.2, palette.surface, edge));
+            }
+            Self::Triangle(side) => {
+                let edge = Stroke::new(1.2, palette.muted);
+                painter.add(marks::pointing(at, 3.4, side, Color32::TRANSPARENT, edge));
+            }
+            Self::Tube => {
+                for (width, color) in [(7.0, palette.nominal), (4.5, palette.surface)] {
+                    painter.line_segment(ends, Stroke::new(width, color));
+                }
+            }
+            Self::Band(color) => {
+                let rect = Rect::from_center_size(at, vec2(14.0, 8.0));
+                painter.rect_filled(rect, 1.0, color.gamma_multiply(0.3));
+            }
+        }
+    }
+}
+
+/// An entry of the legend: so much room for what is drawn, and its name behind it. Where the room
+/// is.
+pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Rect {
+    let font = FontId::proportional(size::SMALL);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, palette.muted);
+    let between = if name.is_empty() { 0.0 } else { 5.0 };
+    let wide = room + between + galley.size().x;
+    let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
+    let label = format!("legend: {name}");
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
+    let at = pos2(rect.right(), rect.center().y);
+    let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
+    ui.painter().galley(place.min, galley, palette.muted);
+    rect.with_max_x(rect.left() + room)
+}
+
+fn sign(ui: &mut Ui, name: &str, sign: Sign, palette: &Palette) {
+    let room = entry(ui, 14.0, name, palette);
+    sign.paint(ui.painter(), room.center(), palette);
+}
+
+fn note(ui: &mut Ui, says: &str, palette: &Palette) {
+    entry(ui, 0.0, says, palette);
+}
+
+fn rows(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
+        ui.spacing_mut().interact_size.y = HIGH;
+        ui.horizontal_wrapped(contents);
+    });
+}
+
+/// The rows over a plot of the plane. Where the scale of the vectors goes: its length is known only
+/// when the plot is.
 pub(super) fn show(
     ui: &mut Ui,
+    workbench: &Workbench,
+    scene: &Scene,
+    robot: Option<&Drawn>,
+    notes: &[String],
+    palette: &Palette,
+) -> Option<Rect> {
+    let mut scale = None;
+    rows(ui, |ui| {
+        if !workbench.subject().is_empty() {
+            scale = Some(entry(ui, SCALE, "", palette));
+            meanings(ui, workbench, scene, palette);
+        }
+        if let Some(robot) = robot.filter(|robot| robot.asked_for) {
+            sign(ui, "nominal robot", Sign::Tube, palette);
+            match &robot.real {
+                Some(real) if real.identified => {
+                    sign(ui, "identified", Sign::Line(palette.after, 2.5), palette);
+                }
+                Some(_) => sign(
+                    ui,
+                    "measured robot",
+                    Sign::Line(palette.before, 2.5),
+                    palette,
+                ),
+                None => {}
+            }
+        }
+        scales::show(ui, scene, workbench, palette);
+        for says in notes {
+            note(ui, says, palette);
+        }
+    });
+    scale
+}
+
+/// The scale's arrow, where there is room for it.
+pub(super) fn scale(
+    ui: &Ui,
+    room: Rect,
     scene: &Scene,
     transform: &PlotTransform,
     workbench: &Workbench,
     palette: &Palette,
 ) {
     let units = workbench.units();
-    let frame = *transform.frame();
-    let painter = ui.painter().with_clip_rect(frame);
-    let font = FontId::proportional(size::SMALL);
     let points_per_mm = transform.dpos_dvalue_x().abs();
     let mm = layout::scale_mm(scene.magnification, points_per_mm, LONGEST_SCALE);
     let long = points_from(mm * scene.magnification * points_per_mm);
-    let corner = frame.left_top() + vec2(12.0, 16.0);
     let color = if scene.look.colouring != Colouring::State {
         palette.muted
-    } else if scene.look.answered {
+    } else if scene.look.answered && scene.look.blend > 0.0 {
         palette.after
     } else {
         palette.before
     };
+    let from = pos2(room.left(), room.center().y);
     let mut shapes = Vec::new();
-    marks::arrow(
-        &mut shapes,
-        corner,
-        corner + vec2(long, 0.0),
-        Stroke::new(2.0, color),
-    );
-    painter.extend(shapes);
+    let stroke = Stroke::new(2.0, color);
+    marks::arrow(&mut shapes, from, from + vec2(long, 0.0), stroke);
+    ui.painter().extend(shapes);
     let says = format!(
         "{} {}",
         trimmed(units.length_value(mm), 6),
         units.length_name()
     );
-    painter.text(
-        corner + vec2(long + 8.0, 0.0),
+    ui.painter().text(
+        from + vec2(long + 8.0, 0.0),
         Align2::LEFT_CENTER,
         says,
-        font.clone(),
-        palette.muted,
+        FontId::proportional(size::SMALL),
+        palette.text,
     );
-    let notes = if scene.canvas == Canvas::Shapes {
-        let thinned = [
-            thinned(scene.arrow_stride, "arrow"),
-            thinned(scene.point_stride, "point"),
-        ];
-        thinned.into_iter().flatten().collect()
-    } else {
-        layout::drawn(scene, layout::counts(scene, transform))
-    };
-    for (line, note) in notes.into_iter().enumerate() {
-        let at = corner + vec2(0.0, 18.0 * (line + 1) as f32);
-        let galley = painter.layout_no_wrap(note, font.clone(), palette.muted);
-        let place = Align2::LEFT_CENTER.anchor_size(at, galley.size());
-        let back = place.expand2(vec2(3.0, 1.0));
-        painter.rect_filled(back, 2.0, palette.surface.gamma_multiply(0.85));
-        painter.galley(place.min, galley, palette.muted);
-    }
-    meanings(ui, frame, workbench, scene, palette);
-    scales::show(ui, frame, scene, workbench, palette);
 }
 
-/// A mark of the legend.
-#[derive(Clone, Copy)]
-enum Sign {
-    Line(Color32, f32),
-    Disc(Color32),
-    Diamond(Color32),
-}
-
-impl Sign {
-    fn shape(self, at: Pos2, palette: &Palette) -> Shape {
-        match self {
-            Self::Line(color, width) => {
-                let half = vec2(7.0, 0.0);
-                Shape::line_segment([at - half, at + half], Stroke::new(width, color))
-            }
-            Self::Disc(color) => marks::disc(at, 2.8, color),
-            Self::Diamond(color) => {
-                marks::diamond(at, 4.2, palette.surface, Stroke::new(1.4, color))
-            }
-        }
-    }
-}
-
-/// What the marks mean, from right to left along the lower edge.
-fn meanings(ui: &Ui, frame: Rect, workbench: &Workbench, scene: &Scene, palette: &Palette) {
-    let painter = ui.painter().with_clip_rect(frame);
-    let mut entries = Vec::new();
+/// What the marks mean.
+fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette) {
     if !scene.paths_mm.is_empty() {
-        entries.push(("nominal path", Sign::Line(palette.nominal, 1.25)));
+        sign(
+            ui,
+            "nominal path",
+            Sign::Line(palette.nominal, 1.25),
+            palette,
+        );
     }
     if scene.look.ghosts() {
         let faint = palette.before.gamma_multiply(0.5);
-        entries.push(("before", Sign::Line(faint, 1.5)));
-        entries.push(("after", Sign::Line(palette.after, 1.8)));
+        sign(ui, "before", Sign::Line(faint, 1.5), palette);
+        sign(ui, "after", Sign::Line(palette.after, 1.8), palette);
     }
     if workbench.document().tolerance_mm.is_some() {
-        entries.push(("within", Sign::Disc(palette.within)));
-        entries.push(("outside", Sign::Diamond(palette.outside)));
+        sign(ui, "within", Sign::Disc(palette.within), palette);
+        sign(ui, "outside", Sign::Diamond(palette.outside), palette);
     } else {
-        entries.push(("measured", Sign::Disc(palette.text)));
+        sign(ui, "measured", Sign::Disc(palette.text), palette);
     }
-    let font = FontId::proportional(size::SMALL);
-    let mut right = frame.right() - 12.0;
-    let y = frame.bottom() - 14.0;
-    for (name, sign) in entries.into_iter().rev() {
-        let galley = painter.layout_no_wrap(name.to_owned(), font.clone(), palette.muted);
-        let place = Align2::RIGHT_CENTER.anchor_size(pos2(right, y), galley.size());
-        let back = place.expand2(vec2(3.0, 2.0));
-        let back = back.with_min_x(back.left() - 22.0);
-        painter.rect_filled(back, 2.0, palette.surface.gamma_multiply(0.8));
-        painter.galley(place.min, galley, palette.muted);
-        painter.add(sign.shape(pos2(place.left() - 12.0, y), palette));
-        right = place.left() - 32.0;
-    }
+}
+
+/// The rows over the polar view.
+pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: &Palette) {
+    let answered = workbench.answer().is_some();
+    let only_after = workbench.view().only_after && answered;
+    let many = workbench.around().is_some();
+    rows(ui, |ui| {
+        let says = super::polar::scale(polar, workbench.units());
+        note(ui, &says, palette);
+        sign(
+            ui,
+            "nominal circle",
+            Sign::Line(palette.nominal, 1.75),
+            palette,
+        );
+        if !only_after {
+            sign(ui, "before", Sign::Ring(palette.before), palette);
+        }
+        if answered {
+            sign(ui, "after", Sign::Disc(palette.after), palette);
+        }
+        if !many {
+            if !only_after {
+                sign(ui, "mean before", Sign::Dashes(palette.before), palette);
+            }
+            if answered {
+                sign(ui, "mean after", Sign::Line(palette.after, 1.5), palette);
+            }
+        }
+        if polar.spots.iter().any(|s| s.side != 0.0) {
+            sign(ui, "moving positive", Sign::Triangle(1.0), palette);
+            sign(ui, "negative", Sign::Triangle(-1.0), palette);
+        }
+        if polar.tolerance_mm.is_some() {
+            sign(ui, "tolerance", Sign::Band(palette.within), palette);
+        }
+        if many {
+            note(
+                ui,
+                "from the smallest to the largest at each angle",
+                palette,
+            );
+        }
+    });
 }
 
 /// A length on the screen.

@@ -1,14 +1,22 @@
-//! The workspace: sectors, nominal path, measured points, error vectors.
+//! The workspace: sectors, nominal path, the robot, measured points, error vectors; or the
+//! deviation around the joint's angle.
 
+mod card;
+mod crowd;
 mod handles;
 mod layers;
 mod layout;
 mod legend;
 mod model;
 mod paint;
+mod polar;
+mod robot;
+mod room;
 mod scales;
 mod toolbar;
 
 pub(crate) use layout::nearest;
 pub(crate) use paint::{hover, marked, show};
+pub(crate) use polar::sheet::sheet as polar_sheet;
+pub(crate) use robot::model::extent as robot_extent;
 pub(crate) use toolbar::show as bar;

@@ -3,8 +3,8 @@
 use crate::gui::commands::Workbench;
 use crate::gui::layers::Look;
 use crate::gui::overview::long_mm;
-use crate::gui::plots::{MOST_ARROWS, MOST_POINTS, stride};
 use crate::gui::subject::Subject;
+use crate::gui::thinning::MOST;
 use crate::gui::view::{Canvas, Colouring, Plane, ViewState};
 
 /// An error vector of a sample.
@@ -72,12 +72,8 @@ impl Dial {
 pub(crate) struct Scene {
     /// Error vectors, perhaps thinned; none where a layer draws them.
     pub(crate) arrows: Vec<Arrow>,
-    /// One arrow for so many samples.
-    pub(crate) arrow_stride: usize,
-    /// Measured points, perhaps thinned; none where a layer draws them.
+    /// Measured points of the same samples; none where a layer draws them.
     pub(crate) points: Vec<Point>,
-    /// One point for so many samples.
-    pub(crate) point_stride: usize,
     /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
     pub(crate) paths_mm: Vec<Vec<[f64; 2]>>,
     /// Where joint 1 turns in this plane.
@@ -88,10 +84,14 @@ pub(crate) struct Scene {
     pub(crate) reach_mm: f64,
     /// Smallest and largest corner of what was measured, mm.
     pub(crate) measured_mm: [[f64; 2]; 2],
+    /// Smallest and largest corner of the robot at some of the poses, mm.
+    pub(crate) robot_mm: [[f64; 2]; 2],
     /// What is shown of each sample, and how.
     pub(crate) look: Look,
     /// How many samples can be used.
     pub(crate) samples: usize,
+    /// Whether the largest deviations are among those that are drawn.
+    pub(crate) with_largest: bool,
     /// What draws them.
     pub(crate) canvas: Canvas,
 }
@@ -109,13 +109,16 @@ impl Scene {
         let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
         let tolerance_mm = workbench.document().tolerance_mm;
         let usable = &subject.overview.usable;
-        let (most, shown_here): (_, &[u32]) = match view.canvas {
-            Canvas::Shapes => ([MOST_ARROWS, MOST_POINTS], usable),
-            Canvas::Layers(_) => ([usize::MAX; 2], &[]),
+        let spread = &subject.cloud.samples;
+        let shown_here: &[u32] = match (view.canvas, workbench.thinned()) {
+            (Canvas::Layers(_), _) => &[],
+            (Canvas::Shapes, _) if usable.len() <= MOST => usable,
+            (Canvas::Shapes, Some(thinned)) => thinned,
+            // Until they are chosen: some.
+            (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
         };
-        let [arrow_stride, point_stride] = most.map(|most| stride(usable.len(), most));
-        let samples = |stride| shown_here.iter().step_by(stride).map(|s| *s as usize);
-        let arrows = samples(arrow_stride).map(|sample| {
+        let samples = || shown_here.iter().map(|sample| *sample as usize);
+        let arrows = samples().map(|sample| {
             let e = shown(sample);
             let measured = subject.measured(sample);
             Arrow {
@@ -128,7 +131,7 @@ impl Scene {
                 says: says(subject, &look, sample, e),
             }
         });
-        let points = samples(point_stride).map(|sample| Point {
+        let points = samples().map(|sample| Point {
             sample,
             at_mm: flat(subject.measured(sample)),
             within: tolerance_mm.map(|t| length(shown(sample)) <= t),
@@ -137,18 +140,32 @@ impl Scene {
         let measured_mm = subject.overview.measured_mm.map(flat);
         Self {
             arrows: arrows.collect(),
-            arrow_stride,
             points: points.collect(),
-            point_stride,
             paths_mm: paths(subject, view.plane),
             dial: dial(subject, view.plane),
             magnification: look.magnification,
             reach_mm: subject.overview.reach_mm,
             measured_mm,
+            robot_mm: subject.overview.robot_mm.map(flat),
             look,
             samples: usable.len(),
+            with_largest: workbench.thinned().is_some(),
             canvas: view.canvas,
         }
+    }
+
+    /// What it says when it does not show everything.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let drawn = self.points.len();
+        if drawn >= self.samples {
+            return Vec::new();
+        }
+        let largest = if self.with_largest {
+            ", the largest deviations among them"
+        } else {
+            ""
+        };
+        vec![format!("{drawn} of {} samples{largest}", self.samples)]
     }
 }
 
@@ -228,7 +245,7 @@ fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f3
     part.is_finite().then_some(part as f32)
 }
 
-fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
+pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
     let joint = &subject.joint;
     let facing = joint.along[plane.normal()].abs() > 0.999;
     (subject.turns() && facing && joint.radius_mm > 0.0).then(|| {
@@ -266,6 +283,8 @@ fn paths(subject: &Subject, plane: Plane) -> Vec<Vec<[f64; 2]>> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::gui::commands::Command;
     use crate::gui::edit::Edit;
@@ -327,23 +346,28 @@ mod tests {
     }
 
     #[test]
-    fn more_samples_than_can_be_drawn_are_thinned_evenly() {
+    fn more_samples_than_can_be_drawn_are_thinned_and_the_plot_says_so() {
         let mut workbench = workbench();
+        assert!(Scene::of(&workbench).notes().is_empty());
         workbench.execute(Command::Simulate(crate::gui::simulate::Form {
             step_deg: 0.01,
             ..crate::gui::simulate::Form::default()
         }));
         workbench.receive();
-        assert_eq!(workbench.subject().len(), 36_002);
+        let subject = Arc::clone(workbench.subject());
+        assert_eq!(subject.len(), 36_002);
         let scene = Scene::of(&workbench);
-        assert_eq!(scene.arrow_stride, 4);
-        assert!(scene.arrows.len() <= MOST_ARROWS);
-        assert!(
-            scene
-                .arrows
-                .windows(2)
-                .all(|pair| pair[1].sample - pair[0].sample == 4)
+        assert_eq!(scene.arrows.len(), scene.points.len());
+        assert!(scene.points.len() <= MOST && scene.points.len() > MOST / 2);
+        let says = format!(
+            "{} of 36002 samples, the largest deviations among them",
+            scene.points.len()
         );
-        assert_eq!(scene.points.len(), 36_002);
+        assert_eq!(scene.notes(), [says]);
+        let length = |sample: u32| subject.before.length_mm[sample as usize];
+        let largest = subject.overview.usable.iter().copied();
+        let largest = largest.max_by(|a, b| length(*a).total_cmp(&length(*b)));
+        let drawn = |sample: u32| scene.arrows.iter().any(|a| a.sample == sample as usize);
+        assert!(largest.is_some_and(drawn));
     }
 }

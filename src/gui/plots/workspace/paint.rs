@@ -9,23 +9,50 @@ use crate::gui::layers::{WEDGE, WIDTH, scale_at};
 use crate::gui::plots::{Drawing, axis, marks, steps};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::view::{Canvas, Step, ViewState};
-use crate::gui::widgets;
 use crate::sessions::Region;
 
-use super::handles;
-use super::layers;
 use super::layout::{self, HANDLE, SECTOR};
-use super::legend;
 use super::model::{Dial, Scene, shown};
+use super::polar::Polar;
+use super::robot::{self, Drawn};
+use super::{card, crowd, handles, layers, legend};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.view().polar {
+        around(ui, workbench, commands);
+    } else {
+        plane(ui, workbench, commands);
+    }
+}
+
+/// The polar view, or why there is none.
+fn around(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    match Polar::of(workbench) {
+        Ok(polar) => {
+            legend::polar(ui, workbench, &polar, &palette);
+            super::polar::show(ui, workbench, &polar, commands);
+        }
+        Err(because) => {
+            ui.add_space(0.3 * ui.available_height());
+            ui.vertical_centered(|ui| {
+                ui.set_max_width(360.0);
+                ui.label(egui::RichText::new(because).color(palette.muted));
+            });
+            ui.allocate_space(ui.available_size());
+        }
+    }
+}
+
+fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let view = workbench.view();
     let scene = Scene::of(workbench);
+    let robot = Drawn::of(workbench);
     let bounds = layout::bounds(&scene);
     let names = ["x", "y", "z"];
     let [right, up] = view.plane.axes();
@@ -35,6 +62,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let measured = !workbench.subject().is_empty();
     let editing = view.step == Step::Regions && measured;
     let regions = &workbench.document().regions;
+    let notes = Notes::recall(ui, &scene);
+    let scale = legend::show(ui, workbench, &scene, robot.as_ref(), &notes.said, &palette);
     let plot = Plot::new(("workspace", view.plane.name(), view.fitted))
         .data_aspect(1.0)
         .show_x(false)
@@ -56,6 +85,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
             layers::beneath(shapes, transform, &scene, workbench, &palette, pixels);
             path(shapes, transform, &scene, &palette);
+            if let Some(robot) = &robot {
+                robot::beneath(shapes, transform, robot, &palette);
+            }
             if let Canvas::Layers(_) = view.canvas {
                 layers::cloud(shapes, transform, &scene, workbench, &palette, pixels);
             } else {
@@ -86,8 +118,19 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         )
     });
     names_of_regions(ui, &scene, &transform, regions, &palette);
-    if measured {
-        legend::show(ui, &scene, &transform, workbench, &palette);
+    notes.keep(ui, &scene, &transform);
+    if let Some(room) = scale {
+        legend::scale(ui, room, &scene, &transform, workbench, &palette);
+    }
+    if let Some(robot) = &robot {
+        // Nobody asks where the crowd is while nothing is written.
+        let crowd = if view.selected.is_some() && view.hovered.is_none() {
+            crowd::crowd(workbench, &scene, &transform)
+        } else {
+            Vec::new()
+        };
+        let written = robot.asked_for && view.hovered.is_none();
+        robot::values(ui, &transform, robot, written, &crowd, &palette);
     }
 
     let pointer = response.hover_pos();
@@ -95,6 +138,36 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     hover(&response, workbench, under, commands);
     if editing && let Some(dial) = &scene.dial {
         handles::show(ui, workbench, dial, &transform, commands);
+    }
+}
+
+/// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
+/// from the plot's size: the legend says what the frame before found.
+struct Notes {
+    id: egui::Id,
+    said: Vec<String>,
+}
+
+impl Notes {
+    fn recall(ui: &Ui, scene: &Scene) -> Self {
+        let id = ui.scope_id().with("what is not drawn");
+        let said = if scene.canvas == Canvas::Shapes {
+            scene.notes()
+        } else {
+            ui.data(|data| data.get_temp(id)).unwrap_or_default()
+        };
+        Self { id, said }
+    }
+
+    fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
+        if scene.canvas == Canvas::Shapes {
+            return;
+        }
+        let now = layout::drawn(scene, layout::counts(scene, transform));
+        if now != self.said {
+            ui.data_mut(|data| data.insert_temp(self.id, now));
+            ui.ctx().request_repaint();
+        }
     }
 }
 
@@ -112,11 +185,11 @@ pub(crate) fn hover(
     if response.clicked() {
         commands.push(Command::Select(under));
     }
-    if let Some(sample) = under {
-        let response = response.clone().on_hover_cursor(CursorIcon::PointingHand);
-        response.on_hover_ui_at_pointer(|ui| {
-            widgets::sample_card(ui, &layout::about(workbench, sample));
-        });
+    if let Some(sample) = under
+        && let Some(pointer) = response.hover_pos()
+    {
+        response.ctx.set_cursor_icon(CursorIcon::PointingHand);
+        card::show(&response.ctx, workbench, sample, pointer, response.rect);
     }
 }
 

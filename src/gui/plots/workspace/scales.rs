@@ -2,7 +2,7 @@
 //! length, a direction by its direction, a condition by its width.
 
 use egui::epaint::Mesh;
-use egui::{Align2, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
+use egui::{FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
 use crate::gui::commands::Workbench;
 use crate::gui::layers::{WEDGE, scale_at};
@@ -11,10 +11,13 @@ use crate::gui::tokens::{Palette, size};
 use crate::gui::units::{significant, trimmed};
 use crate::gui::view::Colouring;
 
+use super::legend;
 use super::model::Scene;
 
 /// Length of a scale, points.
-const LONG: f32 = 120.0;
+const LONG: f32 = 96.0;
+/// Length of a row of directions, points.
+const DIRECTIONS: f32 = 136.0;
 /// Thickness of a scale that says nothing by it, points.
 const THICK: f32 = 7.0;
 /// How much thicker than the vectors a wedge is drawn.
@@ -41,7 +44,7 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
     let long = significant(units.length_value(scene.look.long_mm), 2);
     let lengths = |name: &str| Scale {
         name: format!("{name}, {}", units.length_name()),
-        ends: Some(["0".to_owned(), format!("{long} and more")]),
+        ends: Some(["0".to_owned(), format!("≥ {long}")]),
         colouring: Colouring::Deviation,
     };
     let mut scales = Vec::new();
@@ -74,31 +77,34 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
     scales
 }
 
-/// Shows them at the upper right of the plot.
-pub(super) fn show(ui: &Ui, frame: Rect, scene: &Scene, workbench: &Workbench, palette: &Palette) {
-    let painter = ui.painter().with_clip_rect(frame);
-    let font = FontId::proportional(size::SMALL);
-    let mut corner = frame.right_top() + vec2(-12.0 - LONG, 10.0);
+/// Shows them as entries of the legend.
+pub(super) fn show(ui: &mut Ui, scene: &Scene, workbench: &Workbench, palette: &Palette) {
     for scale in scales(workbench, scene) {
-        let rose = scale.colouring == Colouring::Direction;
-        let height = if rose { 58.0 } else { 42.0 };
-        let back = Rect::from_min_size(corner, vec2(LONG, height)).expand2(vec2(6.0, 4.0));
-        painter.rect_filled(back, 4.0, palette.surface.gamma_multiply(0.85));
-        let text = |at: Pos2, align: Align2, text: &str| {
-            painter.text(at, align, text, font.clone(), palette.muted);
+        let Some([low, high]) = &scale.ends else {
+            let name = &scale.name;
+            let room = legend::entry(ui, DIRECTIONS, name, palette);
+            ui.painter().extend(arrows(room, palette));
+            continue;
         };
-        text(corner, Align2::LEFT_TOP, &scale.name);
-        if rose {
-            painter.extend(arrows(corner + vec2(0.5 * LONG, 37.0), palette));
-        } else {
-            let middle = corner + vec2(0.0, 21.0);
-            painter.add(strip(middle, &scale, palette));
-            if let Some([low, high]) = &scale.ends {
-                text(corner + vec2(0.0, 28.0), Align2::LEFT_TOP, low);
-                text(corner + vec2(LONG, 28.0), Align2::RIGHT_TOP, high);
-            }
-        }
-        corner.y += height + 12.0;
+        let font = FontId::proportional(size::SMALL);
+        let number = |text: &str| {
+            ui.painter()
+                .layout_no_wrap(text.to_owned(), font.clone(), palette.muted)
+        };
+        let ends = [number(low), number(high)];
+        let wide: f32 = ends.iter().map(|end| end.size().x + 4.0).sum();
+        let room = legend::entry(ui, wide + LONG, &scale.name, palette);
+        let [low, high] = ends;
+        let left = room.left() + low.size().x + 4.0;
+        let y = |galley: &egui::Galley| room.center().y - 0.5 * galley.size().y;
+        let at = [
+            pos2(room.left(), y(&low)),
+            pos2(left + LONG + 4.0, y(&high)),
+        ];
+        ui.painter().galley(at[0], low, palette.muted);
+        ui.painter().galley(at[1], high, palette.muted);
+        let middle = pos2(left, room.center().y);
+        ui.painter().add(strip(middle, &scale, palette));
     }
 }
 
@@ -125,31 +131,30 @@ fn strip(middle: Pos2, scale: &Scale, palette: &Palette) -> Shape {
     Shape::mesh(mesh)
 }
 
-/// Every direction in its colour.
-fn arrows(middle: Pos2, palette: &Palette) -> Vec<Shape> {
-    const NUMBER: u8 = 12;
+/// Every direction in its colour, from the right around over up.
+fn arrows(room: Rect, palette: &Palette) -> Vec<Shape> {
+    const NUMBER: u8 = 8;
     let mut shapes = Vec::new();
+    let step = room.width() / f32::from(NUMBER);
     for k in 0..NUMBER {
         let part = f32::from(k) / f32::from(NUMBER);
         let (sin, cos) = (part * std::f32::consts::TAU).sin_cos();
-        let along = vec2(cos, -sin);
-        let color = scale_at(Colouring::Direction, palette, part);
-        let stroke = Stroke::new(2.0, color);
-        marks::arrow(
-            &mut shapes,
-            middle + 7.0 * along,
-            middle + 20.0 * along,
-            stroke,
-        );
+        let half = 6.5 * vec2(cos, -sin);
+        let middle = pos2(room.left() + step * (f32::from(k) + 0.5), room.center().y);
+        let stroke = Stroke::new(2.0, scale_at(Colouring::Direction, palette, part));
+        marks::arrow(&mut shapes, middle - half, middle + half, stroke);
     }
     shapes
 }
 
 #[cfg(test)]
 mod tests {
+    use egui::Color32;
+
     use super::*;
     use crate::gui::commands::Command;
     use crate::gui::testing::workbench;
+    use crate::gui::tokens::{DARK, LIGHT, STOPS};
 
     #[test]
     fn every_colour_that_says_something_has_a_scale() {
@@ -177,5 +182,151 @@ mod tests {
         let scene = Scene::of(&workbench);
         assert_eq!(scene.look.colouring, Colouring::State);
         assert!(scales(&workbench, &scene).is_empty());
+    }
+
+    /// A colour in linear light.
+    fn linear(color: Color32) -> [f64; 3] {
+        [color.r(), color.g(), color.b()].map(|byte| {
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        })
+    }
+
+    /// CIE L*a*b* of linear light, white D65 (CIE 15:2004).
+    fn lab([r, g, b]: [f64; 3]) -> [f64; 3] {
+        let xyz = [
+            (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505,
+            0.2126 * r + 0.7152 * g + 0.0722 * b,
+            (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089,
+        ];
+        let [x, y, z] = xyz.map(|t: f64| {
+            if t > 0.008856 {
+                t.cbrt()
+            } else {
+                7.787 * t + 16.0 / 116.0
+            }
+        });
+        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
+    }
+
+    /// How dichromats see linear light (Machado, Oliveira & Fernandes 2009, severity 1).
+    const SEEN: [(&str, [[f64; 3]; 3]); 4] = [
+        (
+            "trichromat",
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        ),
+        (
+            "protanopia",
+            [
+                [0.152286, 1.052583, -0.204868],
+                [0.114503, 0.786281, 0.099216],
+                [-0.003882, -0.048116, 1.051998],
+            ],
+        ),
+        (
+            "deuteranopia",
+            [
+                [0.367322, 0.860646, -0.227968],
+                [0.280085, 0.672501, 0.047413],
+                [-0.011820, 0.042940, 0.968881],
+            ],
+        ),
+        (
+            "tritanopia",
+            [
+                [1.255528, -0.076749, -0.178779],
+                [-0.078411, 0.930809, 0.147602],
+                [0.004733, 0.691367, 0.303900],
+            ],
+        ),
+    ];
+
+    fn seen(color: Color32, matrix: &[[f64; 3]; 3]) -> [f64; 3] {
+        let light = linear(color);
+        lab(matrix.map(|row| {
+            (0..3)
+                .map(|k| row[k] * light[k])
+                .sum::<f64>()
+                .clamp(0.0, 1.0)
+        }))
+    }
+
+    fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+        (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
+    }
+
+    const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
+
+    #[test]
+    fn a_sequential_scale_gets_steadily_darker_or_lighter_for_everybody() {
+        for (theme, palette) in THEMES {
+            for (who, matrix) in &SEEN {
+                let lightness: Vec<f64> = (0..=20_u8)
+                    .map(|k| scale_at(Colouring::Deviation, &palette, f32::from(k) / 20.0))
+                    .map(|color| seen(color, matrix)[0])
+                    .collect();
+                let way = (lightness[20] - lightness[0]).signum();
+                for pair in lightness.windows(2) {
+                    let step = way * (pair[1] - pair[0]);
+                    assert!(step > 0.4, "{theme}, {who}: {lightness:?}");
+                }
+                let all = (lightness[20] - lightness[0]).abs();
+                assert!(all > 35.0, "{theme}, {who}: {all}");
+            }
+        }
+    }
+
+    #[test]
+    fn neighbouring_steps_of_every_scale_can_be_told_apart_by_everybody() {
+        // About 2.3 is just noticeable (Mahy et al. 1994).
+        const NOTICEABLE: f64 = 4.6;
+        for (theme, palette) in THEMES {
+            for (who, matrix) in &SEEN {
+                for (colouring, around) in
+                    [(Colouring::Deviation, false), (Colouring::Direction, true)]
+                {
+                    let steps = if around { STOPS } else { STOPS - 1 };
+                    for k in 0..steps {
+                        let at = |k: usize| {
+                            let part = k as f32 / steps as f32;
+                            seen(scale_at(colouring, &palette, part), matrix)
+                        };
+                        let found = apart(at(k), at(k + 1));
+                        assert!(
+                            found > NOTICEABLE,
+                            "{theme}, {who}, {colouring:?} {k}: {found}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn opposite_directions_can_be_told_apart_by_everybody() {
+        for (theme, palette) in THEMES {
+            for (who, matrix) in &SEEN {
+                for k in 0..STOPS / 2 {
+                    let at = |k: usize| {
+                        let part = k as f32 / STOPS as f32;
+                        seen(scale_at(Colouring::Direction, &palette, part), matrix)
+                    };
+                    let found = apart(at(k), at(k + STOPS / 2));
+                    assert!(found > 20.0, "{theme}, {who}, {k}: {found}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_circle_of_directions_closes() {
+        for (_, palette) in THEMES {
+            let at = |part: f32| scale_at(Colouring::Direction, &palette, part);
+            assert_eq!(at(0.0), at(1.0));
+        }
     }
 }

@@ -1,0 +1,390 @@
+//! The polar view in egui. Before is hollow, after is filled; triangles point the way that the
+//! joint came.
+
+use egui::epaint::Mesh;
+use egui::{Align2, Color32, FontId, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui_plot::{Plot, PlotPoint, PlotTransform};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::plots::deviation::Envelope;
+use crate::gui::plots::{Drawing, marks};
+use crate::gui::tokens::{Palette, size};
+use crate::gui::units::{Units, trimmed};
+
+use super::super::layout::nearest;
+use super::super::model::dial;
+use super::super::paint::{hover, marked};
+use super::layout::{self, Bearing, NOMINAL, SPOKES};
+use super::model::{Polar, Spot, Trace};
+
+/// A sample is under the pointer within this many points.
+const REACH: f32 = 14.0;
+/// Of so many near it at most; more stand on one another.
+const MOST_NEAR: usize = 400;
+/// More samples than this are shown by their extremes.
+const MOST_SPOTS: usize = 600;
+/// Columns of extremes around.
+const COLUMNS: usize = 720;
+
+/// Shows the view in the space that is left, and sends what the pointer does.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let view = workbench.view();
+    let units = workbench.units();
+    let subject = &**workbench.subject();
+    let bearing = dial(subject, view.plane).map_or_else(
+        || Bearing::of([1.0, 0.0], [0.0, 1.0]),
+        |dial| Bearing::of(dial.radial, dial.tangential),
+    );
+    let only_after = view.only_after && workbench.answer().is_some();
+    let envelope = workbench.around();
+    let of = |sample: usize| Spot::of(subject, workbench.answer(), view.component, sample);
+    let plot = Plot::new(("polar", view.component.name(), only_after, view.fitted))
+        .data_aspect(1.0)
+        .show_x(false)
+        .show_y(false)
+        .show_axes(false)
+        .show_grid(false)
+        .show_background(false)
+        .show_crosshair(false)
+        .set_margin_fraction(egui::Vec2::splat(0.01));
+    let emphasised = view.hovered.or(view.selected);
+    let shown = plot.show(ui, |plot| {
+        let bounds = layout::bounds(polar);
+        plot.add(Drawing::new("polar", bounds, |transform, shapes| {
+            ground(shapes, transform, polar, bearing, &palette);
+            match envelope {
+                Some(envelope) if envelope.count(polar.range) > MOST_SPOTS => {
+                    shapes.push(extremes(
+                        transform, polar, envelope, bearing, only_after, &palette,
+                    ));
+                }
+                Some(envelope) => {
+                    let all = envelope.samples(polar.range, MOST_SPOTS);
+                    let spots: Vec<Spot> = all.map(of).collect();
+                    dots(
+                        shapes, transform, polar, &spots, bearing, only_after, &palette,
+                    );
+                }
+                None => {
+                    lines(shapes, transform, polar, bearing, &palette);
+                    dots(
+                        shapes,
+                        transform,
+                        polar,
+                        &polar.spots,
+                        bearing,
+                        only_after,
+                        &palette,
+                    );
+                }
+            }
+            let there = marked(view, subject.len()).chain(emphasised);
+            for sample in there.filter(|sample| subject.usable[*sample]) {
+                let places = layout::places(polar, &of(sample), bearing, only_after, transform);
+                for at in places.into_iter().flatten() {
+                    shapes.push(marks::ring(at, 8.0, Stroke::new(2.5, palette.accent)));
+                }
+            }
+        }));
+    });
+    let (response, transform) = (shown.response, shown.transform);
+    let samples = subject.overview.usable.len();
+    response.widget_info(|| {
+        let says = format!(
+            "polar view, {}, {samples} samples, {}",
+            polar.component.name(),
+            scale(polar, units)
+        );
+        WidgetInfo::labeled(Role::Figure, true, says)
+    });
+    names(ui, &transform, polar, bearing, units, &palette);
+    let under = response.hover_pos().and_then(|pointer| {
+        let near: Vec<Spot> = match envelope {
+            None => polar.spots.clone(),
+            Some(envelope) => near(envelope, polar, bearing, &transform, pointer)
+                .map(of)
+                .collect(),
+        };
+        let candidates = near.iter().flat_map(|spot| {
+            let places = layout::places(polar, spot, bearing, only_after, &transform);
+            let places = places.into_iter().flatten();
+            places.map(|at| (spot.sample, [at.x, at.y]))
+        });
+        nearest(candidates, [pointer.x, pointer.y], REACH)
+    });
+    hover(&response, workbench, under, commands);
+}
+
+/// `1 division = 0.5 mm`.
+pub(crate) fn scale(polar: &Polar, units: Units) -> String {
+    let division = units.length_value(polar.division_mm);
+    format!(
+        "1 division = {} {}",
+        trimmed(division, 6),
+        units.length_name()
+    )
+}
+
+/// Samples at the angles around the pointer, on every turn.
+fn near(
+    envelope: &Envelope,
+    polar: &Polar,
+    bearing: Bearing,
+    transform: &PlotTransform,
+    pointer: Pos2,
+) -> impl Iterator<Item = usize> {
+    let at = transform.value_from_position(pointer);
+    let distance = at.x.hypot(at.y).max(1e-6);
+    let half = (f64::from(REACH) / transform.dpos_dvalue_x().abs() / distance).min(0.5);
+    let [low, high] = polar.range;
+    let turn = std::f64::consts::TAU;
+    let first = bearing.angle_of([at.x, at.y], low);
+    let angles = (0..8_u8).map(move |k| first + turn * f64::from(k));
+    let angles = angles.take_while(move |q| *q <= high + half);
+    let near = move |q: f64| envelope.samples([q - half, q + half], MOST_NEAR);
+    angles.flat_map(near).collect::<Vec<_>>().into_iter()
+}
+
+fn screen(transform: &PlotTransform, [x, y]: [f64; 2]) -> Pos2 {
+    transform.position_from_point(&PlotPoint::new(x, y))
+}
+
+/// Rings, spokes, the tolerance and the nominal circle.
+fn ground(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    polar: &Polar,
+    bearing: Bearing,
+    palette: &Palette,
+) {
+    let ring = |divisions: f64| -> Vec<Pos2> {
+        let points = layout::circle(divisions.max(0.0));
+        points.into_iter().map(|p| screen(transform, p)).collect()
+    };
+    if let Some(band) = polar.band_mm() {
+        let [inner, outer] = band.map(|mm| ring(layout::radius(polar, mm)));
+        let mut mesh = Mesh::default();
+        let fill = palette.within.gamma_multiply(0.16);
+        for (k, (a, b)) in (0_u32..).zip(inner.iter().zip(&outer)) {
+            mesh.colored_vertex(*a, fill);
+            mesh.colored_vertex(*b, fill);
+            if k > 0 {
+                mesh.add_triangle(2 * k - 2, 2 * k - 1, 2 * k);
+                mesh.add_triangle(2 * k - 1, 2 * k, 2 * k + 1);
+            }
+        }
+        shapes.push(Shape::mesh(mesh));
+        let edge = Stroke::new(1.0, palette.within.gamma_multiply(0.7));
+        for circle in [&inner, &outer] {
+            shapes.extend(Shape::dashed_line(circle, edge, 4.0, 3.0));
+        }
+    }
+    let thin = Stroke::new(1.0, palette.line);
+    let [inside, outside] = polar.divisions;
+    for (most, way) in [(inside, -1.0), (outside, 1.0)] {
+        for k in 1..=crate::gui::units::whole(most) {
+            shapes.push(Shape::line(ring(NOMINAL + way * k as f64), thin));
+        }
+    }
+    let ends = [NOMINAL - inside, NOMINAL + outside];
+    for k in 0..SPOKES {
+        let q = spoke(k);
+        let ends = ends.map(|divisions| screen(transform, bearing.at(q, divisions)));
+        shapes.push(Shape::line_segment(ends, thin));
+    }
+    shapes.push(Shape::line(
+        ring(NOMINAL),
+        Stroke::new(1.75, palette.nominal),
+    ));
+}
+
+fn spoke(k: u8) -> f64 {
+    std::f64::consts::TAU * f64::from(k) / f64::from(SPOKES)
+}
+
+/// Means at each angle: before is dashed.
+fn lines(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    polar: &Polar,
+    bearing: Bearing,
+    palette: &Palette,
+) {
+    let points = |piece: &[[f64; 2]]| -> Vec<Pos2> {
+        let point = |[q, mm]: &[f64; 2]| bearing.at(*q, layout::radius(polar, *mm));
+        piece.iter().map(|p| screen(transform, point(p))).collect()
+    };
+    let pieces = |traces: &'_ [Trace]| -> Vec<Vec<Pos2>> {
+        let pieces = traces.iter().flat_map(|trace| &trace.pieces);
+        pieces.map(|piece| points(piece)).collect()
+    };
+    let stroke = Stroke::new(1.25, palette.before.gamma_multiply(0.8));
+    for piece in pieces(&polar.before) {
+        shapes.extend(Shape::dashed_line(&piece, stroke, 5.0, 3.0));
+    }
+    for piece in pieces(&polar.after) {
+        shapes.push(Shape::line(piece, Stroke::new(1.5, palette.after)));
+    }
+}
+
+fn dots(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    polar: &Polar,
+    spots: &[Spot],
+    bearing: Bearing,
+    only_after: bool,
+    palette: &Palette,
+) {
+    let identified = spots.iter().any(|s| s.after_mm.is_some());
+    let (fill, edge) = if identified {
+        (Color32::TRANSPARENT, palette.before.gamma_multiply(0.75))
+    } else {
+        (palette.before.gamma_multiply(0.35), palette.before)
+    };
+    let placed: Vec<_> = spots
+        .iter()
+        .map(|spot| {
+            let places = layout::places(polar, spot, bearing, only_after, transform);
+            (spot, places)
+        })
+        .collect();
+    for (spot, [before, _]) in &placed {
+        if let Some(at) = before {
+            let ahead = ahead(spot, bearing);
+            let stroke = Stroke::new(1.2, edge);
+            shapes.push(pointing(*at, 3.2, ahead, fill, stroke));
+        }
+    }
+    for (spot, [_, after]) in &placed {
+        if let Some(at) = after {
+            let stroke = Stroke::new(0.8, palette.surface);
+            let ahead = ahead(spot, bearing);
+            shapes.push(pointing(*at, 3.4, ahead, palette.after, stroke));
+        }
+    }
+}
+
+/// The way that the joint moved, on the screen; nothing where it is not known.
+fn ahead(spot: &Spot, bearing: Bearing) -> Option<egui::Vec2> {
+    if spot.side == 0.0 {
+        return None;
+    }
+    let [x, y] = bearing.at(spot.q, 1.0).map(single);
+    let turn = single(bearing.way * spot.side.signum());
+    Some(turn * vec2(-y, -x))
+}
+
+/// A triangle that points this way; a disc where there is none.
+fn pointing(
+    at: Pos2,
+    radius: f32,
+    ahead: Option<egui::Vec2>,
+    fill: Color32,
+    stroke: Stroke,
+) -> Shape {
+    let Some(ahead) = ahead else {
+        return marks::pointing(at, radius, 0.0, fill, stroke);
+    };
+    let across = vec2(-ahead.y, ahead.x);
+    let corners = vec![
+        at + ahead * 1.25 * radius,
+        at - ahead * 0.75 * radius + across * 1.1 * radius,
+        at - ahead * 0.75 * radius - across * 1.1 * radius,
+    ];
+    Shape::convex_polygon(corners, fill, stroke)
+}
+
+/// What lies between the smallest and the largest deviation in each piece of the circle.
+fn extremes(
+    transform: &PlotTransform,
+    polar: &Polar,
+    envelope: &Envelope,
+    bearing: Bearing,
+    only_after: bool,
+    palette: &Palette,
+) -> Shape {
+    let mut mesh = Mesh::default();
+    let least = 1.5 / transform.dpos_dvalue_x().abs();
+    let mut add = |q: [f64; 2], [low, high]: [f64; 2], color: Color32| {
+        let first = u32::try_from(mesh.vertices.len()).unwrap_or(0);
+        for (q, divisions) in [(q[0], low), (q[0], high), (q[1], high), (q[1], low)] {
+            let at = screen(transform, bearing.at(q, divisions));
+            mesh.colored_vertex(at, color);
+        }
+        mesh.add_triangle(first, first + 1, first + 2);
+        mesh.add_triangle(first, first + 2, first + 3);
+    };
+    let [low, high] = polar.range;
+    let columns = envelope.columns([low, high + 1e-9], COLUMNS);
+    let thick = |mm: [f64; 2]| {
+        let [a, b] = mm.map(|mm| layout::radius(polar, mm));
+        let more = (0.5 * (least - (b - a))).max(0.0);
+        [a - more, b + more]
+    };
+    for column in columns.iter().filter(|_| !only_after) {
+        if let Some([low, high]) = column.before_mm.map(thick) {
+            add(column.x, [low, high], palette.before.gamma_multiply(0.3));
+            add(column.x, [low, low + least], palette.before);
+            add(column.x, [high - least, high], palette.before);
+        }
+    }
+    for column in &columns {
+        if let Some(ends) = column.after_mm.map(thick) {
+            add(column.x, ends, palette.after.gamma_multiply(0.85));
+        }
+    }
+    Shape::mesh(mesh)
+}
+
+/// Angles around, and what the rings stand for.
+fn names(
+    ui: &Ui,
+    transform: &PlotTransform,
+    polar: &Polar,
+    bearing: Bearing,
+    units: Units,
+    palette: &Palette,
+) {
+    let painter = ui.painter().with_clip_rect(*transform.frame());
+    let font = FontId::proportional(size::SMALL);
+    let out = NOMINAL + polar.divisions[1] + 0.9;
+    for k in 0..SPOKES {
+        // Angles as joints have them: from −180° to 180°.
+        let q = spoke(k);
+        let named = if q > std::f64::consts::PI + 1e-9 {
+            q - std::f64::consts::TAU
+        } else {
+            q
+        };
+        let at = screen(transform, bearing.at(q, out));
+        let text = units.angle(named);
+        painter.text(at, Align2::CENTER_CENTER, text, font.clone(), palette.muted);
+    }
+    let q = layout::names_at(polar);
+    let [inside, outside] = polar.divisions;
+    let rings = [-inside, 0.0, outside];
+    for divisions in rings {
+        let at = screen(transform, bearing.at(q, NOMINAL + divisions));
+        let value = units.length_value(divisions * polar.division_mm);
+        let text = if divisions == 0.0 {
+            "nominal".to_owned()
+        } else {
+            format!("{} {}", trimmed(value, 6), units.length_name())
+        };
+        let galley = painter.layout_no_wrap(text, font.clone(), palette.muted);
+        let place = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+        let back = place.expand2(vec2(3.0, 1.0));
+        painter.rect_filled(back, 2.0, palette.surface);
+        painter.galley(place.min, galley, palette.muted);
+    }
+}
+
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "a direction is drawn in single precision"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
+}
