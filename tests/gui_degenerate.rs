@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use touring::{sound, tour};
 use truepose::sessions::{Replacing, save};
 use truepose::simulation::{parse_scenario, simulate, unwatched};
-use window::{STEPS, Window, press, says, there};
+use window::{STEPS, Window, press, says, there, type_into};
 
 /// A turning column of 250 mm with these samples, x and y in mm, and whatever stands beside them.
 fn column(rows: &str, limits: bool, more: &str) -> (String, String) {
@@ -55,6 +55,8 @@ fn one_sample() {
         "one sample",
     );
     press(&mut window, "2 Regions");
+    press(&mut window, "Evenly");
+    type_into(&mut window, "Number of regions", "6");
     assert!(says(
         &window,
         "one sample to fit: a correction, but nothing to tell how sure it is"

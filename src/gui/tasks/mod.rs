@@ -156,7 +156,9 @@ impl Tasks {
         what: impl Into<String>,
         work: impl FnOnce(&Watch) -> Report + Send + 'static,
     ) {
-        while self.cancel(|kind| kind == Kind::Opens).is_some() {}
+        while self.running.iter().any(|r| r.kind == Kind::Opens) {
+            self.cancel(|kind| kind == Kind::Opens);
+        }
         self.spawn(what.into(), Kind::Opens, work);
     }
 
@@ -299,28 +301,27 @@ impl Tasks {
     /// Cancels the newest task: its report will not be taken, unless it is about a file that is
     /// being written. The question that is not answered then, if it was one.
     pub(crate) fn cancel_newest(&mut self) -> Option<Question> {
-        self.cancel(Kind::has_a_name).flatten()
+        self.cancel(Kind::has_a_name)
     }
 
     /// Cancels the search, whatever else is under way.
     pub(crate) fn cancel_search(&mut self) {
-        let _ = self.cancel(|kind| kind == Kind::Searches);
+        self.cancel(|kind| kind == Kind::Searches);
     }
 
-    /// `None`: there is no such task; otherwise the question that is not answered, if it was one.
-    fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Option<Question>> {
+    fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Question> {
         let place = self.running.iter().rposition(|r| meant(r.kind))?;
         self.running[place].watch.stop();
         if self.running[place].kind == Kind::Writes {
             // The file may have its name already.
-            self.running[place].what = "cancelling".to_owned();
-            return Some(None);
+            "cancelling".clone_into(&mut self.running[place].what);
+            return None;
         }
         let cancelled = self.running.remove(place);
         match cancelled.kind {
             Kind::Identifies => {
                 let Latest { asked, waiting } = std::mem::take(&mut self.questions);
-                return Some(waiting.or(asked));
+                return waiting.or(asked);
             }
             Kind::Prepares => self.previews = Latest::default(),
             Kind::Once
@@ -331,7 +332,7 @@ impl Tasks {
             | Kind::Looks
             | Kind::Draws => {}
         }
-        Some(None)
+        None
     }
 
     /// Everything that has arrived.

@@ -38,7 +38,7 @@ fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
         let walks: Vec<_> = (0..SEEDS)
             .map(|seed| scope.spawn(move || walk(seed)))
             .collect();
-        let ended = walks.into_iter().map(|walk| walk.join());
+        let ended = walks.into_iter().map(std::thread::ScopedJoinHandle::join);
         ended.collect::<Vec<_>>()
     });
     let mut done: BTreeSet<&str> = BTreeSet::new();
