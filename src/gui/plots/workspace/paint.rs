@@ -22,7 +22,7 @@ const REACH: f32 = 14.0;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.view().polar {
+    if workbench.view().polar() {
         around(ui, workbench, commands);
     } else {
         plane(ui, workbench, commands);

@@ -17,7 +17,7 @@ use super::model::{magnification as magnification_of, offers};
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let measured = !workbench.subject().is_empty();
-    let blends = measured && !view.polar && workbench.answer().is_some();
+    let blends = measured && !view.polar() && workbench.answer().is_some();
     let roomy = ui.available_width() > ROOMY;
     ui.horizontal(|ui| {
         if ui.available_width() > TITLED {
@@ -25,18 +25,18 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
         let views = [planes[0], planes[1], planes[2], (None, "polar")];
-        let shown = (!view.polar).then_some(view.plane);
+        let shown = (!view.polar()).then_some(view.plane);
         match widgets::segmented(ui, &views, shown) {
             Some(Some(plane)) => commands.push(Command::Look(plane)),
             Some(None) => commands.push(Command::LookAround),
             None => {}
         }
-        if measured && view.polar {
+        if measured && view.polar() {
             component(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if measured {
-                let plot = if view.polar {
+                let plot = if view.polar() {
                     Plot::Polar
                 } else {
                     Plot::Workspace
@@ -53,7 +53,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if !measured {
         return;
     }
-    if view.polar {
+    if view.polar() {
         return;
     }
     ui.horizontal_wrapped(|ui| {

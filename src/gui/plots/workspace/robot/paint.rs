@@ -172,7 +172,7 @@ pub(crate) fn values(
         said(
             ui,
             Rect::from_min_size(frame.left_top(), Vec2::splat(1.0)),
-            says,
+            &says,
         );
         return;
     };
@@ -217,7 +217,7 @@ pub(crate) fn values(
         })
         .collect();
     let Some(place) = room::freest(&places, frame, &[crowd, &chain]) else {
-        said(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), says);
+        said(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
         return;
     };
     let painter = ui.painter().with_clip_rect(frame);
@@ -234,14 +234,14 @@ pub(crate) fn values(
         painter.galley(at, galley, palette.text);
         at = pos2(at.x, next);
     }
-    said(ui, place, says);
+    said(ui, place, &says);
 }
 
 /// A line for whoever cannot see the plot.
-fn said(ui: &mut Ui, place: Rect, says: String) {
+fn said(ui: &Ui, place: Rect, says: &str) {
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says.clone()));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
 }
 
 #[allow(
