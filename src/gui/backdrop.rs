@@ -1,5 +1,5 @@
 //! What plots of many samples stand on, worked out in the background: which sample is where, the
-//! heat map, the chart's extremes.
+//! heat map, what the chart is made of.
 //!
 //! A few samples are simply looked at anew in every frame, so that nothing has to be waited for.
 
@@ -7,7 +7,9 @@ use std::sync::Arc;
 
 use super::layers::{Heat, Nearest};
 use super::outcome::{Answer, Outcome};
+use super::plots::charting::{Asked, Charted};
 use super::plots::deviation::Envelope;
+use super::plots::over::{Over, Variable};
 use super::subject::{Component, Subject};
 use super::thinning::Thinned;
 use super::view::Plane;
@@ -28,8 +30,12 @@ pub(crate) struct Scenery {
     pub(crate) heat: bool,
     /// Whether not all samples can be drawn.
     pub(crate) thins: bool,
+    /// Whether the deviation is looked at around the joint's angle.
+    pub(crate) polar: bool,
     /// The component in the chart.
     pub(crate) component: Component,
+    /// What the chart needs.
+    pub(crate) chart: Asked,
 }
 
 impl PartialEq for Scenery {
@@ -39,7 +45,9 @@ impl PartialEq for Scenery {
             && self.plane == other.plane
             && self.heat == other.heat
             && self.thins == other.thins
+            && self.polar == other.polar
             && self.component == other.component
+            && self.chart == other.chart
     }
 }
 
@@ -66,7 +74,7 @@ impl Scenery {
 
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.many()
+        self.heat || self.many() || self.chart.any(&self.subject)
     }
 }
 
@@ -79,10 +87,12 @@ pub(crate) struct Backdrop {
     pub(crate) nearest: Option<Arc<Nearest>>,
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
+    /// What the chart is made of.
+    pub(crate) charted: Option<Arc<Charted>>,
     /// Samples that are drawn where not all can be.
     pub(crate) thinned: Option<Arc<Thinned>>,
-    /// The chart's extremes.
-    pub(crate) envelope: Option<Arc<Envelope>>,
+    /// The extremes around the joint's angle, where the polar view shows them.
+    pub(crate) around: Option<Arc<Envelope>>,
 }
 
 impl Backdrop {
@@ -92,7 +102,9 @@ impl Backdrop {
         let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
         let same_answer = last.filter(|l| l.scenery.same_answer(&scenery));
         let heat_of = same_answer.filter(|_| same_plane.is_some());
-        let chart_of = same_answer.filter(|l| l.scenery.component == scenery.component);
+        let chart_of = same_answer.filter(|l| {
+            l.scenery.component == scenery.component && l.scenery.chart == scenery.chart
+        });
         let subject = &*scenery.subject;
         let nearest = || {
             let axes = scenery.plane.axes();
@@ -112,6 +124,10 @@ impl Backdrop {
             });
             wanted.flatten()
         });
+        let charted = chart_of.and_then(|l| l.charted.clone()).or_else(|| {
+            let (answer, component) = (scenery.answer(), scenery.component);
+            Charted::of(&scenery.chart, subject, answer, component).map(Arc::new)
+        });
         // A boundary that is dragged later finds its sums made.
         if many && subject.single_revolute() {
             subject.tallied.of(subject);
@@ -119,15 +135,25 @@ impl Backdrop {
         let known = heat_of.and_then(|l| l.thinned.clone());
         let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
         let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
-        let known = chart_of.and_then(|l| l.envelope.clone());
-        let chart = || Arc::new(Envelope::of(subject, scenery.answer(), scenery.component));
-        let envelope = many.then(|| known.unwrap_or_else(chart));
+        let known = heat_of.filter(|l| l.scenery.component == scenery.component);
+        let known = known.and_then(|l| l.around.clone());
+        let around = || {
+            let angle = Over {
+                variable: Variable::Joint,
+                joint: 0,
+            };
+            let (answer, component) = (scenery.answer(), scenery.component);
+            Arc::new(Envelope::of(subject, answer, component, angle))
+        };
+        let polar = many && scenery.polar;
+        let around = polar.then(|| known.unwrap_or_else(around));
         Self {
             scenery,
             nearest,
             heat,
+            charted,
             thinned,
-            envelope,
+            around,
         }
     }
 }

@@ -61,6 +61,18 @@ words! {
         "Only x and y were measured; nothing can be said about what happens along z";
     DIRECTION, "Direction",
         "The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible";
+    OVER_TIME, "Deviation over time",
+        "The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when somebody touched one of them";
+    OVER_LOAD, "Deviation over load",
+        "The deviation over the weight that the arm carried. A slope is an arm or a joint that gives way; it needs poses measured with different loads";
+    OVER_TEMPERATURE, "Deviation over temperature",
+        "The deviation over the temperature that was logged. A slope is a link that grows, or a joint whose zero moves, as the machine gets warm";
+    ORDERS, "Order spectrum",
+        "How large the part of the deviation is that comes back once, twice, three times … with every turn of the joint. Once is an eccentric encoder or bearing, twice an oval one, and a gear shows at its number of teeth. Bars below the noise line mean nothing";
+    HISTOGRAM, "Histogram",
+        "How many samples deviate by how much. If only noise is left, the bars fill the dashed curve; two heaps are two states, as with backlash. A click on a bar marks its samples everywhere";
+    EFFECT_CURVE, "Effect's own curve",
+        "What is left when the model knows everything but this one effect, and what the effect does according to its fitted size. Where the curve runs through the points the name is right";
     SETUP, "Setup",
         "One position of the instrument. Each has a measuring frame of its own, which is fitted";
     TOOL, "Tool pose",

@@ -1,21 +1,23 @@
-//! Plots as SVG files: the drawings of the report, of the samples as they are shown now.
+//! Plots as SVG files: the drawings of the report, of the samples as they are shown now, and the
+//! charts as they are on the screen.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::compensation::verify;
 use crate::report::drawing::{Drawing, Label, MUTED};
-use crate::report::plots::{deviation, waterfall, workspace};
+use crate::report::plots::{waterfall, workspace};
 use crate::report::svg::svg_file;
 use crate::report::{as_measured, stages};
 
 use super::document::Document;
 use super::files;
 use super::outcome::Outcome;
+use super::plots::sketch::Sketch;
 use super::plots::workspace::polar_sheet;
 use super::subject::Component;
 use super::tasks::{Report, Watch};
-use super::view::Message;
+use super::view::{Chart, Message};
 
 /// A plot that can be saved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,16 +28,25 @@ pub(crate) enum Plot {
     Deviation,
     /// The gap, step by step.
     Waterfall,
+    /// Another chart, as it is shown.
+    Chart(Chart),
     /// A component of the deviation around the joint's angle.
     Polar,
 }
 
 impl Plot {
     /// All of them.
-    pub(crate) const ALL: [Self; 4] = [
+    pub(crate) const ALL: [Self; 11] = [
         Self::Workspace,
         Self::Deviation,
         Self::Waterfall,
+        Self::Chart(Chart::Time),
+        Self::Chart(Chart::Load),
+        Self::Chart(Chart::Temperature),
+        Self::Chart(Chart::Orders),
+        Self::Chart(Chart::Histogram),
+        Self::Chart(Chart::Effect),
+        Self::Chart(Chart::Table),
         Self::Polar,
     ];
 
@@ -43,8 +54,15 @@ impl Plot {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Workspace => "workspace",
-            Self::Deviation => "deviation",
-            Self::Waterfall => "gap by step",
+            Self::Deviation | Self::Chart(Chart::Angle) => "deviation",
+            Self::Waterfall | Self::Chart(Chart::Gap) => "gap by step",
+            Self::Chart(Chart::Time) => "deviation over time",
+            Self::Chart(Chart::Load) => "deviation over load",
+            Self::Chart(Chart::Temperature) => "deviation over temperature",
+            Self::Chart(Chart::Orders) => "order spectrum",
+            Self::Chart(Chart::Histogram) => "histogram",
+            Self::Chart(Chart::Effect) => "effect's curve",
+            Self::Chart(Chart::Table) => "correction table",
             Self::Polar => "polar",
         }
     }
@@ -69,6 +87,8 @@ pub(crate) struct Wanted {
     pub(crate) component: (Component, bool),
     /// The noise floor, where a search found it, mm.
     pub(crate) floor_mm: Option<f64>,
+    /// The chart as it is shown, where it is one that is.
+    pub(crate) sketch: Option<Sketch>,
     /// Files that it may not replace.
     pub(crate) inputs: Vec<PathBuf>,
 }
@@ -105,6 +125,14 @@ fn make(wanted: &Wanted, path: &Path, replace: bool) -> Result<String, String> {
 fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
     let session = wanted.document.session_to_save();
     let of = |what: &str| format!("{}: {what}", crate::report::document::clean(&session.name));
+    if let Some(sketch) = &wanted.sketch {
+        let title = of(&sketch.title);
+        let session = crate::report::document::clean(&session.name);
+        return Ok((sketch.on_paper(&session), title));
+    }
+    if let Plot::Chart(_) = wanted.plot {
+        return Err("this chart has nothing to show yet".to_owned());
+    }
     let answer = match &wanted.outcome {
         Some(outcome) => Some(outcome.answer.as_ref().map_err(Clone::clone)?),
         None => None,
@@ -115,7 +143,7 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
         let drawing = waterfall(steps, wanted.floor_mm, session.tolerance_mm);
         return Ok((drawing, of("the gap step by step")));
     }
-    if session.samples.is_empty() {
+    if session.samples.is_empty() || wanted.plot == Plot::Deviation {
         return Err("there are no samples to draw".to_owned());
     }
     if wanted.plot == Plot::Polar {
@@ -133,9 +161,6 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
                 .map_err(|e| e.to_string())?
         }
     };
-    if wanted.plot == Plot::Deviation {
-        return Ok((deviation(&stages), of("length of the deviation, mm")));
-    }
     let (mut drawing, magnification) = workspace(&stages);
     let says = of(&format!(
         "measured points, deviations magnified {magnification} times"

@@ -72,6 +72,14 @@ pub(crate) fn told(watch: &Watch) -> impl Fn(&Progress) -> bool {
     }
 }
 
+/// The terms of everything that a search found, each in its place, and last the smooth correction
+/// of what no name explains.
+pub(crate) fn terms(diagnosis: &Diagnosis) -> Vec<Option<Term>> {
+    let found = diagnosis.found.iter().map(|f| term_of(diagnosis, f));
+    let smooth = diagnosis.unexplained.corrected();
+    found.chain(smooth.map(|c| Some(c.term.clone()))).collect()
+}
+
 /// The model's term of a name that was found. Names may come twice with another setting (two
 /// orders of a gear); the setting is their first parameter then.
 pub(crate) fn term_of(diagnosis: &Diagnosis, found: &Found) -> Option<Term> {

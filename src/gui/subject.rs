@@ -258,8 +258,13 @@ impl Subject {
 
     /// One component of a deviation at a sample, mm.
     pub(crate) fn component(&self, e: [f64; 3], sample: usize, component: Component) -> f64 {
+        self.component_at(e, self.nominal.get(sample), component)
+    }
+
+    /// One component of a deviation where the nominal robot is at `p`, mm.
+    pub(crate) fn component_at(&self, e: [f64; 3], p: [f64; 3], component: Component) -> f64 {
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        let [radial, tangential] = self.directions(sample);
+        let [radial, tangential] = self.directions(p);
         match component {
             Component::Length => dot(e, e).sqrt(),
             Component::Tangential => dot(e, tangential),
@@ -271,14 +276,13 @@ impl Subject {
         }
     }
 
-    /// Radial and tangential direction of joint 1 where the nominal robot is at a sample.
-    fn directions(&self, sample: usize) -> [[f64; 3]; 2] {
+    /// Radial and tangential direction of joint 1 where the nominal robot is at `p`.
+    fn directions(&self, p: [f64; 3]) -> [[f64; 3]; 2] {
         let JointFrame {
             origin_mm: o,
             along: a,
             ..
         } = self.joint;
-        let p = self.nominal.get(sample);
         let arm: [f64; 3] = std::array::from_fn(|k| p[k] - o[k]);
         let height: f64 = (0..3).map(|k| arm[k] * a[k]).sum();
         let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * a[k]);
@@ -302,7 +306,12 @@ impl Subject {
 
     /// Whether joint 1 turns.
     pub(crate) fn turns(&self) -> bool {
-        self.session.robot.joints[0].kind == JointKind::Revolute
+        self.joint_turns(0)
+    }
+
+    /// Whether this joint, counted from 0, turns.
+    pub(crate) fn joint_turns(&self, joint: usize) -> bool {
+        self.session.robot.joints[joint].kind == JointKind::Revolute
     }
 
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.

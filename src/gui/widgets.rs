@@ -85,6 +85,16 @@ pub(crate) fn segmented<T: Copy + PartialEq>(
     options: &[(T, &str)],
     current: T,
 ) -> Option<T> {
+    let named = options.iter().map(|(value, name)| (*value, *name, *name));
+    segmented_named(ui, &named.collect::<Vec<_>>(), current)
+}
+
+/// The same where a short name is shown and a longer one says what it means.
+pub(crate) fn segmented_named<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    options: &[(T, &str, &str)],
+    current: T,
+) -> Option<T> {
     let palette = Palette::of(ui);
     let mut chosen = None;
     let frame = Frame::NONE
@@ -98,7 +108,7 @@ pub(crate) fn segmented<T: Copy + PartialEq>(
             let backwards = ui.layout().prefer_right_to_left();
             for k in 0..options.len() {
                 let k = if backwards { options.len() - 1 - k } else { k };
-                let (value, name) = &options[k];
+                let (value, name, meant) = &options[k];
                 let on = *value == current;
                 let (text, fill) = if on {
                     (palette.accent, palette.surface)
@@ -116,9 +126,13 @@ pub(crate) fn segmented<T: Copy + PartialEq>(
                     .min_size(vec2(34.0, 22.0));
                 let response = ui.add(button);
                 let enabled = ui.is_enabled();
-                response.widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, name));
+                response
+                    .widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, meant));
                 if response.clicked() && !on {
                     chosen = Some(*value);
+                }
+                if name != meant {
+                    response.on_hover_text(*meant);
                 }
             }
         });
@@ -267,6 +281,26 @@ pub(crate) fn dense(ui: &mut Ui) {
     ui.spacing_mut().item_spacing.y = 3.0;
 }
 
+/// What is said about what the pointer is on.
+pub(crate) fn facts(ui: &mut Ui, (title, lines): &(String, Vec<(String, String)>)) {
+    let palette = Palette::of(ui);
+    ui.set_max_width(220.0);
+    dense(ui);
+    ui.label(RichText::new(title).font(strong(size::BODY)));
+    egui::Grid::new("facts")
+        .num_columns(2)
+        .spacing([16.0, 2.0])
+        .show(ui, |ui| {
+            for (name, value) in lines {
+                ui.label(RichText::new(name).size(size::SMALL).color(palette.muted));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    ui.label(RichText::new(value).size(size::SMALL));
+                });
+                ui.end_row();
+            }
+        });
+}
+
 /// A field that takes a number when it is complete, with a point or a comma.
 fn typing(field: DragValue<'_>) -> DragValue<'_> {
     field.update_while_editing(false).custom_parser(typed)
@@ -366,6 +400,29 @@ pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
         at(6.5, 6.0),
         at(6.5, 2.5),
     ]);
+    response.on_hover_text(name)
+}
+
+/// Two sheets: copies what stands beside it.
+pub(crate) fn copy_button(ui: &mut Ui, name: &str) -> Response {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+    let painter = ui.painter();
+    let lit = response.hovered() || response.has_focus();
+    if lit {
+        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
+    }
+    let color = if lit { palette.text } else { palette.muted };
+    let sheet = |x: f32, y: f32| {
+        let corner = rect.center() + vec2(x, y);
+        egui::Rect::from_min_size(corner, vec2(8.5, 9.5))
+    };
+    let stroke = Stroke::new(1.5, color);
+    painter.rect_stroke(sheet(-2.0, -6.5), 1.5, stroke, StrokeKind::Middle);
+    let ground = if lit { palette.inset } else { palette.surface };
+    painter.rect(sheet(-6.5, -3.0), 1.5, ground, stroke, StrokeKind::Middle);
     response.on_hover_text(name)
 }
 

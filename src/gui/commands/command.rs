@@ -9,7 +9,7 @@ use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{Canvas, Colouring, Lower, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Chart, Colouring, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -112,8 +112,12 @@ pub(crate) enum Command {
     Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
-    /// Show this below the workspace in the step that finds the gap.
-    Lower(Lower),
+    /// Show this below the workspace.
+    Chart(Chart),
+    /// Let charts be about this joint, counted from 0.
+    ChartJoint(usize),
+    /// Show the curve of an effect that was found, by its place in the answer.
+    ShowEffect(usize),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

@@ -3,6 +3,7 @@
 //! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
 //! only function that changes anything.
 
+mod charts;
 mod command;
 mod desk;
 mod follow;
@@ -28,7 +29,6 @@ use crate::gui::given::Given;
 use crate::gui::keeping::settings::Recent;
 use crate::gui::layers::{Heat, Nearest};
 use crate::gui::outcome::{After, Answer, Outcome};
-use crate::gui::plots::deviation::Envelope;
 use crate::gui::preview::{Made, Preview, Wanted};
 use crate::gui::reporting::About;
 use crate::gui::search::Search;
@@ -185,15 +185,6 @@ impl Workbench {
         let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
         let thinned = self.backdrop().filter(seen)?.thinned.as_deref()?;
         Some(&thinned.samples)
-    }
-
-    /// The extremes of the deviation chart; `None` where samples are few, or until they are found.
-    pub(crate) fn envelope(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| {
-            b.scenery.component == self.view.component
-                && b.scenery.outcome.is_some() == self.outcome().is_some()
-        };
-        self.backdrop().filter(seen)?.envelope.as_deref()
     }
 
     /// The export as it would be written, or why there is none. While a newer one is being made it
@@ -353,7 +344,9 @@ impl Workbench {
                 view.side = Side::Samples;
             }
             Command::Side(side) => view.side = side,
-            Command::Lower(lower) => view.lower = lower,
+            Command::Chart(chart) => self.choose_chart(chart),
+            Command::ChartJoint(joint) => view.joint = joint,
+            Command::ShowEffect(index) => self.show_effect(index),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
                 self.keep_preferences();
@@ -561,7 +554,9 @@ impl Workbench {
             plane: self.view.plane,
             heat: self.view.heat,
             thins: self.view.canvas == Canvas::Shapes,
+            polar: self.view.polar,
             component: self.view.component,
+            chart: self.charting(),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
         if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {

@@ -75,6 +75,7 @@ impl Workbench {
             outcome: self.outcome.clone().filter(|_| shown),
             component: (self.view.component, self.view.only_after),
             floor_mm: self.diagnosis().map(|d| d.floor.mm),
+            sketch: self.sketch(plot),
             inputs: self.inputs(),
         };
         let says = format!("writing {}", path.display());

@@ -69,7 +69,10 @@ impl Workbench {
                 self.keep_preparing();
                 self.keep_drawing();
             }
-            Report::Searched(search) => self.searched = Some(Arc::new(*search)),
+            Report::Searched(search) => {
+                self.searched = Some(Arc::new(*search));
+                self.keep_drawing();
+            }
             Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {

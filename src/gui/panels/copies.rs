@@ -6,6 +6,7 @@ use egui::{Button, RichText, Ui, vec2};
 use crate::effects::find;
 use crate::gui::tokens::{size, space};
 use crate::gui::units::{cell, plain_number};
+use crate::gui::widgets;
 use crate::identification::{Estimate, RegionResult};
 use crate::units::deg_from_rad;
 
@@ -21,6 +22,14 @@ pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
         node.set_label(format!("Copy table of {of}"));
     });
     if button.clicked() {
+        ui.copy_text(text());
+    }
+}
+
+/// The mark in a chart's bar that copies its numbers.
+pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
+    let says = format!("Copy numbers: {}", of.to_lowercase());
+    if widgets::copy_button(ui, &says).clicked() {
         ui.copy_text(text());
     }
 }

@@ -13,6 +13,7 @@ use crate::gui::search::term_of;
 use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{significant, trimmed, with_interval};
+use crate::gui::view::Chart;
 use crate::gui::widgets::{self, dense};
 use crate::identification::Estimate;
 use crate::kinematics::JointKind;
@@ -45,8 +46,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
     verdict(ui, workbench, d);
     data_problems(ui, d, commands);
-    for found in &d.found {
-        widgets::card(ui, |ui| card(ui, workbench, d, found, commands));
+    for (index, found) in d.found.iter().enumerate() {
+        widgets::card(ui, |ui| {
+            card(ui, workbench, d, found, commands);
+            curve_link(ui, workbench, index, commands);
+        });
     }
     equivalent(ui, d);
     unexplained::card(ui, workbench, d, commands);
@@ -252,6 +256,21 @@ fn card(
                 commands.push(Command::Edit(Edit::Switch(index, on)));
             }
         }
+    }
+}
+
+/// Shows what an effect does, in the chart.
+pub(super) fn curve_link(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    index: usize,
+    commands: &mut Vec<Command>,
+) {
+    let view = workbench.view();
+    let shown = workbench.chart() == Chart::Effect && view.effect == index;
+    let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, "Show its curve"));
+    if button.inner.clicked() {
+        commands.push(Command::ShowEffect(index));
     }
 }
 

@@ -1,5 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
+mod charts;
 mod copies;
 mod disk;
 pub(super) mod dropped;

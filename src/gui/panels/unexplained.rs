@@ -14,7 +14,7 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::units::deg_from_rad;
 
-use super::findings::titles;
+use super::findings::{curve_link, titles};
 
 /// The card of what a search could not name.
 pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
@@ -55,7 +55,10 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
             Some(Err(because)) => {
                 widgets::hint(ui, format!("It cannot be corrected: {because}"));
             }
-            Some(Ok(found)) => correction(ui, workbench, found, commands),
+            Some(Ok(found)) => {
+                correction(ui, workbench, found, commands);
+                curve_link(ui, workbench, d.found.len(), commands);
+            }
         }
     });
 }

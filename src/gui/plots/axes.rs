@@ -30,6 +30,24 @@ pub(crate) fn axis<'a>(
     }]
 }
 
+/// The axis below with a word for each place.
+pub(crate) fn named_axis<'a>(
+    label: String,
+    palette: &Palette,
+    words: Vec<(f64, String)>,
+) -> Vec<AxisHints<'a>> {
+    let mut hints = axis(Axis::X, label, palette, |x| x);
+    let named = move |place: f64| {
+        let word = words.iter().find(|(at, _)| (at - place).abs() < 0.5);
+        word.map_or_else(String::new, |(_, word)| word.clone())
+    };
+    if let Some(hint) = hints.pop() {
+        let hint = hint.label_spacing(Rangef::new(10.0, 16.0));
+        hints.push(hint.formatter(move |mark, _| named(mark.value)));
+    }
+    hints
+}
+
 /// Grid lines at round numbers, at most about `lines`, so that each gets its label: in degrees at
 /// parts of a turn.
 pub(crate) fn steps(bounds: (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {

@@ -5,9 +5,11 @@ use egui_plot::{Axis, Line, Plot, PlotPoints};
 
 use crate::compensation::SortedTable;
 use crate::gui::commands::Workbench;
+use crate::gui::plots::sketch::{Ink, Sketch, Stands};
 use crate::gui::plots::{LEAST_SPAN, MOST_POINTS, axis, steps, stride, thinned};
 use crate::gui::preview::Made;
 use crate::gui::tokens::Palette;
+use crate::gui::units::{cell, plain_number};
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
 
@@ -83,6 +85,57 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     shown
         .response
         .widget_info(|| WidgetInfo::labeled(Role::Figure, true, "correction table as a curve"));
+}
+
+/// Every entry as a table.
+pub(crate) fn numbers(made: &Made) -> String {
+    let Some(table) = &made.export.reads_as else {
+        return String::new();
+    };
+    let unit = match table.kind {
+        JointKind::Revolute => "deg",
+        JointKind::Prismatic => "mm",
+    };
+    let joint = cell(&made.joint);
+    let mut text = format!("{joint}, {unit}\tside\tto be added, {unit}\n");
+    for (side, column) in [("1", &table.forward), ("-1", &table.reverse)] {
+        for (at, value) in column.places().iter().zip(column.values()) {
+            let cells = [plain_number(*at), side.to_owned(), plain_number(*value)];
+            text += &cells.join("\t");
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// The curve to be saved; `None` where the export has no table.
+pub(crate) fn sketch(made: &Made) -> Option<Sketch> {
+    let table = made.export.reads_as.as_ref()?;
+    let degrees = table.kind == JointKind::Revolute;
+    let unit = if degrees { "°" } else { "mm" };
+    let (forward, reverse) = (curve(&table.forward), curve(&table.reverse));
+    let [low, high] = span(forward.iter().chain(&reverse));
+    let from = forward.first().map_or(0.0, |p| p[0]);
+    let to = forward.last().map_or(1.0, |p| p[0]).max(from + 1e-6);
+    let by = 0.1 * (high - low);
+    let mut inks = Vec::new();
+    let mut legend = vec![("forward".to_owned(), Stands::After, true)];
+    if table.forward != table.reverse {
+        inks.push(Ink::Line(reverse, Stands::Before, 2.0, true));
+        legend.push(("reverse, dashed".to_owned(), Stands::Before, false));
+    }
+    inks.push(Ink::Line(forward, Stands::After, 2.0, false));
+    Some(Sketch {
+        title: "correction table".to_owned(),
+        across: format!("{}, {unit}", made.joint),
+        upwards: format!("to be added, {unit}"),
+        bounds: [[from, low - by], [to, high + by]],
+        degrees,
+        ticks: Vec::new(),
+        inks,
+        legend,
+        note: caption(made),
+    })
 }
 
 /// What has to be said about the curve.

@@ -2,18 +2,25 @@
 //! tested without pixels) and paint (egui).
 
 mod axes;
+pub(crate) mod charting;
 pub(crate) mod correction;
 pub(crate) mod deviation;
 mod drawing;
+pub(crate) mod effect;
+pub(crate) mod histogram;
 mod marks;
+pub(crate) mod orders;
+pub(crate) mod over;
+pub(crate) mod sketch;
+mod strip;
 pub(crate) mod waterfall;
 pub(crate) mod workspace;
 
-pub(crate) use axes::{axis, steps};
+pub(crate) use axes::{axis, named_axis, steps};
 pub(crate) use drawing::Drawing;
 pub(crate) use marks::disc;
 
-use egui::Ui;
+use egui::{Response, Role, Ui, WidgetInfo};
 
 use super::commands::Command;
 use super::pictures::Plot;
@@ -35,6 +42,14 @@ pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
     if widgets::save_button(ui, &says).clicked() {
         commands.push(Command::ChooseWhereToExport(What::Picture(plot)));
     }
+}
+
+/// Names a chart for those who do not see it, and says what is seen in it.
+pub(crate) fn figure(response: &Response, name: &str, says: String) {
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, name));
+    response
+        .ctx
+        .accesskit_node_builder(response.id, |node| node.set_description(says));
 }
 
 /// Every how many of `count` things one is shown, so that there are at most `most`.

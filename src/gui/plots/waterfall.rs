@@ -6,7 +6,7 @@ use egui::{Align2, FontId, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use crate::effects::find;
 use crate::gui::commands::Workbench;
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::significant;
+use crate::gui::units::{plain_number, significant};
 
 /// One step.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,6 +45,15 @@ pub(crate) fn lower(title: &str) -> String {
     letters.next().map_or_else(String::new, |first| {
         first.to_lowercase().chain(letters).collect()
     })
+}
+
+/// Every step as a table.
+pub(crate) fn numbers(workbench: &Workbench) -> String {
+    let mut text = "step\tgap, mm\n".to_owned();
+    for bar in bars(workbench) {
+        text += &format!("{}\t{}\n", bar.name, plain_number(bar.gap_mm));
+    }
+    text
 }
 
 /// Shows the steps in the space that is left.

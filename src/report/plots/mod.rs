@@ -8,7 +8,7 @@
 //! always among them.
 
 mod deviation;
-mod panel;
+pub(crate) mod panel;
 mod waterfall;
 mod workspace;
 

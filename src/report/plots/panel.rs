@@ -5,21 +5,21 @@ use crate::report::drawing::{Anchor, Drawing, INK, Label, MUTED, RULE, Stroke};
 use crate::report::numbers::short;
 
 /// Size of the numbers at the ticks, points.
-pub(super) const SMALL: f64 = 7.0;
+pub(crate) const SMALL: f64 = 7.0;
 
 /// See the module.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Panel {
-    pub(super) left: f64,
-    pub(super) top: f64,
-    pub(super) width: f64,
-    pub(super) height: f64,
-    pub(super) x: [f64; 2],
-    pub(super) y: [f64; 2],
+pub(crate) struct Panel {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    pub(crate) x: [f64; 2],
+    pub(crate) y: [f64; 2],
 }
 
 impl Panel {
-    pub(super) fn at(&self, x: f64, y: f64) -> [f64; 2] {
+    pub(crate) fn at(&self, x: f64, y: f64) -> [f64; 2] {
         let share = |v: f64, [low, high]: [f64; 2]| (v - low) / (high - low);
         [
             self.left + self.width * share(x, self.x),
@@ -28,7 +28,7 @@ impl Panel {
     }
 
     /// Grid lines with numbers, then the frame.
-    pub(super) fn frame(&self, ticks: [usize; 2], drawing: &mut Drawing) {
+    pub(crate) fn frame(&self, ticks: [usize; 2], drawing: &mut Drawing) {
         let bottom = self.top + self.height;
         for x in round_values(self.x, ticks[0]) {
             let [at, _] = self.at(x, self.y[0]);
@@ -53,17 +53,17 @@ impl Panel {
             .push(crate::report::drawing::Item::Lines(vec![frame], stroke));
     }
 
-    pub(super) fn title(&self, title: &str, drawing: &mut Drawing) {
+    pub(crate) fn title(&self, title: &str, drawing: &mut Drawing) {
         let label = Label::new([self.left, self.top - 6.0], title, 8.0, INK);
         drawing.text(label.bold());
     }
 
-    pub(super) fn x_label(&self, label: &str, drawing: &mut Drawing) {
+    pub(crate) fn x_label(&self, label: &str, drawing: &mut Drawing) {
         let at = [self.left + self.width / 2.0, self.top + self.height + 20.0];
         drawing.text(Label::new(at, label, SMALL, MUTED).anchored(Anchor::Middle));
     }
 
-    pub(super) fn y_label(&self, label: &str, left: f64, drawing: &mut Drawing) {
+    pub(crate) fn y_label(&self, label: &str, left: f64, drawing: &mut Drawing) {
         let mut label = Label::new([left, self.top + self.height / 2.0], label, SMALL, MUTED);
         label.upwards = true;
         drawing.text(label.anchored(Anchor::Middle));
@@ -71,7 +71,7 @@ impl Panel {
 }
 
 /// Round values in a range, at most about `most` of them.
-pub(super) fn round_values([low, high]: [f64; 2], most: usize) -> Vec<f64> {
+pub(crate) fn round_values([low, high]: [f64; 2], most: usize) -> Vec<f64> {
     let wanted = (high - low) / most as f64;
     let mut step = round_below(wanted);
     if !(wanted > 0.0 && wanted.is_finite()) {
@@ -86,7 +86,7 @@ pub(super) fn round_values([low, high]: [f64; 2], most: usize) -> Vec<f64> {
 }
 
 /// A range that is not empty: what is one value gets room around it.
-pub(super) fn room([low, high]: [f64; 2]) -> [f64; 2] {
+pub(crate) fn room([low, high]: [f64; 2]) -> [f64; 2] {
     if !(low.is_finite() && high.is_finite()) {
         return [0.0, 1.0];
     }

@@ -17,12 +17,12 @@ pub(super) fn mesh(
     transform: &PlotTransform,
     columns: &[Column],
     only_after: bool,
-    axes: Axes,
+    axes: &Axes,
     palette: &Palette,
 ) -> Shape {
     let mut mesh = Mesh::default();
     let rect = |column: &Column, mm: [f64; 2]| {
-        let [a, b] = [0, 1].map(|k| transform.position_from_point(&axes.at(column.q[k], mm[k])));
+        let [a, b] = [0, 1].map(|k| transform.position_from_point(&axes.at(column.x[k], mm[k])));
         let rect = Rect::from_two_pos(a, b);
         rect.expand2(egui::vec2(0.0, (0.5 * (LEAST - rect.height())).max(0.0)))
     };

@@ -1,11 +1,12 @@
 //! The chart of many samples: what lies between the smallest and the largest deviation in each
 //! column of pixels.
 //!
-//! Samples are sorted by the joint's value once, for each side from which it came, and above them
+//! Samples are sorted by what the chart stands over once, for each side from which it came, and above them
 //! stands a tree of extremes, sixteen to one. A column then costs a few looks at the tree, and a
 //! frame as much as it has columns, for any number of samples.
 
 use crate::gui::outcome::Answer;
+use crate::gui::plots::over::Over;
 use crate::gui::subject::{Component, Subject};
 
 /// How many of one level make one of the next.
@@ -74,7 +75,7 @@ fn both(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
 struct Track {
     side: f64,
     samples: Vec<u32>,
-    q: Vec<f64>,
+    x: Vec<f64>,
     before: Extremes,
     after: Option<Extremes>,
 }
@@ -82,8 +83,8 @@ struct Track {
 /// A column: from where to where along the chart, and what lies in it, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Column {
-    /// From this value of joint 1 to that, rad or mm.
-    pub(crate) q: [f64; 2],
+    /// From this value of what the chart stands over to that.
+    pub(crate) x: [f64; 2],
     /// Smallest and largest deviation before.
     pub(crate) before_mm: Option<[f64; 2]>,
     /// Smallest and largest of what is left.
@@ -98,13 +99,20 @@ pub(crate) struct Envelope {
 
 impl Envelope {
     /// Sorts the samples of a session.
-    pub(crate) fn of(subject: &Subject, answer: Option<&Answer>, component: Component) -> Self {
+    pub(crate) fn of(
+        subject: &Subject,
+        answer: Option<&Answer>,
+        component: Component,
+        over: Over,
+    ) -> Self {
         let usable = &subject.overview.usable;
         let track = |side: f64| {
-            let of_side = |sample: &u32| subject.side(*sample as usize) == side;
+            let x = |sample: u32| over.of(subject, sample as usize);
+            let of_side = |sample: &u32| {
+                over.side(subject, *sample as usize) == side && x(*sample).is_finite()
+            };
             let mut samples: Vec<u32> = usable.iter().copied().filter(of_side).collect();
-            let q = |sample: u32| subject.q(sample as usize);
-            samples.sort_unstable_by(|a, b| q(*a).total_cmp(&q(*b)).then(a.cmp(b)));
+            samples.sort_unstable_by(|a, b| x(*a).total_cmp(&x(*b)).then(a.cmp(b)));
             let values = |deviation: &dyn Fn(usize) -> [f64; 3]| {
                 let value = |sample: &u32| {
                     let sample = *sample as usize;
@@ -114,7 +122,7 @@ impl Envelope {
             };
             Track {
                 side,
-                q: samples.iter().map(|sample| q(*sample)).collect(),
+                x: samples.iter().map(|sample| x(*sample)).collect(),
                 before: values(&|sample| subject.deviation_before(sample)),
                 after: answer.map(|answer| values(&|sample| answer.deviation_after(sample))),
                 samples,
@@ -126,30 +134,35 @@ impl Envelope {
         }
     }
 
-    /// Smallest and largest value of joint 1, and of the deviations before and after.
+    /// Smallest and largest value along the chart, and of the deviations before and after.
     pub(crate) fn extent(&self) -> Option<Column> {
-        let ends = |t: &Track| Some([*t.q.first()?, *t.q.last()?]);
-        let q = self.tracks.iter().filter_map(ends);
-        let q = q.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
-        let whole = self.tracks.iter().map(|t| t.column(q, 0, t.q.len()));
+        let ends = |t: &Track| Some([*t.x.first()?, *t.x.last()?]);
+        let x = self.tracks.iter().filter_map(ends);
+        let x = x.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+        let whole = self.tracks.iter().map(|t| t.column(x, 0, t.x.len()));
         whole.reduce(|a, b| Column {
-            q,
+            x,
             before_mm: widest(a.before_mm, b.before_mm),
             after_mm: widest(a.after_mm, b.after_mm),
         })
     }
 
-    /// How many samples are between two values of joint 1.
-    pub(crate) fn count(&self, q: [f64; 2]) -> usize {
-        let ranges = self.tracks.iter().map(|t| t.range(q));
+    /// How many samples have a place along the chart.
+    pub(crate) fn placed(&self) -> usize {
+        self.tracks.iter().map(|t| t.samples.len()).sum()
+    }
+
+    /// How many samples are between two values along the chart.
+    pub(crate) fn count(&self, x: [f64; 2]) -> usize {
+        let ranges = self.tracks.iter().map(|t| t.range(x));
         ranges.map(|(from, to)| to - from).sum()
     }
 
-    /// The samples between two values of joint 1, thinned to about `most`.
-    pub(crate) fn samples(&self, q: [f64; 2], most: usize) -> impl Iterator<Item = usize> {
-        let step = self.count(q).div_ceil(most).max(1);
+    /// The samples between two values along the chart, thinned to about `most`.
+    pub(crate) fn samples(&self, x: [f64; 2], most: usize) -> impl Iterator<Item = usize> {
+        let step = self.count(x).div_ceil(most).max(1);
         let of_track = move |t: &Track| {
-            let (from, to) = t.range(q);
+            let (from, to) = t.range(x);
             let samples: Vec<u32> = t.samples[from..to].iter().copied().step_by(step).collect();
             samples
         };
@@ -157,7 +170,7 @@ impl Envelope {
         samples.map(|sample| sample as usize)
     }
 
-    /// The columns of each side between two values of joint 1; those without a sample are left out.
+    /// The columns of each side between two values along the chart; those without a sample are left out.
     pub(crate) fn columns(&self, [low, high]: [f64; 2], number: usize) -> Vec<Column> {
         let width = (high - low) / number as f64;
         let mut columns = Vec::new();
@@ -165,10 +178,10 @@ impl Envelope {
             return columns;
         }
         for track in &self.tracks {
-            let mut from = track.q.partition_point(|q| *q < low);
+            let mut from = track.x.partition_point(|x| *x < low);
             for k in 0..number {
                 let end = low + width * (k + 1) as f64;
-                let to = from + track.q[from..].partition_point(|q| *q < end);
+                let to = from + track.x[from..].partition_point(|x| *x < end);
                 if to > from {
                     columns.push(track.column([end - width, end], from, to));
                 }
@@ -186,16 +199,16 @@ impl Envelope {
 
 impl Track {
     fn range(&self, [low, high]: [f64; 2]) -> (usize, usize) {
-        let from = self.q.partition_point(|q| *q < low);
-        let to = self.q.partition_point(|q| *q <= high);
+        let from = self.x.partition_point(|x| *x < low);
+        let to = self.x.partition_point(|x| *x <= high);
         (from, to.max(from))
     }
 
-    fn column(&self, q: [f64; 2], from: usize, to: usize) -> Column {
+    fn column(&self, x: [f64; 2], from: usize, to: usize) -> Column {
         let known =
             |[low, high]: [f32; 2]| (low <= high).then(|| [f64::from(low), f64::from(high)]);
         Column {
-            q,
+            x,
             before_mm: known(self.before.of(from, to)),
             after_mm: self.after.as_ref().and_then(|a| known(a.of(from, to))),
         }
@@ -250,26 +263,27 @@ mod tests {
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
         let (subject, answer) = (workbench.subject(), workbench.answer());
-        let envelope = Envelope::of(subject, answer, Component::Radial);
+        let over = workbench.over().expect("it stands over the angle");
+        let envelope = Envelope::of(subject, answer, Component::Radial, over);
         let all = envelope.extent().expect("there are samples");
-        let columns = envelope.columns([all.q[0], all.q[1] + 1e-9], 7);
+        let columns = envelope.columns([all.x[0], all.x[1] + 1e-9], 7);
         for side in [-1.0, 1.0] {
             let of_side = |i: &usize| subject.side(*i) == side;
             for sample in (0..subject.len()).filter(of_side) {
-                let q = subject.q(sample);
+                let x = subject.q(sample);
                 let e = subject.deviation_before(sample);
                 let mm = subject.component(e, sample, Component::Radial);
                 let holds = |c: &&Column| {
                     let [low, high] = c.before_mm.expect("a column has samples");
-                    c.q[0] <= q && q <= c.q[1] && low - 1e-6 <= mm && mm <= high + 1e-6
+                    c.x[0] <= x && x <= c.x[1] && low - 1e-6 <= mm && mm <= high + 1e-6
                 };
                 assert!(columns.iter().any(|c| holds(&c)), "{sample}");
             }
         }
         assert!(columns.len() <= 14 && columns.iter().all(|c| c.after_mm.is_some()));
-        assert_eq!(envelope.count(all.q), subject.len());
-        assert_eq!(envelope.samples(all.q, 10_000).count(), subject.len());
-        assert!(envelope.samples(all.q, 20).count() <= 22);
+        assert_eq!(envelope.count(all.x), subject.len());
+        assert_eq!(envelope.samples(all.x, 10_000).count(), subject.len());
+        assert!(envelope.samples(all.x, 20).count() <= 22);
     }
 
     #[test]

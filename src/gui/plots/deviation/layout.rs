@@ -7,27 +7,51 @@ use crate::gui::plots::LEAST_SPAN;
 /// What the chart has to show.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Extent {
-    /// Smallest and largest angle (rad) or length (mm) of joint 1.
-    pub(crate) q: [f64; 2],
+    /// Smallest and largest value of what it stands over.
+    pub(crate) x: [f64; 2],
     /// Smallest and largest deviation, mm; zero is always between them.
     pub(crate) mm: [f64; 2],
 }
 
-/// The extent of a series, with a margin; of what is left alone where it is looked at alone.
-pub(crate) fn extent(series: &Series, envelope: Option<&Envelope>, only_after: bool) -> Extent {
-    let mut q = [f64::INFINITY, f64::NEG_INFINITY];
-    let mut mm = [0.0_f64, 0.0_f64];
+/// Smallest and largest place along the chart and deviation of everything; `None` where there is
+/// nothing.
+pub(crate) fn whole(series: &Series, envelope: Option<&Envelope>) -> Option<Column> {
+    if let Some(envelope) = envelope {
+        return envelope.extent();
+    }
+    let wider = |range: Option<[f64; 2]>, value: f64| {
+        let [low, high] = range.unwrap_or([value; 2]);
+        value
+            .is_finite()
+            .then_some([low.min(value), high.max(value)])
+            .or(range)
+    };
+    let mut all: Option<Column> = None;
     for dot in &series.dots {
-        q = [q[0].min(dot.q), q[1].max(dot.q)];
-        let before = (!only_after || dot.after_mm.is_none()).then_some(dot.before_mm);
-        for value in before.into_iter().chain(dot.after_mm) {
-            if value.is_finite() {
-                mm = [mm[0].min(value), mm[1].max(value)];
-            }
+        let known = all.get_or_insert(Column {
+            x: [dot.x; 2],
+            before_mm: None,
+            after_mm: None,
+        });
+        known.x = [known.x[0].min(dot.x), known.x[1].max(dot.x)];
+        known.before_mm = wider(known.before_mm, dot.before_mm);
+        if let Some(after) = dot.after_mm {
+            known.after_mm = wider(known.after_mm, after);
         }
     }
-    if let Some(all) = envelope.and_then(Envelope::extent) {
-        q = all.q;
+    all
+}
+
+/// Smallest and largest place along the chart.
+pub(crate) fn along(series: &Series, envelope: Option<&Envelope>) -> [f64; 2] {
+    whole(series, envelope).map_or([-1.0, 1.0], |all| all.x)
+}
+
+/// The extent of a series, with a margin; of what is left alone where it is looked at alone.
+pub(crate) fn extent(series: &Series, envelope: Option<&Envelope>, only_after: bool) -> Extent {
+    let mut mm = [0.0_f64, 0.0_f64];
+    let all = whole(series, envelope);
+    if let Some(all) = all {
         let before = all
             .before_mm
             .filter(|_| !only_after || all.after_mm.is_none());
@@ -35,20 +59,15 @@ pub(crate) fn extent(series: &Series, envelope: Option<&Envelope>, only_after: b
             mm = [mm[0].min(low), mm[1].max(high)];
         }
     }
-    if q[0] > q[1] {
-        q = [-1.0, 1.0];
-    }
-    let margin = |[low, high]: [f64; 2], [below, above]: [f64; 2], least: f64| {
-        let wide = high - low;
-        [
-            low - (below * wide).max(least),
-            high + (above * wide).max(least),
-        ]
+    let margin = |[low, high]: [f64; 2], part: f64, least: f64| {
+        let by = (part * (high - low)).max(least);
+        [low - by, high + by]
     };
+    let x = all.map_or([-1.0, 1.0], |all| all.x);
+    let least = 1e-3 + 1e-9 * x[0].abs().max(x[1].abs());
     Extent {
-        q: margin(q, [0.03, 0.03], 1e-3),
-        // The legend stands at the top.
-        mm: margin(mm, [0.08, 0.25], 0.5 * LEAST_SPAN),
+        x: margin(x, 0.03, least),
+        mm: margin(mm, 0.08, 0.5 * LEAST_SPAN),
     }
 }
 
@@ -66,13 +85,13 @@ pub(crate) enum Many {
     Columns(Vec<Column>),
 }
 
-/// What is in sight between two values of joint 1, in so many points of the screen.
-pub(crate) fn in_sight(envelope: &Envelope, q: [f64; 2], points: f64) -> Many {
-    if envelope.count(q) <= MOST_DOTS {
-        return Many::Samples(envelope.samples(q, MOST_DOTS).collect());
+/// What is in sight between two values along the chart, in so many points of the screen.
+pub(crate) fn in_sight(envelope: &Envelope, x: [f64; 2], points: f64) -> Many {
+    if envelope.count(x) <= MOST_DOTS {
+        return Many::Samples(envelope.samples(x, MOST_DOTS).collect());
     }
     let columns = crate::gui::units::whole((points / COLUMN).ceil().min(8192.0)).max(1);
-    Many::Columns(envelope.columns(q, columns))
+    Many::Columns(envelope.columns(x, columns))
 }
 
 /// The tolerance as a band, mm: both ways for a component, from zero for a length. `None` where
@@ -88,11 +107,12 @@ pub(crate) fn band(series: &Series, extent: &Extent, length: bool) -> Option<[f6
 mod tests {
     use super::super::model::Dot;
     use super::*;
+    use crate::gui::plots::over::{Over, Variable};
 
     fn series(values: &[(f64, f64, Option<f64>)]) -> Series {
-        let dot = |(sample, &(q, before_mm, after_mm)): (usize, &(f64, f64, Option<f64>))| Dot {
+        let dot = |(sample, &(x, before_mm, after_mm)): (usize, &(f64, f64, Option<f64>))| Dot {
             sample,
-            q,
+            x,
             before_mm,
             after_mm,
             side: 0.0,
@@ -100,8 +120,12 @@ mod tests {
         Series {
             dots: values.iter().enumerate().map(dot).collect(),
             stride: 1,
-            turns: true,
+            over: Over {
+                variable: Variable::Joint,
+                joint: 0,
+            },
             boundaries_rad: Vec::new(),
+            unplaced: 0,
             tolerance_mm: Some(0.2),
         }
     }
@@ -117,7 +141,7 @@ mod tests {
     #[test]
     fn an_empty_chart_has_an_extent() {
         let extent = extent(&series(&[]), None, false);
-        assert!(extent.q[0] < extent.q[1] && extent.mm[0] < extent.mm[1]);
+        assert!(extent.x[0] < extent.x[1] && extent.mm[0] < extent.mm[1]);
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! A component of the deviation over the angle of joint 1, before and after.
+//! A component of the deviation over the value of a joint, time, load or temperature, before and
+//! after.
 
 mod columns;
 mod envelope;
@@ -7,4 +8,4 @@ mod model;
 mod paint;
 
 pub(crate) use envelope::Envelope;
-pub(crate) use paint::show;
+pub(crate) use paint::{numbers, show, sketch};

@@ -2,6 +2,7 @@
 
 use crate::gui::backdrop::FEW;
 use crate::gui::commands::Workbench;
+use crate::gui::plots::over::{Over, Variable};
 use crate::gui::plots::stride;
 
 /// One sample.
@@ -9,8 +10,8 @@ use crate::gui::plots::stride;
 pub(crate) struct Dot {
     /// The sample.
     pub(crate) sample: usize,
-    /// Commanded value of joint 1, rad or mm.
-    pub(crate) q: f64,
+    /// Where it stands along the chart, inner units; NaN where that is not known.
+    pub(crate) x: f64,
     /// The component of the nominal robot's deviation, mm.
     pub(crate) before_mm: f64,
     /// The component of what is left, mm.
@@ -21,16 +22,16 @@ pub(crate) struct Dot {
 
 impl Dot {
     /// A sample as the workbench has it.
-    pub(crate) fn of(workbench: &Workbench, sample: usize) -> Self {
+    pub(crate) fn of(workbench: &Workbench, over: Over, sample: usize) -> Self {
         let subject = &**workbench.subject();
         let component = workbench.view().component;
         let of = |e: [f64; 3]| subject.component(e, sample, component);
         Self {
             sample,
-            q: subject.q(sample),
+            x: over.of(subject, sample),
             before_mm: of(subject.deviation_before(sample)),
             after_mm: workbench.answer().map(|a| of(a.deviation_after(sample))),
-            side: subject.side(sample),
+            side: over.side(subject, sample),
         }
     }
 }
@@ -42,8 +43,10 @@ pub(crate) struct Series {
     pub(crate) dots: Vec<Dot>,
     /// One dot for so many samples.
     pub(crate) stride: usize,
-    /// Whether the joint turns (else it slides).
-    pub(crate) turns: bool,
+    /// What the chart stands over.
+    pub(crate) over: Over,
+    /// How many samples have no place along it.
+    pub(crate) unplaced: usize,
     /// Region boundaries, rad.
     pub(crate) boundaries_rad: Vec<f64>,
     /// The tolerance, mm.
@@ -52,7 +55,7 @@ pub(crate) struct Series {
 
 impl Series {
     /// The chart as the workbench has it.
-    pub(crate) fn of(workbench: &Workbench) -> Self {
+    pub(crate) fn of(workbench: &Workbench, over: Over) -> Self {
         let subject = &**workbench.subject();
         let document = workbench.document();
         let usable = &subject.overview.usable;
@@ -64,13 +67,19 @@ impl Series {
             usable
         };
         let samples = shown.iter().step_by(stride);
-        let dots = samples.map(|sample| Dot::of(workbench, *sample as usize));
+        let dots = samples.map(|sample| Dot::of(workbench, over, *sample as usize));
+        let (dots, unplaced): (Vec<Dot>, Vec<Dot>) = dots.partition(|dot| dot.x.is_finite());
         let boundaries = crate::gui::boundaries::boundaries(&document.regions);
+        // Regions divide the angle of joint 1.
+        let divided = over.variable == Variable::Joint && over.joint == 0;
+        let boundaries = boundaries.iter().filter(|_| divided);
+        let of_many = workbench.envelope().map(|e| usable.len() - e.placed());
         Self {
-            dots: dots.collect(),
+            dots,
             stride,
-            turns: subject.turns(),
-            boundaries_rad: boundaries.iter().map(|b| b.at_rad).collect(),
+            over,
+            unplaced: of_many.unwrap_or(stride * unplaced.len()),
+            boundaries_rad: boundaries.map(|b| b.at_rad).collect(),
             tolerance_mm: document.tolerance_mm,
         }
     }
@@ -84,12 +93,16 @@ mod tests {
     use crate::gui::subject::Component;
     use crate::gui::testing::workbench;
 
+    fn series(workbench: &Workbench) -> Series {
+        Series::of(workbench, workbench.over().expect("over the angle"))
+    }
+
     #[test]
     fn the_components_of_a_deviation_have_its_length() {
         let mut workbench = workbench();
         let mut of = |component: Component| {
             workbench.execute(Command::Component(component));
-            Series::of(&workbench).dots[5].before_mm
+            series(&workbench).dots[5].before_mm
         };
         let length = of(Component::Length);
         let polar = [Component::Tangential, Component::Radial, Component::Axial].map(&mut of);
@@ -103,7 +116,7 @@ mod tests {
     #[test]
     fn a_zero_offset_of_minus_three_degrees_is_tangential_and_negative() {
         let workbench = workbench();
-        let dots = Series::of(&workbench).dots;
+        let dots = series(&workbench).dots;
         let mean = dots.iter().map(|d| d.before_mm).sum::<f64>() / dots.len() as f64;
         let expected = -245.0 * 3.0_f64.to_radians().sin();
         assert!((mean - expected).abs() < 0.2, "{mean} {expected}");
@@ -113,7 +126,7 @@ mod tests {
     fn what_is_left_is_there_once_it_is_identified() {
         let mut workbench = workbench();
         let left = |workbench: &Workbench| {
-            let dots = Series::of(workbench).dots;
+            let dots = series(workbench).dots;
             dots.iter().filter(|d| d.after_mm.is_some()).count()
         };
         assert_eq!(left(&workbench), 0);

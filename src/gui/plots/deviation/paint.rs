@@ -1,14 +1,16 @@
-//! The deviation chart in egui.
+//! The deviation charts in egui.
 
-use egui::{Align2, Color32, FontId, Role, Shape, Stroke, Ui, WidgetInfo, pos2};
-use egui_plot::{Axis, Plot, PlotPoint, PlotTransform};
+use egui::{Color32, Shape, Stroke, Ui, pos2};
+use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, axis, marks, steps, thinned, workspace};
+use crate::gui::plots::over::{Over, Scale, Variable};
+use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
+use crate::gui::plots::strip::{self, Entry, Sign};
+use crate::gui::plots::{Drawing, figure, marks, thinned, workspace};
 use crate::gui::subject::Component;
-use crate::gui::tokens::{Palette, size};
-use crate::gui::units::Units;
-use crate::gui::view::AngleUnit;
+use crate::gui::tokens::Palette;
+use crate::gui::units::{Units, plain_number};
 
 use super::columns;
 use super::envelope::Envelope;
@@ -21,127 +23,222 @@ const REACH: f32 = 14.0;
 const MOST_NEAR: usize = 400;
 
 /// The chart's axes in the user's units.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Axes {
     units: Units,
-    turns: bool,
+    scale: Scale,
 }
 
 impl Axes {
-    fn along(self, q: f64) -> f64 {
-        if self.turns {
-            self.units.angle_value(q)
-        } else {
-            self.units.length_value(q)
+    pub(super) fn at(&self, x: f64, mm: f64) -> PlotPoint {
+        PlotPoint::new(self.scale.shown(x), self.units.length_value(mm))
+    }
+
+    fn corners(&self, extent: &Extent) -> [[f64; 2]; 2] {
+        [0, 1].map(|k| {
+            let corner = self.at(extent.x[k], extent.mm[k]);
+            [corner.x, corner.y]
+        })
+    }
+}
+
+/// What the chart shows at present, and where.
+struct Shown<'a> {
+    workbench: &'a Workbench,
+    over: Over,
+    series: Series,
+    envelope: Option<&'a Envelope>,
+    only_after: bool,
+    extent: Extent,
+    band: Option<[f64; 2]>,
+    axes: Axes,
+}
+
+impl<'a> Shown<'a> {
+    fn of(workbench: &'a Workbench, over: Over) -> Self {
+        let view = workbench.view();
+        let units = workbench.units();
+        let series = Series::of(workbench, over);
+        let only_after = view.only_after && workbench.answer().is_some();
+        let envelope = workbench.envelope();
+        let extent = layout::extent(&series, envelope, only_after);
+        let band = layout::band(&series, &extent, view.component == Component::Length);
+        let span = extent.x[1] - extent.x[0];
+        let scale = over.scale(workbench.subject(), units, span);
+        Self {
+            workbench,
+            over,
+            series,
+            envelope,
+            only_after,
+            extent,
+            band,
+            axes: Axes { units, scale },
         }
     }
 
-    /// The value of the joint at a place of the chart.
-    fn q(self, x: f64) -> f64 {
-        x / self.along(1.0)
+    /// What stands below, with the unit.
+    fn across(&self) -> String {
+        let label = self.over.label(self.workbench.subject());
+        format!("{label}, {}", self.axes.scale.unit)
     }
 
-    pub(super) fn at(self, q: f64, mm: f64) -> PlotPoint {
-        PlotPoint::new(self.along(q), self.units.length_value(mm))
+    fn upwards(&self) -> String {
+        let name = self.workbench.view().component.name();
+        format!("{name}, {}", self.axes.units.length_name())
+    }
+
+    fn dots(&self, samples: &[usize]) -> Vec<Dot> {
+        let dot = |sample: &usize| Dot::of(self.workbench, self.over, *sample);
+        samples.iter().map(dot).collect()
+    }
+
+    /// What is drawn of many samples between two places of the chart; `None` where all are drawn.
+    fn in_sight(&self, shown: [f64; 2], points: f64) -> Option<Many> {
+        let x = shown.map(|x| self.axes.scale.inner(x));
+        let envelope = self.envelope?;
+        Some(layout::in_sight(envelope, x, points))
+    }
+
+    fn in_frame(&self, transform: &PlotTransform) -> Option<Many> {
+        let bounds = transform.bounds();
+        let shown = [bounds.min()[0], bounds.max()[0]];
+        self.in_sight(shown, f64::from(transform.frame().width()))
+    }
+
+    /// What has to be said.
+    fn note(&self, many: bool) -> String {
+        let mut notes = Vec::new();
+        let [low, high] = layout::along(&self.series, self.envelope);
+        if low == high && self.over.variable != Variable::Joint {
+            let what = self.over.label(self.workbench.subject());
+            notes.push(format!("the {what} never changes"));
+        }
+        if many {
+            notes.push("from the smallest to the largest in each column".to_owned());
+        } else if self.envelope.is_none() {
+            notes.extend(thinned(self.series.stride, "point"));
+        }
+        match self.series.unplaced {
+            0 => {}
+            1 => notes.push("one sample has no value and is not shown".to_owned()),
+            n => notes.push(format!("{n} samples have no value and are not shown")),
+        }
+        notes.join(" · ")
+    }
+
+    /// What is seen, in words.
+    fn says(&self) -> String {
+        let units = self.axes.units;
+        let all = layout::whole(&self.series, self.envelope);
+        let between = |mm: [f64; 2]| format!("{} to {}", units.length(mm[0]), units.length(mm[1]));
+        let Some(all) = all else {
+            return "no sample to show".to_owned();
+        };
+        let count = self.workbench.subject().overview.usable.len() - self.series.unplaced;
+        let mut says = format!(
+            "{} deviation of {count} samples over {} from {} to {}",
+            self.workbench.view().component.name(),
+            self.over.label(self.workbench.subject()),
+            self.axes.scale.says(all.x[0]),
+            self.axes.scale.says(all.x[1]),
+        );
+        for (name, mm) in [("before", all.before_mm), ("after", all.after_mm)] {
+            if let Some(mm) = mm {
+                says += &format!(", {name} {}", between(mm));
+            }
+        }
+        if let Some(tolerance) = self.series.tolerance_mm {
+            says += &format!(", tolerance {}", units.length(tolerance));
+        }
+        says
     }
 }
 
 /// Shows the chart in the space that is left, and sends what the pointer does.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mut Vec<Command>) {
+    if let Some(missing) = over.missing(workbench.subject()) {
+        return strip::empty(ui, missing.title, missing.why);
+    }
     let palette = Palette::of(ui);
     let view = workbench.view();
-    let units = workbench.units();
-    let series = Series::of(workbench);
-    let only_after = view.only_after && workbench.answer().is_some();
-    let envelope = workbench.envelope();
-    let extent = layout::extent(&series, envelope, only_after);
-    let band = layout::band(&series, &extent, view.component == Component::Length);
-    let axes = Axes {
-        units,
-        turns: series.turns,
+    let shown = Shown::of(workbench, over);
+    let wide = f64::from(ui.available_width());
+    let whole = shown.extent.x.map(|x| shown.axes.scale.shown(x));
+    let many = matches!(shown.in_sight(whole, wide), Some(Many::Columns(_)));
+    strip::show(
+        ui,
+        &shown.note(many),
+        &entries(&shown, many, &palette),
+        commands,
+    );
+
+    let corners = shown.axes.corners(&shown.extent);
+    let frame = Sketch {
+        title: String::new(),
+        across: shown.across(),
+        upwards: shown.upwards(),
+        bounds: corners,
+        degrees: shown.axes.scale.degrees,
+        ticks: Vec::new(),
+        inks: Vec::new(),
+        legend: Vec::new(),
+        note: String::new(),
     };
-    let joint = &workbench.subject().session.robot.joints[0].name;
-    let unit = if series.turns {
-        units.angle_name().trim()
-    } else {
-        units.length_name()
-    };
-    let corners = [
-        [axes.along(extent.q[0]), units.length_value(extent.mm[0])],
-        [axes.along(extent.q[1]), units.length_value(extent.mm[1])],
-    ];
-    let degrees = series.turns && units.angle == AngleUnit::Degree;
-    let across = format!("{joint}, {unit}");
-    let upwards = format!("{}, {}", view.component.name(), units.length_name());
-    let plot = Plot::new(("deviation", view.component.name(), only_after, view.fitted))
-        .show_x(false)
-        .show_y(false)
-        .show_background(false)
-        .show_crosshair(false)
-        .set_margin_fraction(egui::Vec2::ZERO)
-        .grid_color(palette.line)
-        .x_grid_spacer(move |input| steps(input.bounds, degrees, 9.0))
-        .y_grid_spacer(|input| steps(input.bounds, false, 4.0))
-        .custom_x_axes(axis(Axis::X, across, &palette, |q| q))
-        .custom_y_axes(axis(Axis::Y, upwards, &palette, |mm| mm));
+    let id = (
+        workbench.chart().short(),
+        view.component.name(),
+        shown.only_after,
+    );
     let emphasised = view.hovered.or(view.selected);
-    let drawn = &series;
-    // What is drawn of the samples between two places of the chart.
-    let in_sight = |transform: &PlotTransform| {
-        envelope.map(|envelope| {
-            let bounds = transform.bounds();
-            let q = [bounds.min()[0], bounds.max()[0]].map(|x| axes.q(x));
-            layout::in_sight(envelope, q, f64::from(transform.frame().width()))
-        })
-    };
-    let these = |samples: &[usize]| -> Vec<Dot> {
-        let dot = |sample: &usize| Dot::of(workbench, *sample);
-        samples.iter().map(dot).collect()
-    };
-    let shown = plot.show(ui, |plot| {
-        plot.add(Drawing::new(
-            "deviation",
-            corners,
-            move |transform, shapes| {
-                ground(shapes, transform, drawn, &extent, band, axes, &palette);
-                match in_sight(transform) {
-                    None => dots(shapes, transform, &drawn.dots, only_after, axes, &palette),
-                    Some(Many::Samples(samples)) => {
-                        let these = these(&samples);
-                        dots(shapes, transform, &these, only_after, axes, &palette);
-                    }
-                    Some(Many::Columns(columns)) => {
-                        let mesh = columns::mesh(transform, &columns, only_after, axes, &palette);
-                        shapes.push(mesh);
-                    }
+    let drawn = &shown;
+    let plotted = frame.plot(id, view, &palette).show(ui, |plot| {
+        let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
+            let axes = &drawn.axes;
+            ground(shapes, transform, drawn, &palette);
+            match drawn.in_frame(transform) {
+                None => dots(shapes, transform, &drawn.series.dots, drawn, &palette),
+                Some(Many::Samples(samples)) => {
+                    dots(shapes, transform, &drawn.dots(&samples), drawn, &palette);
                 }
-                let subject = workbench.subject();
-                let marked = workspace::marked(view, subject.len()).chain(emphasised);
-                for sample in marked.filter(|sample| subject.usable[*sample]) {
-                    let dot = Dot::of(workbench, sample);
-                    let mm = dot.after_mm.unwrap_or(dot.before_mm);
-                    let here = transform.position_from_point(&axes.at(dot.q, mm));
+                Some(Many::Columns(columns)) => {
+                    let only = drawn.only_after;
+                    shapes.push(columns::mesh(transform, &columns, only, axes, &palette));
+                }
+            }
+            let subject = workbench.subject();
+            let marked = workspace::marked(view, subject.len()).chain(emphasised);
+            for sample in marked.filter(|sample| subject.usable[*sample]) {
+                let dot = Dot::of(workbench, over, sample);
+                let mm = dot.after_mm.unwrap_or(dot.before_mm);
+                if dot.x.is_finite() {
+                    let here = transform.position_from_point(&axes.at(dot.x, mm));
                     shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));
                 }
-            },
-        ));
+            }
+        };
+        plot.add(Drawing::new("deviation", corners, draw));
     });
-    let (response, transform) = (shown.response, shown.transform);
-    let name = view.component.name();
-    response.widget_info(|| {
-        WidgetInfo::labeled(Role::Figure, true, format!("deviation chart, {name}"))
-    });
-    let many = matches!(in_sight(&transform), Some(Many::Columns(_)));
-    legend(ui, &transform, workbench, &series, many, &palette);
+    let (response, transform) = (plotted.response, plotted.transform);
+    let component = view.component.name();
+    let name = match over.variable {
+        Variable::Joint => format!("deviation chart, {component}"),
+        _ => format!(
+            "{} chart, {component}",
+            workbench.chart().name().to_lowercase()
+        ),
+    };
+    figure(&response, &name, shown.says());
 
     let under = response.hover_pos().and_then(|pointer| {
-        let near = envelope.map(|envelope| {
-            let q = |x: f32| axes.q(transform.value_from_position(pos2(x, pointer.y)).x);
-            let around = [q(pointer.x - REACH), q(pointer.x + REACH)];
-            these(&envelope.samples(around, MOST_NEAR).collect::<Vec<_>>())
+        let near = shown.envelope.map(|envelope| {
+            let place = |x: f32| transform.value_from_position(pos2(x, pointer.y)).x;
+            let around = [pointer.x - REACH, pointer.x + REACH];
+            let around = around.map(|x| shown.axes.scale.inner(place(x)));
+            shown.dots(&envelope.samples(around, MOST_NEAR).collect::<Vec<_>>())
         });
-        let near = near.as_deref().unwrap_or(&series.dots);
-        under(near, only_after, axes, &transform, pointer)
+        let near = near.as_deref().unwrap_or(&shown.series.dots);
+        under(near, &shown, &transform, pointer)
     });
     workspace::hover(&response, workbench, under, commands);
 }
@@ -149,16 +246,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// The sample whose mark is under the pointer.
 fn under(
     dots: &[Dot],
-    only_after: bool,
-    axes: Axes,
+    shown: &Shown,
     transform: &PlotTransform,
     pointer: egui::Pos2,
 ) -> Option<usize> {
     let candidates = dots.iter().flat_map(|dot| {
-        let before = (!only_after).then_some(dot.before_mm);
+        let before = (!shown.only_after).then_some(dot.before_mm);
         let marks = before.into_iter().chain(dot.after_mm);
         marks.map(|mm| {
-            let here = transform.position_from_point(&axes.at(dot.q, mm));
+            let here = transform.position_from_point(&shown.axes.at(dot.x, mm));
             (dot.sample, [here.x, here.y])
         })
     });
@@ -166,24 +262,17 @@ fn under(
 }
 
 /// Tolerance, boundaries and zero.
-fn ground(
-    shapes: &mut Vec<Shape>,
-    transform: &PlotTransform,
-    series: &Series,
-    extent: &Extent,
-    band: Option<[f64; 2]>,
-    axes: Axes,
-    palette: &Palette,
-) {
+fn ground(shapes: &mut Vec<Shape>, transform: &PlotTransform, shown: &Shown, palette: &Palette) {
     let frame = *transform.frame();
-    let y = |mm: f64| transform.position_from_point(&axes.at(extent.q[0], mm)).y;
-    if let Some([low, high]) = band {
+    let (axes, extent) = (&shown.axes, &shown.extent);
+    let y = |mm: f64| transform.position_from_point(&axes.at(extent.x[0], mm)).y;
+    if let Some([low, high]) = shown.band {
         let corners = [pos2(frame.left(), y(high)), pos2(frame.right(), y(low))];
         let rect = egui::Rect::from_two_pos(corners[0], corners[1]);
         let fill = palette.within.gamma_multiply(0.14);
         shapes.push(Shape::rect_filled(rect, 0.0, fill));
     }
-    for boundary in &series.boundaries_rad {
+    for boundary in &shown.series.boundaries_rad {
         let x = transform.position_from_point(&axes.at(*boundary, 0.0)).x;
         let ends = [pos2(x, frame.top()), pos2(x, frame.bottom())];
         let stroke = Stroke::new(1.0, palette.nominal.gamma_multiply(0.6));
@@ -197,85 +286,149 @@ fn dots(
     shapes: &mut Vec<Shape>,
     transform: &PlotTransform,
     dots: &[Dot],
-    only_after: bool,
-    axes: Axes,
+    shown: &Shown,
     palette: &Palette,
 ) {
+    let axes = &shown.axes;
     let identified = dots.iter().any(|d| d.after_mm.is_some());
-    if !only_after {
+    if !shown.only_after {
         let (fill, edge) = if identified {
             (Color32::TRANSPARENT, palette.before.gamma_multiply(0.75))
         } else {
             (palette.before.gamma_multiply(0.35), palette.before)
         };
         for dot in dots {
-            let here = transform.position_from_point(&axes.at(dot.q, dot.before_mm));
+            let here = transform.position_from_point(&axes.at(dot.x, dot.before_mm));
             let stroke = Stroke::new(1.2, edge);
             shapes.push(marks::pointing(here, 3.2, dot.side, fill, stroke));
         }
     }
     for dot in dots {
         if let Some(after) = dot.after_mm {
-            let here = transform.position_from_point(&axes.at(dot.q, after));
+            let here = transform.position_from_point(&axes.at(dot.x, after));
             let stroke = Stroke::new(0.8, palette.surface);
             shapes.push(marks::pointing(here, 3.4, dot.side, palette.after, stroke));
         }
     }
 }
 
-fn legend(
-    ui: &Ui,
-    transform: &PlotTransform,
-    workbench: &Workbench,
-    series: &Series,
-    many: bool,
-    palette: &Palette,
-) {
-    let frame = *transform.frame();
-    let painter = ui.painter().with_clip_rect(frame);
-    let font = FontId::proportional(size::SMALL);
-    let identified = workbench.answer().is_some();
-    let only_after = workbench.view().only_after && identified;
-    let of_many = workbench.envelope().map(Envelope::sides);
-    let sides = of_many.unwrap_or_else(|| series.dots.iter().any(|d| d.side != 0.0));
-    let mut entries: Vec<(&str, f64, Color32, Color32)> = Vec::new();
+fn entries(shown: &Shown, many: bool, palette: &Palette) -> Vec<Entry> {
+    let of_many = shown.envelope.map(Envelope::sides);
+    let sides = of_many.unwrap_or_else(|| shown.series.dots.iter().any(|d| d.side != 0.0));
     let clear = Color32::TRANSPARENT;
-    if !only_after {
-        entries.push(("before", 0.0, clear, palette.before));
-    }
-    if identified {
-        entries.push(("after", 0.0, palette.after, palette.after));
+    let before = Sign::Dot(0.0, clear, palette.before);
+    let mut entries = vec![Entry::before(shown.workbench, before)];
+    if shown.workbench.answer().is_some() {
+        let after = Sign::Dot(0.0, palette.after, palette.after);
+        entries.push(Entry::new("after", after));
     }
     if sides && !many {
-        entries.push(("moving positive", 1.0, clear, palette.muted));
-        entries.push(("negative", -1.0, clear, palette.muted));
+        let way = |side: f64| Sign::Dot(side, clear, palette.muted);
+        entries.push(Entry::new("moving positive", way(1.0)));
+        entries.push(Entry::new("negative", way(-1.0)));
     }
-    let mut right = frame.right() - 12.0;
-    let y = frame.top() + 12.0;
-    for (name, side, fill, edge) in entries.into_iter().rev() {
-        let galley = painter.layout_no_wrap(name.to_owned(), font.clone(), palette.muted);
-        let place = Align2::RIGHT_CENTER.anchor_size(pos2(right, y), galley.size());
-        let back = place.expand2(egui::vec2(2.0, 1.0));
-        let back = back.with_min_x(back.left() - 18.0);
-        painter.rect_filled(back, 2.0, palette.surface.gamma_multiply(0.85));
-        painter.galley(place.min, galley, palette.muted);
-        let mark = pos2(place.left() - 10.0, y);
-        painter.add(marks::pointing(
-            mark,
-            3.4,
-            side,
-            fill,
-            Stroke::new(1.2, edge),
-        ));
-        right = place.left() - 28.0;
+    if shown.band.is_some() {
+        let band = Sign::Bar(palette.within.gamma_multiply(0.3), true);
+        entries.push(Entry::new("tolerance", band));
     }
-    let note = if many {
-        Some("from the smallest to the largest in each column".to_owned())
-    } else {
-        thinned(series.stride, "point").filter(|_| of_many.is_none())
+    entries
+}
+
+/// Width of a saved picture's plot, points: so many columns are drawn of many samples.
+const PAPER: f64 = 430.0;
+
+/// The chart to be saved; `None` where there is nothing to show.
+pub(crate) fn sketch(workbench: &Workbench, over: Over) -> Option<Sketch> {
+    if over.missing(workbench.subject()).is_some() {
+        return None;
+    }
+    let shown = Shown::of(workbench, over);
+    let axes = &shown.axes;
+    let bounds = axes.corners(&shown.extent);
+    let value = |mm: f64| axes.units.length_value(mm);
+    let mut inks = Vec::new();
+    inks.extend(
+        shown
+            .band
+            .map(|b| Ink::Band(b.map(value), Stands::Tolerance)),
+    );
+    for at in &shown.series.boundaries_rad {
+        let x = axes.scale.shown(*at);
+        let line = vec![[x, bounds[0][1]], [x, bounds[1][1]]];
+        inks.push(Ink::Line(line, Stands::Reference, 0.6, true));
+    }
+    let zero = vec![[bounds[0][0], 0.0], [bounds[1][0], 0.0]];
+    inks.push(Ink::Line(zero, Stands::Reference, 0.7, false));
+    let in_sight = shown.in_sight([bounds[0][0], bounds[1][0]], PAPER);
+    let identified = workbench.answer().is_some();
+    let of_dots = |dots: &[Dot], inks: &mut Vec<Ink>| {
+        let mark = |dot: &Dot, mm: f64| Mark {
+            at: [axes.scale.shown(dot.x), value(mm)],
+            side: dot.side,
+        };
+        if !shown.only_after {
+            let before = dots.iter().map(|d| mark(d, d.before_mm)).collect();
+            inks.push(Ink::Marks(before, Stands::Before, false));
+        }
+        let after = dots.iter().filter_map(|d| Some(mark(d, d.after_mm?)));
+        inks.push(Ink::Marks(after.collect(), Stands::After, true));
     };
-    if let Some(note) = note {
-        let at = frame.left_top() + egui::vec2(12.0, 12.0);
-        painter.text(at, Align2::LEFT_CENTER, note, font, palette.muted);
+    let many = matches!(in_sight, Some(Many::Columns(_)));
+    match in_sight {
+        None => of_dots(&shown.series.dots, &mut inks),
+        Some(Many::Samples(samples)) => of_dots(&shown.dots(&samples), &mut inks),
+        Some(Many::Columns(columns)) => {
+            for column in columns {
+                let bar = |mm: [f64; 2], stands, filled| {
+                    let [from, to] = [0, 1].map(|k| [axes.scale.shown(column.x[k]), value(mm[k])]);
+                    Ink::Bar(from, to, stands, filled)
+                };
+                let before = column.before_mm.filter(|_| !shown.only_after);
+                inks.extend(before.map(|mm| bar(mm, Stands::Before, false)));
+                inks.extend(column.after_mm.map(|mm| bar(mm, Stands::After, true)));
+            }
+        }
     }
+    let mut legend = Vec::new();
+    if !shown.only_after {
+        legend.push(("As measured".to_owned(), Stands::Before, false));
+    }
+    if identified {
+        legend.push(("Against the model".to_owned(), Stands::After, true));
+    }
+    let name = workbench.view().component.name();
+    let label = over.label(workbench.subject());
+    Some(Sketch {
+        title: format!("{name} deviation over {label}"),
+        across: shown.across(),
+        upwards: shown.upwards(),
+        bounds,
+        degrees: axes.scale.degrees,
+        ticks: Vec::new(),
+        inks,
+        legend,
+        note: shown.note(many),
+    })
+}
+
+/// Every sample of the chart as a table: inner units, in measuring order.
+pub(crate) fn numbers(workbench: &Workbench, over: Over) -> String {
+    let subject = workbench.subject();
+    let component = workbench.view().component.name();
+    let along = over.heading(subject);
+    let mut text =
+        format!("sample\t{along}\tside\t{component} before, mm\t{component} after, mm\n");
+    for sample in subject.overview.usable.iter().map(|s| *s as usize) {
+        let dot = Dot::of(workbench, over, sample);
+        let cells = [
+            (sample + 1).to_string(),
+            plain_number(over.cell(subject, dot.x)),
+            plain_number(dot.side),
+            plain_number(dot.before_mm),
+            dot.after_mm.map_or_else(String::new, plain_number),
+        ];
+        text += &cells.join("\t");
+        text.push('\n');
+    }
+    text
 }

@@ -216,7 +216,7 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
 pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: &Palette) {
     let answered = workbench.answer().is_some();
     let only_after = workbench.view().only_after && answered;
-    let many = workbench.envelope().is_some();
+    let many = workbench.around().is_some();
     rows(ui, |ui| {
         let says = super::polar::scale(polar, workbench.units());
         note(ui, &says, palette);

@@ -120,7 +120,7 @@ impl Polar {
         }
         let (view, answer) = (workbench.view(), workbench.answer());
         let usable = &subject.overview.usable;
-        let envelope = workbench.envelope();
+        let envelope = workbench.around();
         let stride = stride(usable.len(), FEW);
         let shown: &[u32] = if envelope.is_some() { &[] } else { usable };
         let samples = shown.iter().step_by(stride).map(|s| *s as usize);
@@ -134,7 +134,7 @@ impl Polar {
         if let Some(all) = envelope.and_then(crate::gui::plots::deviation::Envelope::extent) {
             let before = all.before_mm.filter(|_| !only_after);
             let ends = before.into_iter().chain(all.after_mm).flatten();
-            polar.range = all.q;
+            polar.range = all.x;
             polar.scale_to(ends);
         }
         Ok(polar)

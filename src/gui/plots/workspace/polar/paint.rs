@@ -37,7 +37,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
         |dial| Bearing::of(dial.radial, dial.tangential),
     );
     let only_after = view.only_after && workbench.answer().is_some();
-    let envelope = workbench.envelope();
+    let envelope = workbench.around();
     let of = |sample: usize| Spot::of(subject, workbench.answer(), view.component, sample);
     let plot = Plot::new(("polar", view.component.name(), only_after, view.fitted))
         .data_aspect(1.0)
@@ -325,14 +325,14 @@ fn extremes(
     };
     for column in columns.iter().filter(|_| !only_after) {
         if let Some([low, high]) = column.before_mm.map(thick) {
-            add(column.q, [low, high], palette.before.gamma_multiply(0.3));
-            add(column.q, [low, low + least], palette.before);
-            add(column.q, [high - least, high], palette.before);
+            add(column.x, [low, high], palette.before.gamma_multiply(0.3));
+            add(column.x, [low, low + least], palette.before);
+            add(column.x, [high - least, high], palette.before);
         }
     }
     for column in &columns {
         if let Some(ends) = column.after_mm.map(thick) {
-            add(column.q, ends, palette.after.gamma_multiply(0.85));
+            add(column.x, ends, palette.after.gamma_multiply(0.85));
         }
     }
     Shape::mesh(mesh)

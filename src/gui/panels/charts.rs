@@ -1,0 +1,224 @@
+//! What stands below the workspace: a bar in which the chart is chosen, and the chart.
+
+use egui::{Align, ComboBox, Layout, Ui};
+
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::help::{self, Word};
+use crate::gui::pictures::Plot;
+use crate::gui::plots::{correction, deviation, effect, histogram, orders, picture, waterfall};
+use crate::gui::subject::Component;
+use crate::gui::tokens::{size, space};
+use crate::gui::view::Chart;
+use crate::gui::widgets::{self, caption};
+
+use super::copies;
+
+/// Room for the marks at the right end of the bar, points.
+const MARKS: f32 = 92.0;
+/// Room for a list, points.
+const LIST: f32 = 128.0;
+
+/// Shows the bar and the chart.
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let chart = workbench.chart();
+    bar(ui, workbench, chart, commands);
+    match chart {
+        Chart::Angle | Chart::Time | Chart::Load | Chart::Temperature => {
+            if let Some(over) = workbench.over_in(chart) {
+                deviation::show(ui, workbench, over, commands);
+            }
+        }
+        Chart::Orders => orders::show(ui, workbench, commands),
+        Chart::Histogram => histogram::show(ui, workbench, commands),
+        Chart::Effect => effect::show(ui, workbench, commands),
+        Chart::Gap => waterfall::show(ui, workbench),
+        Chart::Table => {
+            if let Some(Ok(made)) = workbench.export() {
+                correction::show(ui, workbench, made);
+            }
+        }
+    }
+}
+
+/// What is chosen in a list or side by side, and how it is called.
+struct Choice<'a, T> {
+    /// What the list is called.
+    of: &'static str,
+    /// What can be chosen: itself, its name side by side, its name in the list.
+    offered: Vec<(T, &'a str, &'a str)>,
+    current: T,
+}
+
+impl<T: Copy + PartialEq> Choice<'_, T> {
+    /// How wide it is side by side, points.
+    fn width(&self, ui: &Ui) -> f32 {
+        let font = egui::FontId::proportional(size::SMALL);
+        let padding = 2.0 * ui.spacing().button_padding.x + 2.0;
+        let wide = self.offered.iter().map(|(_, short, _)| {
+            let text = (*short).to_owned();
+            let galley = ui
+                .painter()
+                .layout_no_wrap(text, font.clone(), egui::Color32::WHITE);
+            galley.size().x + padding
+        });
+        wide.map(|w| w.max(36.0)).sum::<f32>() + 8.0
+    }
+
+    fn show(&self, ui: &mut Ui, side_by_side: bool) -> Option<T> {
+        if side_by_side {
+            return widgets::segmented_named(ui, &self.offered, self.current);
+        }
+        let mut chosen = None;
+        let current = self.offered.iter().find(|(one, ..)| *one == self.current);
+        let shown = current.map_or("", |(_, _, name)| name);
+        let list = ComboBox::from_id_salt(self.of)
+            .selected_text(egui::RichText::new(shown).size(size::SMALL))
+            .width(0.0);
+        let list = list.show_ui(ui, |ui| {
+            for (one, _, name) in &self.offered {
+                if ui.selectable_label(*one == self.current, *name).clicked() {
+                    chosen = Some(*one);
+                }
+            }
+        });
+        ui.ctx()
+            .accesskit_node_builder(list.response.id, |node| node.set_label(self.of));
+        chosen.filter(|one| *one != self.current)
+    }
+}
+
+fn charts(workbench: &Workbench, current: Chart) -> Choice<'static, Chart> {
+    let offered = Chart::ALL.into_iter().filter(|c| workbench.offers(*c));
+    Choice {
+        of: "Chart",
+        offered: offered.map(|c| (c, c.short(), c.name())).collect(),
+        current,
+    }
+}
+
+fn components(workbench: &Workbench) -> Choice<'static, Component> {
+    let planar = workbench.subject().session.samples.z_mm.is_none();
+    let offered = Component::ALL.into_iter();
+    let offered = offered.filter(|c| !(planar && c.out_of_plane()));
+    Choice {
+        of: "Component",
+        offered: offered.map(|c| (c, c.name(), c.name())).collect(),
+        current: workbench.view().component,
+    }
+}
+
+/// The joints, where there are several and the chart is about one of them.
+fn joints(workbench: &Workbench, chart: Chart) -> Option<Choice<'_, usize>> {
+    let joints = &workbench.subject().session.robot.joints;
+    let about_one = matches!(
+        chart,
+        Chart::Angle | Chart::Time | Chart::Load | Chart::Temperature | Chart::Orders
+    );
+    let offered = joints.iter().enumerate();
+    (about_one && joints.len() > 1).then(|| Choice {
+        of: "Joint of the chart",
+        offered: offered.map(|(k, j)| (k, &*j.name, &*j.name)).collect(),
+        current: workbench.chart_joint(),
+    })
+}
+
+fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Command>) {
+    let charts = charts(workbench, chart);
+    let components = chart.has_components().then(|| components(workbench));
+    let joints = joints(workbench, chart);
+    // Side by side as long as there is room: the charts first, they are what is looked for.
+    let lists = [components.is_some(), joints.is_some()];
+    let lists = lists.into_iter().filter(|there| *there).count() as f32;
+    let mut room = ui.available_width() - MARKS - (LIST - 24.0) * lists - charts.width(ui);
+    let wide_charts = room >= 0.0;
+    let mut takes = |width: f32| {
+        let more = width - LIST;
+        let fits = wide_charts && room >= more;
+        room -= if fits { more } else { 0.0 };
+        fits
+    };
+    let wide_components = components.as_ref().is_some_and(|c| takes(c.width(ui)));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::ROW;
+        if let Some(chart) = charts.show(ui, wide_charts) {
+            commands.push(Command::Chart(chart));
+        }
+        if let Some(component) = components.and_then(|c| c.show(ui, wide_components)) {
+            commands.push(Command::Component(component));
+        }
+        if let Some(joint) = joints.and_then(|j| j.show(ui, false)) {
+            commands.push(Command::ChartJoint(joint));
+        }
+        let says = match chart {
+            Chart::Gap => "root mean square over the samples that were fitted".to_owned(),
+            Chart::Table => match workbench.export() {
+                Some(Ok(made)) => correction::caption(made),
+                _ => String::new(),
+            },
+            _ => String::new(),
+        };
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = space::TIGHT;
+            if has_picture(workbench, chart) {
+                picture(ui, plot_of(chart), commands);
+            }
+            copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
+            widgets::question(ui, word(chart));
+            if !says.is_empty() {
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
+                    caption(ui, &says).on_hover_text(&says);
+                });
+            }
+        });
+    });
+}
+
+/// What the chart's question mark explains.
+fn word(chart: Chart) -> Word {
+    match chart {
+        Chart::Angle => help::DEVIATION,
+        Chart::Time => help::OVER_TIME,
+        Chart::Load => help::OVER_LOAD,
+        Chart::Temperature => help::OVER_TEMPERATURE,
+        Chart::Orders => help::ORDERS,
+        Chart::Histogram => help::HISTOGRAM,
+        Chart::Gap => help::GAP,
+        Chart::Effect => help::EFFECT_CURVE,
+        Chart::Table => help::CORRECTION,
+    }
+}
+
+/// The chart as a file.
+fn plot_of(chart: Chart) -> Plot {
+    match chart {
+        Chart::Gap => Plot::Waterfall,
+        Chart::Angle => Plot::Deviation,
+        other => Plot::Chart(other),
+    }
+}
+
+fn has_picture(workbench: &Workbench, chart: Chart) -> bool {
+    match chart {
+        Chart::Gap => true,
+        Chart::Table => workbench.export().is_some_and(|made| made.is_ok()),
+        _ => !workbench.subject().is_empty(),
+    }
+}
+
+/// The chart as a table for a spreadsheet.
+fn numbers(workbench: &Workbench, chart: Chart) -> String {
+    match chart {
+        Chart::Orders => orders::numbers(workbench),
+        Chart::Histogram => histogram::numbers(workbench),
+        Chart::Effect => effect::numbers(workbench),
+        Chart::Gap => waterfall::numbers(workbench),
+        Chart::Table => match workbench.export() {
+            Some(Ok(made)) => correction::numbers(made),
+            _ => String::new(),
+        },
+        _ => workbench
+            .over_in(chart)
+            .map_or_else(String::new, |over| deviation::numbers(workbench, over)),
+    }
+}
