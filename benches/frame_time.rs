@@ -104,6 +104,8 @@ impl Window {
         let folder = tempfile::tempdir().expect("there is a folder for temporary files");
         let path = write_session(folder.path(), samples);
         let mut window = Self::opening(path, Runner::Threads);
+        // The handle is found where a screen reader finds it.
+        window.ctx.enable_accesskit();
         let there = format!("{samples} samples · gap");
         window.wait("the session", |window| window.says.contains(&there));
         window.frame(vec![key(Key::Num2)]);
