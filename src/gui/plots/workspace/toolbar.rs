@@ -44,6 +44,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 picture(ui, plot, commands);
             }
             fit(ui, commands);
+            if measured && view.polar() && workbench.answer().is_some() {
+                let shown = [(false, "both"), (true, "only after")];
+                if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
+                    commands.push(Command::OnlyAfter(only));
+                }
+            }
             if blends && roomy {
                 ui.add_space(space::TIGHT);
                 blend(ui, workbench, commands);
@@ -119,7 +125,7 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let planar = workbench.subject().session.samples.z_mm.is_none();
     let list = ComboBox::from_id_salt("polar component");
     let text = RichText::new(now.name()).size(size::SMALL);
-    let list = list.selected_text(text).show_ui(ui, |ui| {
+    let list = list.width(84.0).selected_text(text).show_ui(ui, |ui| {
         for component in Component::ALL {
             if planar && component.out_of_plane() {
                 continue;
