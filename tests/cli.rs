@@ -382,3 +382,38 @@ fn effects_that_nothing_can_show_leave_nothing_to_fit_and_say_so() {
         assert_eq!(answer["parameters"].as_array().unwrap().len(), 0);
     }
 }
+
+#[test]
+fn a_limit_that_is_none_is_said_in_words_and_has_no_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    // On a grid of 45° an eighth harmonic is the same everywhere.
+    let scenario = r#"{ "format": "truepose-scenario/1", "name": "eighths",
+        "robot": { "name": "column",
+            "joints": [ { "name": "column", "kind": "revolute", "axis": [0,0,1], "point_mm": [0,0,0], "limits": [-180, 180] } ],
+            "tool": { "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] } },
+        "poses": { "sweep": { "joint": 1, "from_deg": -180, "to_deg": 180, "step_deg": 45, "both_ways": true, "repeats": 2 } },
+        "noise": { "sigma_mm": 0.03, "kind": "gauss" }, "seed": 3 }"#;
+    std::fs::write(path("s.json"), scenario).unwrap();
+    let made = truepose(&["simulate", &path("s.json"), "--out", &path("eighths.json")]);
+    assert_eq!(made.status.code(), Some(0));
+    let text = truepose(&["diagnose", &path("eighths.json")]).stdout;
+    let text = String::from_utf8(text).unwrap();
+    let says = "gear-transmission-error: not to be seen at any size by these poses: amplitude_deg";
+    assert!(text.lines().any(|line| line == says), "{text}");
+    let answer = json(&truepose(&["diagnose", &path("eighths.json"), "--json"]));
+    for limit in answer["not_found"].as_array().unwrap() {
+        let above = limit["would_have_been_seen_above"].as_object().unwrap();
+        for (name, size) in above {
+            assert!(size.as_f64().unwrap() < 1e6, "{name} of {limit}");
+        }
+        if limit["effect"] == "gear-transmission-error" {
+            assert_eq!(limit["not_shown_at_any_size"][0], "amplitude_deg");
+        }
+    }
+    // Without noise nothing hides.
+    let text = truepose(&["diagnose", &bundled("paper-30.json")]).stdout;
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.contains("joint-scale: would have been seen at any size: there is no noise"));
+    assert!(!text.contains("above scale_ppm 0.000"), "{text}");
+}

@@ -29,7 +29,7 @@ fn save_to(window: &mut Window, path: &std::path::Path) {
 /// A change that is worth saving.
 fn divide(window: &mut Window) {
     press(window, "2 Regions");
-    press(window, "Divide");
+    press(window, "Evenly");
 }
 
 #[test]
@@ -219,7 +219,7 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     let session = copy_of("paper-30", folder.path());
     let mut window = window_at(Some(session.clone()), Some(&home));
     press(&mut window, "2 Regions");
-    press(&mut window, "Divide");
+    press(&mut window, "Evenly");
     let handle = window.get_by_label("boundary at 30°").rect().center();
     window.drag_at(handle);
     window.step();

@@ -1,14 +1,22 @@
-//! Three small pictures of the window, so that nobody changes its look without seeing it. They need
-//! something to draw with; without an adapter they say so and pass, and the rest of the window's
-//! tests does without.
+//! Small pictures of the window, so that nobody changes its look without seeing it: every step with
+//! its work done, light and dark, and the sheets. They need something to draw with; without an
+//! adapter they say so and pass, and the rest of the window's tests does without.
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --test gui_pictures` renews them.
 #![cfg(feature = "gui")]
+
+use std::path::PathBuf;
 
 use egui::Theme;
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{Harness, SnapshotOptions};
 use truepose::gui::{App, Runner};
+
+type Window = Harness<'static, App>;
+
+/// The smallest window, 640 pixels wide: small files, and everything that there is in sight.
+const SIZE: [f32; 2] = [1024.0, 700.0];
+const PIXELS_PER_POINT: f32 = 0.625;
 
 /// Whether there is an adapter; `.wgpu()` panics where there is none.
 fn can_draw() -> bool {
@@ -20,68 +28,114 @@ fn can_draw() -> bool {
     found
 }
 
-/// Software renderers round a few pixels in ten thousand differently.
-fn alike() -> SnapshotOptions {
-    SnapshotOptions::new().max_failed_pixels(250)
-}
-
-fn window(theme: Theme) -> Option<Harness<'static, App>> {
+fn window(theme: Theme, path: Option<PathBuf>) -> Option<Window> {
     if !can_draw() {
         eprintln!("skipped: no adapter to draw with");
         return None;
     }
-    let window = Harness::builder()
-        .with_size([1120.0, 700.0])
+    let mut window = Harness::builder()
+        .with_size(SIZE)
+        .with_pixels_per_point(PIXELS_PER_POINT)
         .with_theme(theme)
         .wgpu()
         .build_eframe(|cc| {
-            let app = App::new(&cc.egui_ctx, None, Runner::AtOnce);
+            let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);
             app.drawn_by(cc.wgpu_render_state.as_ref())
         });
+    window.run_steps(4);
     Some(window)
 }
 
-#[test]
-fn the_identified_session_in_light() {
-    let Some(mut window) = window(Theme::Light) else {
+fn press(window: &mut Window, label: &str) {
+    window.get_by_label(label).scroll_to_me();
+    window.run_steps(6);
+    window.get_by_label(label).click();
+    window.run_steps(4);
+}
+
+/// Holds the window against its picture. Software renderers round a few pixels in ten thousand
+/// differently.
+fn looks_like(window: &mut Window, name: &str) {
+    window.remove_cursor();
+    window.run_steps(4);
+    let alike = SnapshotOptions::new().max_failed_pixels(250);
+    window.snapshot_options(name, &alike);
+}
+
+/// The whole job, with a picture of every step.
+fn the_job(theme: Theme, name: &str) {
+    let Some(mut window) = window(theme, None) else {
         return;
     };
-    window.run_steps(3);
-    window.get_by_label("3 Identify").click();
-    window.run_steps(3);
-    window.get_by_label("Identify").click();
-    window.run_steps(3);
-    window.remove_cursor();
-    window.run_steps(3);
-    window.snapshot_options("identified-light", &alike());
+    looks_like(&mut window, &format!("1-session-{name}"));
+    press(&mut window, "2 Regions");
+    looks_like(&mut window, &format!("2-regions-{name}"));
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    looks_like(&mut window, &format!("3-identify-{name}"));
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    press(&mut window, "Add all 5 to the model");
+    looks_like(&mut window, &format!("4-gap-{name}"));
+    press(&mut window, "5 Export");
+    looks_like(&mut window, &format!("5-export-{name}"));
 }
 
 #[test]
-fn the_regions_in_dark() {
-    let Some(mut window) = window(Theme::Dark) else {
+fn the_job_in_light() {
+    the_job(Theme::Light, "light");
+}
+
+#[test]
+fn the_job_in_dark() {
+    the_job(Theme::Dark, "dark");
+}
+
+#[test]
+fn the_search_before_it_begins_in_light() {
+    let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
-    window.run_steps(3);
-    window.get_by_label("2 Regions").click();
-    window.run_steps(3);
-    window.remove_cursor();
-    window.run_steps(3);
-    window.snapshot_options("regions-dark", &alike());
+    press(&mut window, "4 Find the gap");
+    looks_like(&mut window, "4-gap-before-light");
 }
 
 #[test]
 fn the_heat_map_and_the_load_in_light() {
-    let Some(mut window) = window(Theme::Light) else {
+    let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
-    window.run_steps(3);
-    window.get_by_label("heat map").click();
-    window.run_steps(3);
-    window.get_by_label("Colour of vectors").click();
-    window.run_steps(3);
-    window.get_by_label("load").click();
-    window.run_steps(3);
-    window.remove_cursor();
-    window.run_steps(3);
-    window.snapshot_options("layers-light", &alike());
+    press(&mut window, "heat map");
+    press(&mut window, "Colour of vectors");
+    press(&mut window, "load");
+    looks_like(&mut window, "layers-light");
+}
+
+fn sheet(theme: Theme, menu: &str, item: &str, picture: &str) {
+    let Some(mut window) = window(theme, None) else {
+        return;
+    };
+    press(&mut window, menu);
+    window.get_by_label(item).click();
+    window.run_steps(6);
+    looks_like(&mut window, picture);
+}
+
+#[test]
+fn the_preferences_in_dark() {
+    sheet(Theme::Dark, "Edit", "Preferences…", "preferences-dark");
+}
+
+#[test]
+fn the_words_in_light() {
+    sheet(Theme::Light, "Help", "What the words mean", "words-light");
+}
+
+#[test]
+fn the_import_in_light() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-run.csv");
+    let Some(mut window) = window(Theme::Light, Some(file.into())) else {
+        return;
+    };
+    looks_like(&mut window, "import-light");
 }

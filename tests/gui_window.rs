@@ -44,7 +44,7 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
 
     // Divide evenly, and drag a boundary on the plot: the identification follows.
     press(&mut window, "2 Regions");
-    press(&mut window, "Divide");
+    press(&mut window, "Evenly");
     let handle = window.get_by_label("boundary at 30°").rect().center();
     window.drag_at(handle);
     window.step();

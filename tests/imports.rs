@@ -734,3 +734,59 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_header_and_single_columns_can_be_said_and_the_others_stay_what_they_are() {
+    let text = b"exported 2026\nTime [ms];X [cm];Y [cm];q1_deg\n0;24;6;1\n7;8;9;10\n";
+    let found = inspect(text, &reading(Kind::Csv));
+    assert_eq!(found.header_line, Some(2));
+    let known: Vec<bool> = found.columns.iter().map(|c| c.is_guess()).collect();
+    assert_eq!(known, [true, true, true, false], "q1_deg is no guess");
+    // One column is said: a time in ms and lengths in cm stay what they are.
+    let said = Reading {
+        columns: ["auto", "auto", "auto", "-"].map(str::to_owned).to_vec(),
+        ..reading(Kind::Csv)
+    };
+    let again = inspect(text, &said);
+    assert_eq!(again.columns[..3], found.columns[..3]);
+    assert_eq!(again.columns[3].meaning, "-");
+    assert!(again.questions.is_empty(), "{:?}", again.questions);
+    // A header in another line, or none.
+    let below = Reading {
+        header: Some(3),
+        ..reading(Kind::Csv)
+    };
+    let below = inspect(text, &below);
+    assert_eq!((below.header_line, below.rows), (Some(3), 1));
+    let none = Reading {
+        header: Some(0),
+        ..reading(Kind::Csv)
+    };
+    assert_eq!(inspect(text, &none).header_line, None);
+    let nowhere = Reading {
+        header: Some(99),
+        ..reading(Kind::Csv)
+    };
+    let nowhere = inspect(text, &nowhere);
+    let says = nowhere.findings[0].to_string();
+    assert!(says.contains("line 99"), "{says}");
+}
+
+#[test]
+fn commands_may_be_the_first_to_name_the_reflectors() {
+    let robot = robot();
+    let measured = b"name,x_mm,y_mm,z_mm\na,248,0,300\nb,247,20,300\n";
+    let with = |commands: &[u8]| {
+        let mut settings = Settings::new(reading(Kind::Csv), &robot);
+        settings.matching = Matching::Name;
+        settings.commands = Some(companion(commands));
+        import(measured, &settings).map_err(|rejected| rejected.to_string())
+    };
+    let one = with(b"name,q1_deg,target\na,0,T1\nb,5,T1\n").expect("one reflector");
+    assert_eq!(one.session.targets[0].name, "T1");
+    let two = with(b"name,q1_deg,target\na,0,T1\nb,5,T2\n").expect_err("two of them");
+    assert!(
+        two.contains("several targets, and nothing says where they sit"),
+        "{two}"
+    );
+}

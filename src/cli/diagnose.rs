@@ -7,7 +7,8 @@ use clap::{Args, ValueEnum};
 
 use truepose::diagnosis::format_v1::Document;
 use truepose::diagnosis::{
-    Allowed, DiagnoseError, Diagnosis, Options, RegionalStart, Verdict, diagnose, regional_start,
+    Allowed, DiagnoseError, Diagnosis, Limit, Options, RegionalStart, Sight, Verdict, diagnose,
+    regional_start,
 };
 use truepose::effects::JointValues;
 use truepose::identification::Estimate;
@@ -192,17 +193,7 @@ fn in_words(d: &Diagnosis) -> String {
         let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
     }
     for limit in &d.not_found {
-        let sizes: Vec<String> = limit
-            .sizes
-            .iter()
-            .map(|(name, size)| format!("{name} {}", three_digits(*size)))
-            .collect();
-        let _ = writeln!(
-            text,
-            "{}: would have been seen above {} (95 %)",
-            limit.effect,
-            sizes.join(", ")
-        );
+        let _ = writeln!(text, "{}: {}", limit.effect, limit_in_words(limit));
     }
     for outlier in &d.outliers {
         let _ = writeln!(
@@ -252,6 +243,35 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
             let _ = writeln!(text, "no smooth correction was added: {because}");
         }
     }
+}
+
+/// From which size an effect would have been seen.
+fn limit_in_words(limit: &Limit) -> String {
+    let (mut above, mut never) = (Vec::new(), Vec::new());
+    for (name, size) in &limit.sizes {
+        match Sight::of(*size) {
+            Sight::Above(size) => above.push(format!("{name} {}", three_digits(size))),
+            Sight::AtAnySize => above.push(format!("{name} 0")),
+            Sight::AtNoSize => never.push(*name),
+        }
+    }
+    let mut parts = Vec::new();
+    let at_any = |(_, size): &(&str, f64)| Sight::of(*size) == Sight::AtAnySize;
+    if limit.sizes.iter().all(at_any) {
+        parts.push("would have been seen at any size: there is no noise".to_owned());
+    } else if !above.is_empty() {
+        parts.push(format!(
+            "would have been seen above {} (95 %)",
+            above.join(", ")
+        ));
+    }
+    if !never.is_empty() {
+        parts.push(format!(
+            "not to be seen at any size by these poses: {}",
+            never.join(", ")
+        ));
+    }
+    parts.join("; ")
 }
 
 /// A size with three significant digits.

@@ -56,10 +56,13 @@ pub(crate) struct Import {
     /// What separates cells
     #[arg(long, value_parser = PossibleValuesParser::new(["tab", "semicolon", "comma", "spaces"]))]
     separator: Option<String>,
+    /// Line of the header, counted from 1; 0: there is none [default: found]
+    #[arg(long, value_name = "LINE")]
+    header: Option<u64>,
     /// What the columns are
     #[arg(
         long,
-        help = "What the columns are, such as name,x_mm,y_mm,z_mm,-",
+        help = "What the columns are, such as name,x_mm,y_mm,z_mm,-; auto: what the heading says",
         value_name = "A,B,…",
         value_delimiter = ',',
         allow_hyphen_values = true
@@ -189,6 +192,7 @@ impl Import {
                 "comma" => Separator::Comma,
                 _ => Separator::Spaces,
             }),
+            header: self.header,
             columns: self.columns.clone(),
             names: self.name.clone(),
             z_up: self.z_up,

@@ -11,7 +11,7 @@ use truepose::diagnosis::needs::Locked;
 use truepose::diagnosis::next_poses::NextPose;
 use truepose::diagnosis::plan::{self, PlanError, PlanOptions, Subject};
 use truepose::diagnosis::plan_v1::Document;
-use truepose::diagnosis::{Options, measuring_list};
+use truepose::diagnosis::{Options, Sight, measuring_list};
 
 use super::failure::Failure;
 use super::output;
@@ -216,7 +216,13 @@ fn limits(plan: &plan::Plan, text: &mut String) {
         let sizes: Vec<String> = limit
             .sizes
             .iter()
-            .map(|(name, size)| format!("{name} {}", super::diagnose::three_digits(*size)))
+            .map(|(name, size)| match Sight::of(*size) {
+                Sight::Above(size) => {
+                    format!("{name} {}", super::diagnose::three_digits(size))
+                }
+                Sight::AtAnySize => format!("{name} 0"),
+                Sight::AtNoSize => format!("{name} of no size"),
+            })
             .collect();
         let _ = writeln!(
             text,

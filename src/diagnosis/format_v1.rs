@@ -9,6 +9,7 @@ use crate::units::deg_from_rad;
 
 use super::anonymous::Where;
 use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
+use super::limits::{Limit, Sight};
 use super::next_poses::NextPose;
 
 mod correction;
@@ -152,7 +153,27 @@ struct NotFound {
     effect: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<usize>,
+    /// A parameter that these poses do not show at any size has no limit, and is not in here.
     would_have_been_seen_above: serde_json::Map<String, serde_json::Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    not_shown_at_any_size: Vec<&'static str>,
+}
+
+impl NotFound {
+    fn of(limit: &Limit) -> Self {
+        let is_shown = |size: f64| Sight::of(size) != Sight::AtNoSize;
+        let (shown, hidden): (Vec<_>, Vec<_>) =
+            limit.sizes.iter().partition(|(_, size)| is_shown(*size));
+        Self {
+            effect: limit.effect,
+            joint: limit.joint.map(|j| j + 1),
+            would_have_been_seen_above: shown
+                .into_iter()
+                .map(|(name, size)| (name.to_owned(), size.into()))
+                .collect(),
+            not_shown_at_any_size: hidden.into_iter().map(|(name, _)| name).collect(),
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -257,19 +278,7 @@ impl Document {
                     because: n.because.clone(),
                 })
                 .collect(),
-            not_found: d
-                .not_found
-                .iter()
-                .map(|n| NotFound {
-                    effect: n.effect,
-                    joint: n.joint.map(|j| j + 1),
-                    would_have_been_seen_above: n
-                        .sizes
-                        .iter()
-                        .map(|(name, size)| ((*name).to_owned(), (*size).into()))
-                        .collect(),
-                })
-                .collect(),
+            not_found: d.not_found.iter().map(NotFound::of).collect(),
             outliers: d
                 .outliers
                 .iter()

@@ -71,6 +71,7 @@ pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
 pub use candidates::Allowed;
+pub use limits::{Limit, Sight};
 pub use measuring_list::measuring_list;
 pub use mending::Mend;
 pub use regional_start::{RegionalStart, regional_start};

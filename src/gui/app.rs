@@ -16,7 +16,7 @@ use super::tasks::{Runner, Tasks, What};
 use super::tokens::{self, Palette, space};
 use super::units::write_numbers;
 use super::view::{Canvas, Sheet};
-use super::{files, layers, panels};
+use super::{files, layers, panels, widgets};
 
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
@@ -104,6 +104,11 @@ impl App {
         self.type_path(What::Table, path);
     }
 
+    /// The same for the model itself.
+    pub fn type_model_path(&mut self, path: &Path) {
+        self.type_path(What::Model, path);
+    }
+
     /// The same for the list of poses to measure next.
     pub fn type_list_path(&mut self, path: &Path) {
         self.type_path(What::Poses, path);
@@ -158,21 +163,42 @@ impl App {
             .resizable(false)
             .frame(bar(palette.surface))
             .show(ui, |ui| panels::status::show(ui, workbench, commands));
+        let room = panels::shortcuts::room(ui.ctx(), workbench);
         Panel::left("steps")
-            .exact_size(304.0)
+            .exact_size(room.left)
             .resizable(false)
             .frame(side(palette.surface))
-            .show(ui, |ui| panels::steps::show(ui, workbench, commands));
-        Panel::right("results")
-            .exact_size(344.0)
-            .resizable(false)
-            .frame(side(palette.background))
-            .show(ui, |ui| panels::results::show(ui, workbench, commands));
+            .show(ui, |ui| panels::steps::show(ui, workbench, room, commands));
+        if let Some(width) = room.samples {
+            Panel::right("samples")
+                .exact_size(width)
+                .resizable(false)
+                .frame(side(palette.background))
+                .show(ui, |ui| panels::results::samples(ui, workbench, commands));
+        }
+        if let Some(width) = room.right {
+            Panel::right("results")
+                .exact_size(width)
+                .resizable(false)
+                .frame(side(palette.background))
+                .show(ui, |ui| {
+                    panels::results::show(ui, workbench, room, commands);
+                });
+        }
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
-            .show(ui, |ui| panels::stage::show(ui, workbench, commands));
+            .show(ui, |ui| {
+                if room.instead {
+                    side(palette.background).show(ui, |ui| {
+                        panels::results::show(ui, workbench, room, commands);
+                    });
+                } else {
+                    panels::stage::show(ui, workbench, commands);
+                }
+            });
         panels::sheets::show(ui, workbench, commands);
         panels::dropped::show(ui, commands);
+        widgets::focus_ring(ui.ctx());
     }
 
     fn ask_before_leaving(&mut self, ctx: &Context) {
@@ -256,5 +282,24 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+}
+
+#[cfg(test)]
+impl App {
+    /// On a workbench that is there already.
+    pub(crate) fn on(workbench: Workbench) -> Self {
+        Self {
+            workbench,
+            shown: Preferences::default(),
+            title: String::new(),
+            recovery_due: None,
+            look_due: 0.0,
+        }
+    }
+
+    /// The workbench.
+    pub(crate) fn bench(&mut self) -> &mut Workbench {
+        &mut self.workbench
     }
 }

@@ -115,30 +115,6 @@ pub(crate) fn split(regions: &[Region], region: usize) -> Option<Vec<Region>> {
     Some(regions)
 }
 
-/// The regions with one given to the neighbour above it, or below where there is none; a region
-/// without neighbours goes. The last region stays.
-pub(crate) fn merged(regions: &[Region], region: usize) -> Option<Vec<Region>> {
-    let gone = regions.get(region)?;
-    if regions.len() < 2 {
-        return None;
-    }
-    let touching = |at: f64, other: f64| (at - other).abs() < SAME_RAD;
-    let above = regions
-        .iter()
-        .position(|r| touching(r.from_rad, gone.to_rad));
-    let below = regions
-        .iter()
-        .position(|r| touching(r.to_rad, gone.from_rad));
-    let mut rest = regions.to_vec();
-    if let Some(k) = above {
-        rest[k].from_rad = gone.from_rad;
-    } else if let Some(k) = below {
-        rest[k].to_rad = gone.to_rad;
-    }
-    rest.remove(region);
-    Some(rest)
-}
-
 /// The smallest whole number that no region is called.
 fn free_name(regions: &[Region]) -> String {
     // One of the first n + 1 numbers is free.
@@ -196,19 +172,11 @@ mod tests {
     }
 
     #[test]
-    fn splitting_and_merging_give_back_the_region() {
+    fn a_split_region_keeps_its_name_below_and_has_a_free_one_above() {
         let start = regions(&[(0.0, 30.0), (30.0, 60.0)]);
         let split = split(&start, 0).expect("wide enough");
         assert_eq!(split.len(), 3);
-        assert_eq!(split[1].name, "3");
-        let merged = merged(&split, 1).expect("it has neighbours");
-        assert_eq!(merged.len(), 2);
-        let covered: f64 = merged.iter().map(|r| r.to_rad - r.from_rad).sum();
-        assert!((deg_from_rad(covered) - 60.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn the_last_region_stays() {
-        assert_eq!(merged(&regions(&[(0.0, 30.0)]), 0), None);
+        assert_eq!((&*split[0].name, &*split[1].name), ("1", "3"));
+        assert_eq!(split[0].to_rad, split[1].from_rad);
     }
 }

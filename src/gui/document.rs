@@ -9,6 +9,7 @@ use crate::identification::{DEFAULT_EFFECTS, Live};
 use crate::model::RegionalCorrection;
 use crate::sessions::{Region, Session};
 
+use super::division::Division;
 use super::given::Given;
 use super::subject::Subject;
 
@@ -84,6 +85,8 @@ pub(crate) struct Document {
     pub(crate) subject: Arc<Subject>,
     /// Regions of joint 1.
     pub(crate) regions: Arc<[Region]>,
+    /// How they came about.
+    pub(crate) division: Division,
     /// How to identify.
     pub(crate) method: Method,
     /// Effects of the exact fit, in the order of the catalogue.
@@ -104,6 +107,7 @@ impl PartialEq for Document {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.subject, &other.subject)
             && self.regions == other.regions
+            && self.division == other.division
             && self.method == other.method
             && self.effects == other.effects
             && self.added == other.added
@@ -125,8 +129,14 @@ impl Document {
         } else {
             Vec::new()
         };
+        let division = if subject.session.regions.is_empty() {
+            Division::Even
+        } else {
+            Division::Given
+        };
         Self {
             regions: regions.into(),
+            division,
             method: Method::default(),
             effects: DEFAULT_EFFECTS.to_vec(),
             added: Arc::from([]),

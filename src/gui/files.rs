@@ -13,10 +13,10 @@ use crate::model::format_v1::{load_model, write_model};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
-use super::foreign::{self, Foreign};
+use super::foreign::{Beside, Foreign};
 use super::given::Given;
 use super::keeping::disk::{Fate, Print};
-use super::preview::{Preview, Wanted};
+use super::preview::Wanted;
 use super::simulate::Form;
 use super::subject::{Origin, Subject};
 use super::tasks::{Report, Watch, What};
@@ -76,7 +76,11 @@ pub(crate) fn first_example() -> Arc<Subject> {
 /// Reads a bundled session.
 pub(crate) fn open_example(index: usize) -> Report {
     let Some(example) = EXAMPLES.get(index) else {
-        return Report::Broken;
+        return Report::Opened(Err(Message {
+            wrong: true,
+            title: "There is no such example".to_owned(),
+            details: vec!["The examples are in the File menu".to_owned()],
+        }));
     };
     let loaded = sessions::parse_with_csv(example.document, example.samples);
     opened(loaded, Origin::Bundled, example.name)
@@ -115,15 +119,16 @@ pub(crate) fn open(path: &Path) -> Report {
             }),
         });
     }
-    if foreign::is_foreign(path) {
-        return match Foreign::read(path) {
-            Ok(foreign) => Report::Foreign(Box::new(foreign)),
-            Err(rejected) => Report::Opened(Err(Message {
+    match Foreign::of(path) {
+        None => {}
+        Some(Ok(foreign)) => return Report::Foreign(Box::new(foreign)),
+        Some(Err(rejected)) => {
+            return Report::Opened(Err(Message {
                 wrong: true,
-                title: format!("{} could not be read", path.display()),
+                title: format!("{} could not be read; nothing was changed", path.display()),
                 details: listed(&rejected.diagnostics),
-            })),
-        };
+            }));
+        }
     }
     let origin = Origin::File(path.to_path_buf());
     opened(sessions::load(path), origin, &path.display().to_string())
@@ -279,10 +284,28 @@ pub(crate) fn choose_to_open() -> Report {
     let dialog = rfd::FileDialog::new()
         .set_title("Open session, model or measurements")
         .add_filter("Sessions and models", &["json"])
-        .add_filter("Measurements", &["csv", "txt", "tsv", "dat", "asc"])
+        .add_filter("Measurements", TABLES)
         .add_filter("All files", &["*"]);
     Report::ChosenToOpen(dialog.pick_file())
 }
+
+/// Asks the user for a file beside a measured one.
+pub(crate) fn choose_beside(which: Beside) -> Report {
+    let (title, kinds): (_, &[&str]) = match which {
+        Beside::Robot => ("Which robot was measured", &["json", "urdf", "xml"]),
+        Beside::Commands => ("Where the robot was sent", TABLES),
+        Beside::Reference => ("Points known in the base frame", TABLES),
+        Beside::Targets => ("Reflectors in the tool frame", TABLES),
+    };
+    let dialog = rfd::FileDialog::new()
+        .set_title(title)
+        .add_filter("Files of this kind", kinds)
+        .add_filter("All files", &["*"]);
+    Report::ChosenBeside(which, dialog.pick_file())
+}
+
+/// Endings of files with tables.
+const TABLES: &[&str] = &["csv", "txt", "tsv", "dat", "asc"];
 
 /// Asks the user where to save.
 pub(crate) fn choose_to_save(name: &str) -> Report {
@@ -314,7 +337,7 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
 }
 
 /// Writes a table with what stands beside it, or a model: all of it, or nothing.
-pub(crate) fn export(wanted: Wanted, what: What, path: &Path, replace: bool) -> Report {
+pub(crate) fn export(wanted: &Wanted, what: What, path: &Path, replace: bool) -> Report {
     let written =
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
     Report::Exported(match written {
@@ -384,22 +407,22 @@ pub(crate) fn write_one(
     written.map_err(|error| advice(&error))
 }
 
-fn documents(wanted: Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
+fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
     let name = path.file_name().and_then(|name| name.to_str());
     let name = name.ok_or("expected the name of a file, in UTF-8")?;
     let choice = wanted.choice;
-    let made = Preview::of(wanted).made?;
+    let answer = wanted.outcome.answer.as_ref().map_err(Clone::clone)?;
     if what == What::Model {
         return Ok(vec![Document {
             name: name.to_owned(),
-            bytes: write_model(&made.calibration).into_bytes(),
+            bytes: write_model(&answer.calibration).into_bytes(),
         }]);
     }
-    // Once more, because the documents say what the file is called.
+    // Not as it is shown: the documents say what the file is called.
     let job = Job {
         joint: choice.joint,
         step: choice.step,
-        ..Job::new(&made.calibration, name)
+        ..Job::new(&answer.calibration, name)
     };
     let format = find(choice.format).ok_or("there is no such format")?;
     let export = format.exporter.export(&job).map_err(|e| e.to_string())?;

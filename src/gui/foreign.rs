@@ -1,173 +1,265 @@
-//! A file that an instrument wrote, before it is a session: what was found out about it, what a
-//! person said, and whose robot it is.
+//! A file that an instrument wrote, before it is a session: what a person said about it, and what
+//! was seen with that.
+//!
+//! Every change of what was said is looked at in the background: the file is read again, the robot
+//! and the files beside it too, and where nothing is left to ask the whole import is tried. So the
+//! sheet shows what an import would bring before it is pressed, and pressing it only takes that.
+
+mod robot;
+mod trial;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::diagnostic::Rejected;
-use crate::importers::{Companion, Inspection, Matching, Reading, Settings, import, inspect};
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::importers::{Inspection, Matching, Motion, Reading, inspect};
 use crate::kinematics::Robot;
-use crate::sessions::{self, files};
+use crate::sessions::files;
 
-use super::files::EXAMPLES;
-use super::subject::{Origin, Subject};
+pub(crate) use robot::{RobotFrom, TypedAxis};
+pub(crate) use trial::{Trial, in_the_sheets_words};
 
-/// Whose robot was measured.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum RobotFrom {
-    /// Nobody has said.
-    Open,
-    /// That of the session that is open.
-    Here(Box<Robot>),
-    /// That of an example.
-    Example(usize),
-    /// The one in this file: a robot, or a session with one.
-    File(String),
-}
+/// A file that is longer, in bytes, is not read into memory.
+const LONGEST: u64 = 1 << 30;
 
-/// See the module.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Foreign {
-    /// The file.
-    pub(crate) path: PathBuf,
-    bytes: Arc<Vec<u8>>,
-    /// What a person said.
+/// What a person said.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Said {
+    /// What the session is called.
+    pub(crate) name: String,
+    /// About the measured file.
     pub(crate) reading: Reading,
-    /// What was found out.
-    pub(crate) inspection: Inspection,
     /// Whose robot was measured.
     pub(crate) robot: RobotFrom,
     /// A table with the commands, where the file has none; as it is typed.
     pub(crate) commands: String,
     /// How commands find their measurements.
     pub(crate) matching: Matching,
-    /// Why it was refused last.
-    pub(crate) refused: Vec<String>,
+    /// What becomes a sample where they are matched by time.
+    pub(crate) motion: Motion,
+    /// What to add to a measured time, s; `None`: it is found.
+    pub(crate) clock_offset_s: Option<f64>,
+    /// Points that are known in the base frame, as it is typed.
+    pub(crate) reference: String,
+    /// Whether the alignment may scale.
+    pub(crate) scale: bool,
+    /// Reflectors in the tool frame, as it is typed.
+    pub(crate) targets: String,
 }
 
-/// Whether a file is none of the program's own: it does not even begin like one.
-pub(crate) fn is_foreign(path: &Path) -> bool {
-    if path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("json"))
-    {
-        return false;
+/// A file beside the measured one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Beside {
+    /// The robot.
+    Robot,
+    /// Where it was sent.
+    Commands,
+    /// Points that are known in the base frame.
+    Reference,
+    /// Reflectors in the tool frame.
+    Targets,
+}
+
+impl Said {
+    /// Takes a file that was chosen.
+    pub(crate) fn choose(&mut self, which: Beside, path: &Path) {
+        let typed = path.to_string_lossy().into_owned();
+        match which {
+            Beside::Robot => self.robot = self.robot.of_file(typed),
+            Beside::Commands => self.commands = typed,
+            Beside::Reference => self.reference = typed,
+            Beside::Targets => self.targets = typed,
+        }
     }
-    let Ok(bytes) = files::read_document(path) else {
-        // The reader of sessions says why it cannot be read.
-        return false;
-    };
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-    bytes.trim_ascii_start().first().is_some_and(|b| *b != b'{')
+}
+
+/// What was seen with what was said.
+#[derive(Debug)]
+pub(crate) struct Look {
+    /// What had been said then.
+    pub(crate) said: Said,
+    /// What was found out about the file.
+    pub(crate) inspection: Inspection,
+    /// The robot, or why there is none; `None` while nobody has said which.
+    pub(crate) robot: Option<Result<Robot, Vec<String>>>,
+    /// What the import brings, or why it is refused; `None` while something is open.
+    pub(crate) trial: Option<Result<Trial, Vec<String>>>,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub(crate) struct Foreign {
+    /// The file.
+    pub(crate) path: PathBuf,
+    bytes: Arc<Vec<u8>>,
+    /// What a person said.
+    pub(crate) said: Said,
+    /// What was seen last.
+    pub(crate) seen: Arc<Look>,
+    /// The meanings of the columns that somebody has looked at.
+    confirmed: Option<Vec<String>>,
+}
+
+impl PartialEq for Foreign {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.bytes, &other.bytes)
+            && Arc::ptr_eq(&self.seen, &other.seen)
+            && self.said == other.said
+            && self.confirmed == other.confirmed
+    }
 }
 
 impl Foreign {
-    /// Reads a file and looks what it is.
-    pub(crate) fn read(path: &Path) -> Result<Self, Rejected> {
-        let bytes = Arc::new(files::read_document(path)?);
-        let reading = Reading {
-            file: Some(path.to_path_buf()),
-            ..Reading::default()
+    /// Reads a file if it is none of the program's own: those begin like one. `None`: it is.
+    pub(crate) fn of(path: &Path) -> Option<Result<Self, Rejected>> {
+        if path
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("json"))
+        {
+            return None;
+        }
+        // The reader of sessions says why a file cannot be read.
+        let length = std::fs::metadata(path).ok()?.len();
+        if length > LONGEST {
+            let found = format!("{} MB", length / 1_000_000);
+            let expected = "a table of at most 1000 MB: export fewer points, or cut it into parts";
+            let place = Place::file(path);
+            return Some(Err(Rejected::because(Diagnostic::error(
+                place, found, expected,
+            ))));
+        }
+        let bytes = files::read_document(path).ok()?;
+        let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+        let is_own = start.trim_ascii_start().first() == Some(&b'{');
+        (!is_own).then(|| Self::read(path, bytes))
+    }
+
+    fn read(path: &Path, bytes: Vec<u8>) -> Result<Self, Rejected> {
+        let said = Said {
+            name: path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            reading: Reading {
+                file: Some(path.to_path_buf()),
+                ..Reading::default()
+            },
+            ..Said::default()
         };
+        let seen = Look::of(&bytes, path, &said);
+        if seen.inspection.kind.is_none() {
+            // Not even text: there is nothing that anybody could say about it.
+            return Err(Rejected {
+                diagnostics: seen.inspection.findings,
+            });
+        }
         Ok(Self {
             path: path.to_path_buf(),
-            inspection: inspect(&bytes, &reading),
-            reading,
-            bytes,
-            robot: RobotFrom::Open,
-            commands: String::new(),
-            matching: Matching::default(),
-            refused: Vec::new(),
+            bytes: Arc::new(bytes),
+            said,
+            seen: Arc::new(seen),
+            confirmed: None,
         })
     }
 
     /// Looks again, with what was said since.
-    #[must_use]
-    pub(crate) fn looked_at(mut self) -> Self {
-        self.inspection = inspect(&self.bytes, &self.reading);
-        self.refused.clear();
-        self
+    pub(crate) fn look(&self) -> Look {
+        Look::of(&self.bytes, &self.path, &self.said)
     }
 
-    /// What stands in the way of an import, in words; `None`: nothing that is known yet.
+    /// Takes what was seen, if it was seen of this file.
+    pub(crate) fn take(&mut self, other: &Self, seen: Look) {
+        if Arc::ptr_eq(&self.bytes, &other.bytes) {
+            self.seen = Arc::new(seen);
+        }
+    }
+
+    /// Whether what is seen belongs to what is said.
+    pub(crate) fn is_up_to_date(&self) -> bool {
+        self.seen.said == self.said
+    }
+
+    /// Whether columns are only guessed, and nobody has looked at them.
+    pub(crate) fn asks_for_confirmation(&self) -> bool {
+        let columns = &self.seen.inspection.columns;
+        columns.iter().any(crate::importers::ColumnGuess::is_guess)
+            && self.confirmed.as_ref() != Some(&self.meanings())
+    }
+
+    /// Somebody has looked at the columns.
+    pub(crate) fn confirm(&mut self) {
+        self.confirmed = Some(self.meanings());
+    }
+
+    fn meanings(&self) -> Vec<String> {
+        let columns = self.seen.inspection.columns.iter();
+        columns.map(|column| column.meaning.clone()).collect()
+    }
+
+    /// What stands in the way of an import, in words; `None`: nothing.
     pub(crate) fn missing(&self) -> Option<&'static str> {
-        if !self.inspection.questions.is_empty() {
+        let inspection = &self.seen.inspection;
+        let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
+        if !self.is_up_to_date() {
+            return Some("Looking at the file…");
+        }
+        if !inspection.questions.is_empty() {
             return Some("Answer what is asked above first");
         }
-        match &self.robot {
-            RobotFrom::Open => Some("Say whose robot was measured"),
-            RobotFrom::File(path) if path.trim().is_empty() => {
-                Some("Say which file the robot is in")
+        if inspection.findings.iter().any(is_wrong) {
+            return Some("The file cannot be read like this; what is wrong stands above");
+        }
+        if self.asks_for_confirmation() {
+            return Some("Look at the columns above, and confirm them");
+        }
+        if self.said.name.trim().is_empty() {
+            return Some("Give the session a name");
+        }
+        match (&self.said.robot, &self.seen.robot) {
+            (RobotFrom::Open, _) => return Some("Say whose robot was measured"),
+            (_, None) => return Some("Say which file the robot is in"),
+            (_, Some(Err(_))) => {
+                return Some("The robot cannot be read like this; what is wrong stands above");
             }
-            _ => None,
+            (_, Some(Ok(_))) => {}
+        }
+        match &self.seen.trial {
+            Some(Ok(_)) => None,
+            _ => Some("What stands in the way is said above"),
         }
     }
 
-    /// The session, or the same with why there is none.
-    pub(crate) fn import(mut self) -> Result<Subject, Box<Self>> {
-        match self.session() {
-            Ok(subject) => Ok(subject),
-            Err(because) => {
-                self.refused = because;
-                Err(Box::new(self))
-            }
-        }
+    /// What the import brings, if nothing stands in its way.
+    pub(crate) fn result(&self) -> Option<&Trial> {
+        let trial = self.seen.trial.as_ref()?.as_ref().ok();
+        trial.filter(|_| self.missing().is_none())
     }
+}
 
-    fn session(&self) -> Result<Subject, Vec<String>> {
-        let said = |rejected: &Rejected| {
-            let all = rejected.diagnostics.iter().take(8);
-            all.map(ToString::to_string).collect::<Vec<_>>()
-        };
-        let robot = self.robot().map_err(|rejected| said(&rejected))?;
-        let mut settings = Settings::new(self.reading.clone(), &robot);
-        let name = self.path.file_stem().unwrap_or_default();
-        settings.name = name.to_string_lossy().into_owned();
-        settings.matching = self.matching;
-        let commands = self.commands.trim();
-        let companion;
-        if !commands.is_empty() {
-            let path = PathBuf::from(commands);
-            companion = files::read_document(&path).map_err(|rejected| said(&rejected))?;
-            settings.commands = Some(Companion {
-                bytes: &companion,
-                file: Some(path),
-            });
+impl Look {
+    fn of(bytes: &[u8], path: &Path, said: &Said) -> Self {
+        let robot = said
+            .robot
+            .robot()
+            .map(|robot| robot.map_err(|rejected| trial::in_words(&rejected.diagnostics)));
+        let known = robot.as_ref().and_then(|robot| robot.as_ref().ok());
+        let mut reading = said.reading.clone();
+        if let Some(robot) = known {
+            let reach = robot.base_from_tool.translation.vector.norm();
+            reading.reach_mm = Some(reach).filter(|reach| *reach > 0.0);
         }
-        let imported = import(&self.bytes, &settings).map_err(|rejected| said(&rejected))?;
-        let mut findings = imported.findings;
-        if let Some(matched) = imported.matched {
-            let lonely = matched
-                .lonely_measurements
-                .iter()
-                .chain(&matched.lonely_commands);
-            let place = crate::diagnostic::Place::file(&self.path);
-            findings.extend(
-                lonely.map(|says| crate::diagnostic::Diagnostic::warning(place.clone(), says, "")),
-            );
-        }
-        let origin = Origin::Imported(self.path.clone());
-        Ok(Subject::new(imported.session, findings, origin))
-    }
-
-    fn robot(&self) -> Result<Robot, Rejected> {
-        match &self.robot {
-            RobotFrom::Here(robot) => Ok(Robot::clone(robot)),
-            RobotFrom::Example(index) => {
-                let (document, samples) = EXAMPLES[*index % EXAMPLES.len()].files();
-                Ok(sessions::parse_with_csv(document, samples)?.session.robot)
-            }
-            RobotFrom::Open => sessions::load_robot("").map(|loaded| loaded.robot),
-            RobotFrom::File(path) => {
-                let path = Path::new(path.trim());
-                // A robot by itself, or a session that has one.
-                sessions::load_robot(path)
-                    .map(|loaded| loaded.robot)
-                    .or_else(|rejected| match sessions::load(path) {
-                        Ok(loaded) => Ok(loaded.session.robot),
-                        Err(_) => Err(rejected),
-                    })
-            }
+        let inspection = inspect(bytes, &reading);
+        let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
+        let is_open = !inspection.questions.is_empty() || inspection.findings.iter().any(is_wrong);
+        let trial = known
+            .filter(|_| !is_open)
+            .map(|robot| Trial::of(bytes, path, said, robot));
+        Self {
+            said: said.clone(),
+            inspection,
+            robot,
+            trial,
         }
     }
 }

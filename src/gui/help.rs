@@ -81,6 +81,44 @@ words! {
         "One position of the instrument. Each has a measuring frame of its own, which is fitted";
     TOOL, "Tool pose",
         "Position and orientation of the tool frame in the base frame when every joint is at zero";
+    ROBOT, "Robot",
+        "The description that the session was measured on: axes, reflectors and links as the drawing has them. Everything is measured against it";
+    SAMPLES, "Samples",
+        "Poses that were measured. More of them, and poses that differ more, make every number surer";
+    REFLECTORS, "Reflectors",
+        "Points on the tool that the instrument sees. A second one at another radius tells causes apart that one alone cannot";
+    INSTRUMENT, "Instrument",
+        "What the positions were measured with. Its noise is the least gap that any model can reach";
+    COMPENSATED, "Compensated",
+        "The commands were already corrected by a table while this was measured: what is seen here is what that table left";
+    RANGE, "Measured range",
+        "The smallest and the largest position of the joint that was measured. Outside it nothing is known, and a table holds its end values there";
+    HOLE, "Widest hole",
+        "A part of the range, much wider than the other steps, in which there is no sample. Whatever happens there stays unseen: measure a few poses in it";
+    SPEED, "Speed",
+        "How fast the joint moved while it was measured. Lag behind the command shows only at different speeds";
+    LOAD, "Load",
+        "The mass at the tool while it was measured. Bending of links and joints shows only at different loads";
+    TEMPERATURE, "Temperature",
+        "Of the robot while it was measured. Growth with warmth shows only where it changes by some degrees";
+    TOOK, "Time it took",
+        "From the first sample to the last. What drifts, or was knocked, shows only where samples have a time";
+    SHOWS, "Effects that show",
+        "How many of the physical causes that this program knows would leave a trace in these samples. What cannot be tested can be there all the same";
+    WITHOUT, "Without it",
+        "The gap of the nominal robot: what stays if nothing is corrected";
+    MODELLED, "Model and measurement",
+        "The gap between the measurement and the identified model: what a perfect controller could reach if every direction could be corrected";
+    CORRECTED, "With corrected commands",
+        "The gap that is left on this session when the commands are what the model says they must be";
+    ENTRIES, "Entries",
+        "Lines of the table. More of them follow the curve more closely; a controller may allow only so many";
+    SOURCE, "Where it comes from",
+        "The file, and the session that the model was identified from. A model is worth what its session covers";
+    PLACE, "Where",
+        "The part of the range, or the number of cycles per turn, at which what is left stands out: look at the machine there";
+    CURVE, "Largest of the curve",
+        "The most that the smooth correction moves the point, in this direction";
     AXIS, "Axis",
         "The line about which, or along which, a joint moves when every joint is at zero: a direction and any point on it, in the base frame";
 }
@@ -93,13 +131,66 @@ pub(crate) fn about(name: &str) -> Option<Word> {
         "tolerance" | "within tolerance" => TOLERANCE,
         "noise, one σ" | "noise" => NOISE,
         "noise floor" => FLOOR,
-        "held out" | "held-out gap" => HELD_OUT,
+        "held out" | "held-out gap" | "held-out gap, corrected" => HELD_OUT,
         "regions" => REGION,
         "coordinates" => PLANAR,
         "no joint can remove" => REMAINDER,
+        "robot" | "joint" | "joints" => ROBOT,
+        "samples" => SAMPLES,
+        "reflectors" => REFLECTORS,
+        "instrument" => INSTRUMENT,
+        "compensated" => COMPENSATED,
+        "measured range" | "measured" => RANGE,
+        "widest hole" => HOLE,
+        "came from" => DIRECTION,
+        "speed" => SPEED,
+        "load" => LOAD,
+        "temperature" => TEMPERATURE,
+        "took" => TOOK,
+        "effects that show" => SHOWS,
+        "without it" => WITHOUT,
+        "model and measurement" | "measured and model" => MODELLED,
+        "with corrected commands" => CORRECTED,
+        "entries" => ENTRIES,
+        "file" | "identified from" => SOURCE,
+        "where" => PLACE,
+        "largest along the motion" | "largest along the radius" | "largest along the axis" => CURVE,
         _ => return None,
     };
     Some(word)
+}
+
+/// What a figure of the standards says, by its symbol there.
+pub(crate) fn figure(symbol: &str) -> Option<&'static str> {
+    let means = match symbol {
+        "A" => {
+            "Accuracy: from the lowest to the highest deviation anywhere on the axis, with twice the scatter on both sides"
+        }
+        "A↑" | "A↓" => {
+            "The same for one direction of approach only: what is left where a program always comes from one side"
+        }
+        "E" => {
+            "Systematic deviation: from the lowest to the highest mean deviation, without the scatter. This is what a table can remove"
+        }
+        "E↑" | "E↓" | "R↑" | "R↓" => "The same for one direction of approach only",
+        "M" => {
+            "From the lowest to the highest mean of both directions: the shape of the error along the axis"
+        }
+        "R" => {
+            "Repeatability: how far returns to one position scatter at worst, both directions together. No table can remove it"
+        }
+        "B" => {
+            "Reversal: how far the two directions of approach differ at worst. Backlash and lost motion show here"
+        }
+        "B mean" => "The same on average along the axis",
+        "AP" => "Pose accuracy: from the commanded point to the middle of the measured ones",
+        "RP" => {
+            "Pose repeatability: the radius of the sphere that holds the returns to one pose, mean plus three standard deviations"
+        }
+        "vAP" => "How far the middles differ when one pose is approached from different sides",
+        _ => return None,
+    };
+    Some(means)
 }
 
 #[cfg(test)]
@@ -116,6 +207,46 @@ mod tests {
             );
             assert!(word.means.len() > 40, "{}", word.name);
             assert!(!word.means.ends_with('.'), "{}", word.name);
+        }
+    }
+
+    /// Names that stand before a number in a source file: `fact(ui, "name", …)`.
+    fn names_in(source: &str) -> Vec<&str> {
+        let calls = source.split("fact(").skip(1);
+        calls
+            .filter_map(|rest| {
+                let rest = rest.trim_start().strip_prefix("ui,")?.trim_start();
+                rest.strip_prefix('"')?.split('"').next()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn every_number_that_stands_in_a_panel_is_explained() {
+        let panels = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/gui/panels");
+        let mut seen = 0;
+        for entry in std::fs::read_dir(panels).expect("the panels") {
+            let path = entry.expect("a panel").path();
+            let source = std::fs::read_to_string(&path).expect("its source");
+            for name in names_in(&source) {
+                // Names of files are what they are.
+                if ["its file", "kept"].contains(&name) {
+                    continue;
+                }
+                seen += 1;
+                assert!(about(name).is_some(), "{name} in {}", path.display());
+            }
+        }
+        assert!(seen > 40, "{seen}");
+    }
+
+    #[test]
+    fn every_figure_of_the_standards_is_explained() {
+        for symbol in [
+            "A", "A↑", "A↓", "E", "E↑", "E↓", "M", "R", "R↑", "R↓", "B", "B mean", "AP", "RP",
+            "vAP",
+        ] {
+            assert!(figure(symbol).is_some(), "{symbol}");
         }
     }
 }

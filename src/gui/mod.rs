@@ -8,6 +8,9 @@
 //!   `view`: how it is looked at.
 //! - `subject`: a session with what follows from it alone; `outcome`: an identification made
 //!   ready for drawing; `given`: a model that was read from a file instead.
+//! - `boundaries`: regions as they are dragged, `placing` as they are typed, `angles`: how many samples
+//!   each has; `division`: how they came about.
+//! - `known`: what its samples cover, before anything is identified.
 //! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
 //!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
 //! - `tally`: what regions hold, for any boundaries; `thinning`: which samples are drawn where not
@@ -20,13 +23,17 @@
 //!   `figures`: the standards' figures.
 //! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
-//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have.
+//! - `room`: how the window is divided at its size.
+//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have;
+//!   `vision` (tests): how people see the colours.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
+mod angles;
 mod app;
 mod backdrop;
 mod boundaries;
 mod commands;
+mod division;
 mod document;
 mod edit;
 mod figures;
@@ -35,15 +42,18 @@ mod foreign;
 mod given;
 mod help;
 mod keeping;
+mod known;
 mod layers;
 mod outcome;
 mod overview;
 mod panels;
 mod pictures;
+mod placing;
 mod plots;
 mod preferences;
 mod preview;
 mod reporting;
+mod room;
 mod search;
 mod setup;
 mod simulate;
@@ -57,6 +67,8 @@ mod tokens;
 mod undo;
 mod units;
 mod view;
+#[cfg(test)]
+mod vision;
 mod widgets;
 
 use std::path::PathBuf;
@@ -94,7 +106,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         .with_title(TITLE)
         .with_app_id("truepose")
         .with_inner_size([1280.0, 800.0])
-        .with_min_inner_size([1120.0, 640.0])
+        .with_min_inner_size([1024.0, 700.0])
         .with_icon(icon())
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions {

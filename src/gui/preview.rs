@@ -7,7 +7,6 @@ use crate::effects::{Inputs, JointValues};
 use crate::export::sidecar::measured_poses;
 use crate::export::{Document, Export, Job, find, gap_after_export};
 use crate::identification::gap::Spread;
-use crate::model::Calibration;
 
 use super::document::ExportChoice;
 use super::outcome::Outcome;
@@ -39,8 +38,6 @@ pub(crate) struct Preview {
 /// An export and what it does.
 #[derive(Debug, Clone)]
 pub(crate) struct Made {
-    /// The model behind it.
-    pub(crate) calibration: Calibration,
     /// Name of the joint whose table it is.
     pub(crate) joint: String,
     /// The documents.
@@ -72,12 +69,12 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
     let Wanted { outcome, choice } = wanted;
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
-    let calibration = answer.calibration.clone();
+    let calibration = &answer.calibration;
     let name = choice.file_name(&session.name);
     let job = Job {
         joint: choice.joint,
         step: choice.step,
-        ..Job::new(&calibration, &name)
+        ..Job::new(calibration, &name)
     };
     let inputs = if outcome.question.subject.is_empty() {
         measured_poses(&job)
@@ -96,12 +93,11 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
     Ok(Made {
         sign: text("/sign"),
         example: text("/example/says"),
-        remainder: Remainder::new(&calibration, &inputs),
-        gap: gap_after_export(&calibration, session, &export),
+        remainder: Remainder::new(calibration, &inputs),
+        gap: gap_after_export(calibration, session, &export),
         joint: session.robot.joints[choice.joint].name.clone(),
         said: lines(said.as_ref()),
         export,
-        calibration,
     })
 }
 

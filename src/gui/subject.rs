@@ -1,20 +1,22 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::term::JointFrame;
-use crate::effects::{CATALOGUE, Inputs, JointValues, Survey};
+use crate::effects::{CATALOGUE, JointValues, Survey};
 use crate::identification::gap::{Deviations, Spread, deviations};
 use crate::identification::problem::Problem;
 use crate::kinematics::{JointKind, Range};
 use crate::model::{Model, Positions};
 use crate::sessions::Session;
 
+use super::angles::Angles;
 use super::keeping::disk::Print;
+use super::known::Known;
 use super::layers::Cloud;
 use super::overview::Overview;
 use super::tally::Tallied;
@@ -117,6 +119,10 @@ pub(crate) struct Subject {
     pub(crate) usable: Vec<bool>,
     /// What every frame needs to know of it.
     pub(crate) overview: Overview,
+    /// How many samples lie where along joint 1, once somebody asked.
+    angles: OnceLock<Angles>,
+    /// What its samples cover.
+    pub(crate) known: Known,
     /// Its samples, as they are uploaded.
     pub(crate) cloud: Arc<Cloud>,
     /// Effects that the session can show.
@@ -148,7 +154,7 @@ impl Subject {
         let before = deviations(&problem, &model);
         let usable = problem.usable.clone();
         let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
-        let (testable, not_testable) = effects_of(&session, &problem.inputs);
+
         let joint = JointFrame::new(&session.robot, 0);
         let arm_mm = arm_mm(&session, &joint);
         let single = is_single_revolute(&session);
@@ -159,10 +165,14 @@ impl Subject {
             &before.length_mm,
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
+        let known = Known::new(&session, &problem.inputs, overview.travel);
+        let (testable, not_testable) = effects_of(&session, &known.survey);
         let mut subject = Self {
             joint,
             arm_mm,
             overview,
+            angles: OnceLock::new(),
+            known,
             cloud: Arc::default(),
             tallied: Tallied::default(),
             nominal,
@@ -206,6 +216,15 @@ impl Subject {
     /// Number of samples.
     pub(crate) fn len(&self) -> usize {
         self.session.samples.len()
+    }
+
+    /// How many samples lie where along joint 1. The first call sorts them.
+    pub(crate) fn angles(&self) -> &Angles {
+        self.angles.get_or_init(|| {
+            let held_out = self.session.samples.held_out.as_deref();
+            let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
+            Angles::new(&self.session.samples.q[0], is_fitted)
+        })
     }
 
     /// Whether nothing was measured: a model stands by itself.
@@ -347,8 +366,7 @@ fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
     distances.fold(0.0, f64::max)
 }
 
-fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<NotTestable>) {
-    let survey = Survey::new(session, inputs);
+fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
     let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
     for effect in CATALOGUE {
         let about = effect.about();
@@ -357,7 +375,7 @@ fn effects_of(session: &Session, inputs: &Inputs) -> (Vec<&'static str>, Vec<Not
         } else {
             1
         };
-        let mut obstacles = (0..joints).map(|joint| effect.obstacle(&survey, joint));
+        let mut obstacles = (0..joints).map(|joint| effect.obstacle(survey, joint));
         let first = obstacles.next().flatten();
         match first {
             Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {

@@ -104,6 +104,21 @@ impl Units {
         }
     }
 
+    /// The same with as many decimals as a number like this one has: for a column of a table.
+    pub(crate) fn length_like(self, mm: f64, like_mm: f64) -> String {
+        if NOTATION.get().decimals.is_some() || !mm.is_finite() {
+            return self.length_number(mm);
+        }
+        let like = self.length_value(like_mm).abs();
+        let magnitude = if like > NOTHING {
+            like.log10().floor()
+        } else {
+            0.0
+        };
+        let decimals = whole(2.0 - magnitude).min(9);
+        with_minus(&format!("{:.decimals$}", self.length_value(mm)))
+    }
+
     /// `36.0°`.
     pub(crate) fn angle(self, rad: f64) -> String {
         match self.angle {
@@ -249,6 +264,15 @@ mod tests {
         assert_eq!(significant(13.8436, 3), "13,8");
         write_numbers(Notation::default());
         assert_eq!(units.length(-0.05234), "−0.0523 mm");
+    }
+
+    #[test]
+    fn numbers_of_a_column_have_the_same_decimals() {
+        let units = Units::default();
+        let column = [0.0195, 0.00955, 0.1].map(|mm| units.length_like(mm, 0.0533));
+        assert_eq!(column, ["0.0195", "0.0096", "0.1000"]);
+        assert_eq!(units.length_like(-2.5, 0.0), "−2.50");
+        assert_eq!(units.length_like(f64::NAN, 1.0), "–");
     }
 
     #[test]

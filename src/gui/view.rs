@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::foreign::Foreign;
 use super::keeping::disk::Fate;
+use super::placing::Typed;
 use super::preferences::Preferences;
 use super::setup::SetupForm;
 use super::simulate::Form;
@@ -389,10 +390,14 @@ pub(crate) struct ViewState {
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.
     pub(crate) effect: usize,
+    /// Whether the right-hand side is open; `None`: where there is room for it.
+    pub(crate) results: Option<bool>,
     /// Units, digits, colours, size of text.
     pub(crate) preferences: Preferences,
     /// Robot and instrument as they are being typed, while that makes no robot.
     pub(crate) setup: Option<Box<SetupForm>>,
+    /// What is typed for boundaries of regions and could not be taken over, or not yet.
+    pub(crate) typed: Vec<Typed>,
     /// An open file that is not what it was.
     pub(crate) on_disk: Option<OnDisk>,
     /// The sheet over the window.
@@ -432,8 +437,10 @@ impl Default for ViewState {
             chart: None,
             joint: 0,
             effect: 0,
+            results: None,
             preferences: Preferences::default(),
             setup: None,
+            typed: Vec::new(),
             on_disk: None,
             sheet: None,
             leaving: false,

@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::help::{self, Word};
-use super::tokens::{Palette, size, space, strong};
+use super::tokens::{DARK, LIGHT, Palette, size, space, strong};
 use super::units::typed;
 
 /// What a panel is about.
@@ -42,41 +42,101 @@ pub(crate) fn fine(ui: &mut Ui, width: f32) {
 /// A sentence that explains.
 pub(crate) fn hint(ui: &mut Ui, text: impl Into<String>) {
     let muted = Palette::of(ui).muted;
-    ui.add(egui::Label::new(RichText::new(text).size(size::SMALL + 0.5).color(muted)).wrap());
+    sentence(ui, RichText::new(text).size(size::NOTE).color(muted));
+}
+
+/// Text whose lines are no longer than can be read.
+fn sentence(ui: &mut Ui, text: RichText) -> Response {
+    ui.scope(|ui| {
+        ui.set_max_width(ui.available_width().min(space::LINE));
+        ui.add(egui::Label::new(text).wrap())
+    })
+    .inner
 }
 
 /// A sentence that explains, with a word in it that can be explained in turn.
 pub(crate) fn hint_about(ui: &mut Ui, text: impl Into<String>, word: Word) {
     let muted = Palette::of(ui).muted;
-    let text = RichText::new(text).size(size::SMALL + 0.5).color(muted);
-    let response = ui.add(egui::Label::new(text).wrap());
+    let text = RichText::new(text).size(size::NOTE).color(muted);
+    let response = sentence(ui, text);
     explained(response, word);
 }
 
 /// What is wrong with the field above.
 pub(crate) fn wrong(ui: &mut Ui, text: &str) {
     let color = Palette::of(ui).outside;
-    let text = RichText::new(text).size(size::SMALL + 0.5).color(color);
-    ui.add(egui::Label::new(text).wrap());
+    sentence(ui, RichText::new(text).size(size::NOTE).color(color));
+}
+
+/// What a wide button looks like: at rest, under the pointer, pressed.
+struct Look {
+    fills: [Color32; 3],
+    text: Color32,
+    edge: Color32,
+    heavy: bool,
+    height: f32,
+}
+
+fn wide(ui: &mut Ui, text: &str, look: &Look) -> Response {
+    let font = if look.heavy {
+        strong(size::BODY)
+    } else {
+        egui::FontId::proportional(size::BODY)
+    };
+    let label = RichText::new(text).font(font).color(look.text);
+    ui.scope(|ui| {
+        let [rest, hovered, pressed] = look.fills;
+        let widgets = &mut ui.visuals_mut().widgets;
+        for (state, fill) in [
+            (&mut widgets.inactive, rest),
+            (&mut widgets.noninteractive, rest),
+            (&mut widgets.hovered, hovered),
+            (&mut widgets.open, hovered),
+            (&mut widgets.active, pressed),
+        ] {
+            state.weak_bg_fill = fill;
+            state.bg_stroke = Stroke::new(1.0, look.edge);
+        }
+        let room = vec2(ui.available_width(), look.height);
+        ui.add_sized(room, Button::new(label).wrap())
+    })
+    .inner
 }
 
 /// The one thing to do next, as wide as the panel.
 pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
     let palette = Palette::of(ui);
-    let label = RichText::new(text)
-        .font(strong(size::BODY))
-        .color(palette.on_accent);
-    let button = Button::new(label).fill(palette.accent);
-    ui.add_sized(vec2(ui.available_width(), 36.0), button)
+    let darker = |t| palette.accent.lerp_to_gamma(palette.text, t);
+    let look = Look {
+        fills: [palette.accent, darker(0.12), darker(0.25)],
+        text: palette.on_accent,
+        edge: Color32::TRANSPARENT,
+        heavy: true,
+        height: space::PRIMARY,
+    };
+    wide(ui, text, &look)
 }
 
 /// Something else that can be done, as wide as the panel.
 pub(crate) fn secondary(ui: &mut Ui, text: &str) -> Response {
+    quiet(ui, text, 32.0)
+}
+
+/// The same beside the one that stands out, and as high.
+pub(crate) fn other(ui: &mut Ui, text: &str) -> Response {
+    quiet(ui, text, space::PRIMARY)
+}
+
+fn quiet(ui: &mut Ui, text: &str, height: f32) -> Response {
     let palette = Palette::of(ui);
-    let button = Button::new(text)
-        .fill(palette.surface)
-        .stroke(Stroke::new(1.0, palette.line));
-    ui.add_sized(vec2(ui.available_width(), 32.0), button)
+    let look = Look {
+        fills: [palette.surface, palette.inset, palette.accent_soft],
+        text: palette.text,
+        edge: palette.outline,
+        heavy: false,
+        height,
+    };
+    wide(ui, text, &look)
 }
 
 /// One of several, side by side. The one that was clicked.
@@ -99,6 +159,7 @@ pub(crate) fn segmented_named<T: Copy + PartialEq>(
     let mut chosen = None;
     let frame = Frame::NONE
         .fill(palette.inset)
+        .stroke(Stroke::new(1.0, palette.line))
         .corner_radius(CornerRadius::same(space::ROUND))
         .inner_margin(Margin::same(2));
     frame.show(ui, |ui| {
@@ -110,24 +171,7 @@ pub(crate) fn segmented_named<T: Copy + PartialEq>(
                 let k = if backwards { options.len() - 1 - k } else { k };
                 let (value, name, meant) = &options[k];
                 let on = *value == current;
-                let (text, fill) = if on {
-                    (palette.accent, palette.surface)
-                } else {
-                    (palette.muted, Color32::TRANSPARENT)
-                };
-                let label = if on {
-                    RichText::new(*name).font(strong(size::SMALL)).color(text)
-                } else {
-                    RichText::new(*name).size(size::SMALL).color(text)
-                };
-                let button = Button::new(label)
-                    .fill(fill)
-                    .corner_radius(CornerRadius::same(space::ROUND - 2))
-                    .min_size(vec2(34.0, 22.0));
-                let response = ui.add(button);
-                let enabled = ui.is_enabled();
-                response
-                    .widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, meant));
+                let response = segment(ui, palette, name, meant, on);
                 if response.clicked() && !on {
                     chosen = Some(*value);
                 }
@@ -140,6 +184,57 @@ pub(crate) fn segmented_named<T: Copy + PartialEq>(
     chosen
 }
 
+fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> Response {
+    let text = RichText::new(name);
+    let text = if on {
+        text.font(strong(size::SMALL)).color(palette.accent)
+    } else {
+        text.size(size::SMALL).color(palette.muted)
+    };
+    let (rest, edge) = if on {
+        (palette.surface, palette.outline)
+    } else {
+        (Color32::TRANSPARENT, Color32::TRANSPARENT)
+    };
+    let widgets = &mut ui.visuals_mut().widgets;
+    for (state, fill) in [
+        (&mut widgets.inactive, rest),
+        (&mut widgets.hovered, palette.surface),
+        (&mut widgets.active, palette.accent_soft),
+    ] {
+        state.weak_bg_fill = fill;
+        state.bg_stroke = Stroke::new(1.0, edge);
+    }
+    let button = Button::new(text)
+        .corner_radius(CornerRadius::same(space::ROUND - 2))
+        .min_size(vec2(34.0, 22.0));
+    let response = ui.add(button);
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, meant));
+    response
+}
+
+/// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
+/// margin, so that edges keep their line with or without it.
+pub(crate) fn scroll(
+    ui: &mut Ui,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    contents: impl FnOnce(&mut Ui),
+) {
+    let room = ui.available_rect_before_wrap();
+    let with_bar = room.with_max_x(room.right() + space::GUTTER);
+    // The panel is not to grow by the bar in its margin.
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(with_bar));
+    egui::ScrollArea::vertical()
+        .id_salt(salt)
+        .auto_shrink([false, false])
+        .show(&mut inside, |ui| {
+            ui.set_width(room.width().min(ui.available_width()));
+            contents(ui);
+        });
+    ui.advance_cursor_after_rect(room);
+}
+
 /// A surface of its own.
 pub(crate) fn card<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
     let palette = Palette::of(ui);
@@ -147,7 +242,7 @@ pub(crate) fn card<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
         .fill(palette.surface)
         .stroke(Stroke::new(1.0, palette.line))
         .corner_radius(CornerRadius::same(space::ROUND + 2))
-        .inner_margin(Margin::same(14));
+        .inner_margin(Margin::same(space::CARD));
     let shown = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
         contents(ui)
@@ -165,97 +260,181 @@ pub(crate) enum Progress {
 }
 
 /// A step in the list of steps.
-pub(crate) fn step_row(
-    ui: &mut Ui,
-    number: usize,
-    name: &str,
-    caption: &str,
-    progress: Progress,
-    selected: bool,
-) -> Response {
-    let palette = Palette::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 44.0), Sense::click());
-    let enabled = ui.is_enabled();
-    response.widget_info(|| {
-        WidgetInfo::selected(Role::Tab, enabled, selected, format!("{number} {name}"))
-    });
-    let painter = ui.painter();
-    let round = CornerRadius::same(space::ROUND);
-    if selected {
-        painter.rect_filled(rect, round, palette.accent_soft);
-    } else if response.hovered() {
-        painter.rect_filled(rect, round, palette.inset);
-    }
-    if response.has_focus() {
-        let stroke = Stroke::new(1.5, palette.accent);
-        painter.rect_stroke(rect, round, stroke, StrokeKind::Inside);
-    }
-    let centre = pos2(rect.left() + 22.0, rect.center().y);
-    let done = progress == Progress::Done;
-    let (fill, edge, text) = match (done, selected) {
-        (true, _) => (palette.accent, palette.accent, palette.on_accent),
-        (false, true) => (palette.surface, palette.accent, palette.accent),
-        (false, false) => (palette.surface, palette.nominal, palette.muted),
-    };
-    painter.circle(centre, 11.0, fill, Stroke::new(1.5, edge));
-    if done {
-        let at = |x: f32, y: f32| centre + Vec2::new(x, y);
-        let tick = vec![at(-4.5, 0.2), at(-1.3, 3.6), at(4.8, -3.6)];
-        painter.line(tick, Stroke::new(2.0, text));
-    } else {
-        painter.text(
-            centre,
-            egui::Align2::CENTER_CENTER,
-            number,
-            strong(size::SMALL),
-            text,
-        );
-    }
-    let left = rect.left() + 44.0;
-    let name_color = if selected {
-        palette.accent
-    } else {
-        palette.text
-    };
-    painter.text(
-        pos2(left, rect.center().y - 8.0),
-        egui::Align2::LEFT_CENTER,
-        name,
-        strong(size::BODY),
-        name_color,
-    );
-    painter.text(
-        pos2(left, rect.center().y + 9.0),
-        egui::Align2::LEFT_CENTER,
-        caption,
-        egui::FontId::proportional(size::SMALL),
-        palette.muted,
-    );
-    response
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct StepRow<'a> {
+    /// Which one, from 1.
+    pub(crate) number: usize,
+    /// Its name.
+    pub(crate) name: &'a str,
+    /// What it has to show.
+    pub(crate) caption: &'a str,
+    /// How far it has come.
+    pub(crate) progress: Progress,
+    /// Whether it is the one that is worked on.
+    pub(crate) selected: bool,
+    /// Whether name and caption share one line.
+    pub(crate) low: bool,
 }
 
-/// A name and what it is, on one line.
+impl StepRow<'_> {
+    /// Shows it.
+    pub(crate) fn show(self, ui: &mut Ui) -> Response {
+        let palette = Palette::of(ui);
+        let height = if self.low { 30.0 } else { 44.0 };
+        let room = vec2(ui.available_width(), height);
+        let (rect, response) = ui.allocate_exact_size(room, Sense::click());
+        let enabled = ui.is_enabled();
+        let says = format!("{} {}", self.number, self.name);
+        response.widget_info(|| WidgetInfo::selected(Role::Tab, enabled, self.selected, &says));
+        let painter = ui.painter();
+        let round = CornerRadius::same(space::ROUND);
+        if self.selected {
+            painter.rect_filled(rect, round, palette.accent_soft);
+        } else if response.hovered() {
+            painter.rect_filled(rect, round, palette.inset);
+        }
+        self.badge(painter, palette, pos2(rect.left() + 22.0, rect.center().y));
+        let name_color = if self.selected {
+            palette.accent
+        } else {
+            palette.text
+        };
+        let middle = rect.center().y;
+        let left = rect.left() + 44.0;
+        let cut = |text: &str, font: egui::FontId, color: Color32, width: f32| {
+            let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), font, color);
+            job.wrap.max_width = width;
+            job.wrap.max_rows = 1;
+            job.wrap.break_anywhere = true;
+            painter.layout_job(job)
+        };
+        let width = rect.right() - left - space::ROW;
+        let name = cut(self.name, strong(size::BODY), name_color, width);
+        let beside = if self.low { name.size().x + 12.0 } else { 0.0 };
+        let small = egui::FontId::proportional(size::SMALL);
+        let caption = cut(self.caption, small, palette.muted, width - beside);
+        let place = |galley: &egui::Galley, x: f32, y: f32| pos2(x, y - 0.5 * galley.size().y);
+        let (name_y, caption_at) = if self.low {
+            let x = rect.right() - space::ROW - caption.size().x;
+            (middle, place(&caption, x, middle))
+        } else {
+            (middle - 8.0, place(&caption, left, middle + 9.0))
+        };
+        let name_at = place(&name, left, name_y);
+        let shortened = caption.elided;
+        painter.galley(name_at, name, name_color);
+        painter.galley(caption_at, caption, palette.muted);
+        if shortened {
+            response.on_hover_text(self.caption)
+        } else {
+            response
+        }
+    }
+
+    /// Its number, or a tick.
+    fn badge(self, painter: &egui::Painter, palette: Palette, centre: egui::Pos2) {
+        let done = self.progress == Progress::Done;
+        let (fill, edge, text) = match (done, self.selected) {
+            (true, _) => (palette.accent, palette.accent, palette.on_accent),
+            (false, true) => (palette.surface, palette.accent, palette.accent),
+            (false, false) => (palette.surface, palette.nominal, palette.muted),
+        };
+        painter.circle(centre, 11.0, fill, Stroke::new(1.5, edge));
+        if done {
+            let at = |x: f32, y: f32| centre + Vec2::new(x, y);
+            let tick = vec![at(-4.5, 0.2), at(-1.3, 3.6), at(4.8, -3.6)];
+            painter.line(tick, Stroke::new(2.0, text));
+        } else {
+            let middle = egui::Align2::CENTER_CENTER;
+            painter.text(centre, middle, self.number, strong(size::SMALL), text);
+        }
+    }
+}
+
+/// A ring around whatever has the keyboard, in the layer that it is in.
+pub(crate) fn focus_ring(ctx: &egui::Context) {
+    let Some(response) = ctx
+        .memory(egui::Memory::focused)
+        .and_then(|id| ctx.read_response(id))
+    else {
+        return;
+    };
+    let palette = if ctx.global_style().visuals.dark_mode {
+        DARK
+    } else {
+        LIGHT
+    };
+    // What is scrolled out of sight has no ring.
+    let seen = response.interact_rect.expand(2.0 * space::RING);
+    let painter = ctx.layer_painter(response.layer_id).with_clip_rect(seen);
+    let round = CornerRadius::same(space::ROUND + 1);
+    let ring = Stroke::new(space::RING, palette.accent);
+    painter.rect_stroke(response.rect, round, ring, StrokeKind::Outside);
+}
+
+/// A name and what it is: on one line, or below each other where that is too narrow.
 pub(crate) fn fact(ui: &mut Ui, name: &str, value: impl Into<String>) {
     let palette = Palette::of(ui);
+    let value = value.into();
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let width = |text: &str| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), font.clone(), palette.text);
+        galley.size().x
+    };
+    let beside = width(name) + 12.0 + width(&value) <= ui.available_width();
+    let label = |ui: &mut Ui| {
+        let text = RichText::new(name).color(palette.muted);
+        let label = ui.add(egui::Label::new(text).wrap());
+        if let Some(word) = help::about(name) {
+            explained(label, word);
+        }
+    };
     ui.scope(|ui| {
         ui.spacing_mut().interact_size.y = 16.0;
         ui.spacing_mut().item_spacing.y = 4.0;
-        ui.horizontal(|ui| {
-            let label = ui.label(RichText::new(name).color(palette.muted));
-            if let Some(word) = help::about(name) {
-                explained(label, word);
-            }
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                ui.add(egui::Label::new(value.into()).truncate());
+        if beside {
+            ui.horizontal(|ui| {
+                label(ui);
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    ui.label(value);
+                });
             });
-        });
+        } else {
+            ui.spacing_mut().item_spacing.y = 1.0;
+            label(ui);
+            ui.with_layout(Layout::top_down(Align::Max), |ui| {
+                ui.add(egui::Label::new(value).wrap());
+            });
+        }
     });
+}
+
+/// A number in a column of a grid: its end is where the others end.
+pub(crate) fn cell_right(ui: &mut Ui, text: RichText) -> Response {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text))
+        .inner
+}
+
+/// Says what an effect is when the pointer rests on its name.
+pub(crate) fn explained_effect(response: Response, id: &str) -> Response {
+    let Some(about) = crate::effects::find(id).map(crate::effects::Effect::about) else {
+        return response;
+    };
+    response.on_hover_ui(|ui| {
+        ui.set_max_width(space::TIP);
+        ui.label(RichText::new(about.title).font(strong(size::BODY)));
+        ui.label(about.cause);
+        hint(ui, format!("usually {}", about.usual_size));
+        hint(ui, about.equation);
+    })
 }
 
 /// Says what a word means when the pointer rests on it.
 pub(crate) fn explained(response: Response, word: Word) -> Response {
     response.on_hover_ui(|ui| {
-        ui.set_max_width(280.0);
+        ui.set_max_width(space::TIP);
         ui.label(RichText::new(word.name).font(strong(size::BODY)));
         ui.label(word.means);
     })
@@ -269,7 +448,7 @@ pub(crate) fn question(ui: &mut Ui, word: Word) {
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says.clone()));
     let painter = ui.painter();
     painter.circle_stroke(rect.center(), 6.5, Stroke::new(1.0, palette.nominal));
-    let font = egui::FontId::proportional(10.0);
+    let font = egui::FontId::proportional(size::TINY);
     let centre = egui::Align2::CENTER_CENTER;
     painter.text(rect.center(), centre, "?", font, palette.muted);
     explained(response, word);
@@ -341,6 +520,43 @@ pub(crate) fn cell_number(ui: &mut Ui, name: &str, width: f32, field: DragValue<
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label(name));
     response
+}
+
+/// A window with its right-hand side: opens it or shuts it. Where it is shut its name stands beside
+/// the sign.
+pub(crate) fn side_button(ui: &mut Ui, open: bool, says: &str) -> Response {
+    let palette = Palette::of(ui);
+    let name = (!open).then(|| {
+        let text = "Results".to_owned();
+        ui.painter()
+            .layout_no_wrap(text, strong(size::SMALL), palette.accent)
+    });
+    let width = name.as_ref().map_or(0.0, |name| name.size().x + 8.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(30.0 + width, 28.0), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, says));
+    let painter = ui.painter();
+    let lit = response.hovered() || response.has_focus();
+    if lit {
+        painter.rect_filled(rect, CornerRadius::same(space::ROUND), palette.inset);
+    }
+    let color = if open { palette.text } else { palette.accent };
+    let centre = pos2(rect.right() - 15.0, rect.center().y);
+    let frame = egui::Rect::from_center_size(centre, vec2(16.0, 13.0));
+    let edge = Stroke::new(1.5, color);
+    painter.rect_stroke(frame, CornerRadius::same(2), edge, StrokeKind::Middle);
+    let mut side = frame;
+    side.set_left(frame.right() - 5.5);
+    if open {
+        painter.rect_filled(side, CornerRadius::ZERO, color);
+    } else {
+        painter.vline(side.left(), frame.y_range(), edge);
+    }
+    if let Some(name) = name {
+        let at = pos2(rect.left() + 6.0, rect.center().y - 0.5 * name.size().y);
+        painter.galley(at, name, color);
+    }
+    response.on_hover_text(says)
 }
 
 /// A curved arrow: back (undo) or forth (redo).

@@ -5,8 +5,8 @@ use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
-use crate::importers::headings::{Role, session_heading};
-use crate::importers::settings::{About, ColumnGuess, Inspection, Question, Reading};
+use crate::importers::headings::{Role, session_heading, understand};
+use crate::importers::settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 use crate::importers::units::AngleUnit;
 use crate::importers::{clock_text, units};
 use crate::sessions::Lines;
@@ -16,6 +16,8 @@ use crate::sessions::table::{Cells, Names};
 
 /// Rows that are kept to be shown.
 const SHOWN_ROWS: usize = 8;
+/// The word for a column that is what its heading says.
+const AUTO: &str = "auto";
 /// Names that are kept to be shown.
 const SHOWN_NAMES: usize = 100;
 
@@ -62,7 +64,8 @@ impl<'a> Case<'a> {
 
     /// Finds the table and notes what it looks like.
     pub(crate) fn grid(&mut self) -> Option<Grid<'a>> {
-        match Grid::find(self.text, self.reading.separator, &self.place) {
+        let (separator, header) = (self.reading.separator, self.reading.header);
+        match Grid::find(self.text, separator, header, &self.place) {
             Ok(grid) => {
                 self.found.separator = Some(grid.separator);
                 self.found.preamble = grid.preamble.iter().map(|line| line.join(" ")).collect();
@@ -78,17 +81,32 @@ impl<'a> Case<'a> {
     }
 
     /// The roles that the person gave, one for each column; `None` if there are none, or wrong ones.
-    pub(crate) fn given_roles(&mut self, width: usize) -> Option<Vec<Role>> {
+    /// A column that is said to be what it was found to be is one of `found`, or what its heading
+    /// says.
+    pub(crate) fn given_roles(
+        &mut self,
+        grid: &Grid<'_>,
+        found: Option<&[Role]>,
+    ) -> Option<Vec<Role>> {
+        let width = grid.width;
+        let headings = grid.header.as_ref().map_or(&[][..], |header| &header.1);
         let words = &self.reading.columns;
         if words.is_empty() {
             return None;
         }
         let mut roles = Vec::new();
-        for word in words {
-            let Some(role) = Role::from_word(word.trim()) else {
+        for (index, word) in words.iter().enumerate() {
+            let role = match word.trim() {
+                AUTO => match found.and_then(|found| found.get(index)) {
+                    Some(role) => Some(*role),
+                    None => Some(understand(heading_at(headings, index))),
+                },
+                word => Role::from_word(word),
+            };
+            let Some(role) = role else {
                 self.refuse(
                     format!("{} among the columns given", quoted(word)),
-                    "name, group, -, or a session's columns such as x, x_mm, q1_deg, time_s",
+                    "name, group, -, auto, or a session's columns such as x, x_mm, q1_deg, time_s",
                 );
                 return None;
             };
@@ -141,6 +159,11 @@ impl<'a> Case<'a> {
             .map(|(index, role)| ColumnGuess {
                 heading: heading(index).to_owned(),
                 meaning: role.to_string(),
+                known: match self.reading.columns.get(index) {
+                    Some(word) if word.trim() != AUTO => Known::Said,
+                    None if !self.reading.columns.is_empty() => Known::Said,
+                    _ => Known::by_heading(heading(index)),
+                },
             })
             .collect();
         if self.found.rows == 0 && !self.is_open() {

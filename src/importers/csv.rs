@@ -30,7 +30,7 @@ pub(crate) fn read_any(case: &mut Case<'_>) -> Option<Columns> {
 /// Finds the table and what its columns are.
 fn table<'a>(case: &mut Case<'a>) -> Option<(crate::importers::grid::Grid<'a>, Vec<Role>)> {
     let grid = case.grid()?;
-    let roles = match (case.given_roles(grid.width), &grid.header) {
+    let roles = match (case.given_roles(&grid, None), &grid.header) {
         (Some(roles), _) => roles,
         (None, Some((_, names))) => {
             let mut roles: Vec<Role> = names.iter().map(|name| understand(name)).collect();

@@ -46,6 +46,7 @@ impl<'a> Grid<'a> {
     pub(crate) fn find(
         text: &'a str,
         separator: Option<Separator>,
+        header: Option<u64>,
         file: &Place,
     ) -> Result<Self, Box<Diagnostic>> {
         let candidates = match separator {
@@ -81,8 +82,50 @@ impl<'a> Grid<'a> {
             let expected = format!("a table of at most {MOST_COLUMNS} columns");
             return Err(Box::new(Diagnostic::error(file.clone(), found, expected)));
         }
-        Self::with(text, separator, width, numbers)
-            .map_err(|quote| Box::new(open_quote(file, quote)))
+        let found = Self::with(text, separator, width, numbers)
+            .map_err(|quote| Box::new(open_quote(file, quote)))?;
+        match header {
+            None => Ok(found),
+            Some(0) => Ok(Self {
+                header: None,
+                ..found
+            }),
+            Some(line) => found.below(text, line, file),
+        }
+    }
+
+    /// The same table with its header in this line, and everything below it as rows.
+    fn below(self, text: &'a str, line: u64, file: &Place) -> Result<Self, Box<Diagnostic>> {
+        let mut rows = Rows::new(text, self.separator);
+        let mut row = Row::default();
+        let mut before: Vec<Vec<String>> = Vec::new();
+        loop {
+            match rows.next(&mut row) {
+                Ok(true) if row.line < line => {
+                    before.push(row.cells.iter().map(ToString::to_string).collect());
+                    if before.len() > 2 * SHOWN {
+                        before.drain(..SHOWN);
+                    }
+                }
+                Ok(true) if row.line == line => break,
+                Ok(_) => {
+                    let place = file.clone().at_line(line);
+                    let found = "no line of cells to be the header";
+                    let expected = "the number of a line that is not blank and no comment";
+                    return Err(Box::new(Diagnostic::error(place, found, expected)));
+                }
+                Err(quote) => return Err(Box::new(open_quote(file, quote))),
+            }
+        }
+        before.drain(..before.len().saturating_sub(SHOWN));
+        let mut names: Vec<String> = row.cells.iter().map(ToString::to_string).collect();
+        names.resize(names.len().max(self.width), String::new());
+        Ok(Self {
+            preamble: before,
+            header: Some((line, names)),
+            body: rows,
+            ..self
+        })
     }
 
     /// Finds the start of a table with so many cells in a row and so many numbers among them.
@@ -391,7 +434,7 @@ mod tests {
     use super::*;
 
     fn find(text: &str) -> Grid<'_> {
-        Grid::find(text, None, &Place::default()).expect("there is a table")
+        Grid::find(text, None, None, &Place::default()).expect("there is a table")
     }
 
     fn header(text: &str) -> String {
@@ -436,7 +479,10 @@ mod tests {
     #[test]
     fn a_text_without_a_table_is_no_table() {
         for text in ["hello\nworld\n", "1\nx\ny\n", "a,b\nc,d\n", "1,\"2\n"] {
-            assert!(Grid::find(text, None, &Place::default()).is_err(), "{text}");
+            assert!(
+                Grid::find(text, None, None, &Place::default()).is_err(),
+                "{text}"
+            );
         }
     }
 

@@ -14,7 +14,7 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, words_and_unit};
-use crate::importers::settings::{About, ColumnGuess};
+use crate::importers::settings::{About, ColumnGuess, Known};
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
@@ -54,11 +54,18 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let headings = headings(&grid);
     let parts = parts(case, &grid, &headings)?;
+    let said = &case.reading.columns;
     case.found.columns = headings
         .iter()
         .zip(&parts)
-        .map(|(heading, part)| ColumnGuess {
+        .enumerate()
+        .map(|(k, (heading, part))| ColumnGuess {
             heading: heading.clone(),
+            known: match (said.get(k), heading.as_str()) {
+                (Some(word), heading) if word != heading => Known::Said,
+                (_, "") => Known::FromContent,
+                _ => Known::FromHeading,
+            },
             meaning: match part {
                 Part::Target => "target".to_owned(),
                 Part::Direction => "direction".to_owned(),

@@ -45,7 +45,7 @@ pub use matching::Matching;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use rows::Separator;
 pub use session::{Companion, Imported, Matched, Settings, import};
-pub use settings::{About, ColumnGuess, Inspection, Kind, Question, Reading};
+pub use settings::{About, ColumnGuess, Inspection, Kind, Known, Question, Reading};
 pub use text::Encoding;
 pub use units::{AngleUnit, LengthUnit};
 

@@ -12,7 +12,7 @@ use crate::importers::decimals::Decimal;
 use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
 use crate::importers::headings::Role;
 use crate::importers::rows::{Row, Rows, Separator};
-use crate::importers::settings::{About, ColumnGuess};
+use crate::importers::settings::{About, ColumnGuess, Known};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
@@ -74,6 +74,7 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
         .map(|column| ColumnGuess {
             heading: column.name.clone(),
             meaning: column.role.to_string(),
+            known: Known::Certain,
         })
         .collect();
     (!case.is_open()).then_some(columns)

@@ -13,6 +13,7 @@ use crate::importers::settings::{Inspection, Question, Reading};
 use crate::importers::{optitrack, read};
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
+use crate::sessions::columns::Quantity;
 
 /// A file beside the measured one.
 #[derive(Debug, Clone)]
@@ -137,9 +138,14 @@ pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejecte
         job.warn(found, "");
     }
     job.axis_to_points(&mut columns)?;
-    let targets = job.targets(&columns)?;
+    let named = columns.find(Quantity::Target).is_some();
+    let mut targets = job.targets(&columns)?;
     let (columns, alignment) = job.in_base_frame(columns)?;
     let (columns, matched) = job.with_commands(columns, &targets)?;
+    if settings.targets.is_none() && !named {
+        // The commands may be the first to name one.
+        targets = job.targets(&columns)?;
+    }
     let session = job.session(columns, targets)?;
     Ok(Imported {
         session,

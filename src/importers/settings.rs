@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::importers::decimals::Decimal;
+use crate::importers::headings::Role;
 use crate::importers::rows::Separator;
 use crate::importers::text::Encoding;
 use crate::importers::units::{AngleUnit, LengthUnit};
@@ -53,8 +54,10 @@ pub struct Reading {
     pub decimal: Option<Decimal>,
     /// What separates cells.
     pub separator: Option<Separator>,
+    /// The line of the header, counted from 1; 0: there is none. `None`: it is found.
+    pub header: Option<u64>,
     /// What the columns are, in the words of a session: `name`, `group`, `x`, `x_mm`, `q1_deg`,
-    /// `time_s`, …; `-` leaves one out. Empty: the header says.
+    /// `time_s`, …; `-` leaves one out, `auto` takes what its heading says. Empty: all headings say.
     pub columns: Vec<String>,
     /// Rigid bodies or markers to take.
     pub names: Vec<String>,
@@ -150,6 +153,37 @@ impl Question {
     }
 }
 
+/// How the meaning of a column is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Known {
+    /// A person said it.
+    Said,
+    /// The format has it so, or the heading is one of a session's.
+    Certain,
+    /// From the words of a heading that some other program wrote.
+    FromHeading,
+    /// From what stands in the column and from its place.
+    FromContent,
+}
+
+impl Known {
+    /// Whether somebody should look at it.
+    pub fn is_guess(self) -> bool {
+        matches!(self, Self::FromHeading | Self::FromContent)
+    }
+
+    /// How a heading is known to mean what it is taken for.
+    pub(crate) fn by_heading(heading: &str) -> Self {
+        let plain = heading.trim().trim_matches('"').to_lowercase();
+        let own = Role::from_word(&plain).is_some();
+        match plain.as_str() {
+            "" => Self::FromContent,
+            _ if own => Self::Certain,
+            _ => Self::FromHeading,
+        }
+    }
+}
+
 /// A column and what it is taken for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ColumnGuess {
@@ -157,6 +191,15 @@ pub struct ColumnGuess {
     pub heading: String,
     /// What it is taken for, in the words of [`Reading::columns`].
     pub meaning: String,
+    /// How that is known.
+    pub known: Known,
+}
+
+impl ColumnGuess {
+    /// Whether it is used, and only a guess.
+    pub fn is_guess(&self) -> bool {
+        self.known.is_guess() && !matches!(self.meaning.as_str(), "" | "-")
+    }
 }
 
 /// What was found out about a file.

@@ -24,23 +24,22 @@ enum Kind {
 /// Reads measured points.
 pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
-    let roles = match case.given_roles(grid.width) {
-        Some(roles) => roles,
-        None if !case.reading.columns.is_empty() => return None,
-        // Some programs can be told to write a header: then it says.
-        None if let Some(roles) = roles_by_header(&grid) => roles,
-        None => {
-            let kinds = kinds(&grid, case);
-            if let Some(names) = names_before(&kinds) {
-                roles(names, grid.width)
-            } else {
-                let says = format!(
-                    "{} columns, of which it is not certain where x, y and z begin",
-                    grid.width
-                );
-                case.ask(About::Columns, says, &[]);
-                vec![Role::Left; grid.width]
-            }
+    // Some programs can be told to write a header: then it says.
+    let found = roles_by_header(&grid).or_else(|| {
+        let names = names_before(&kinds(&grid, case))?;
+        Some(roles(names, grid.width))
+    });
+    let roles = match (case.given_roles(&grid, found.as_deref()), found) {
+        (Some(given), _) => given,
+        (None, _) if !case.reading.columns.is_empty() => return None,
+        (None, Some(found)) => found,
+        (None, None) => {
+            let says = format!(
+                "{} columns, of which it is not certain where x, y and z begin",
+                grid.width
+            );
+            case.ask(About::Columns, says, &[]);
+            vec![Role::Left; grid.width]
         }
     };
     case.require_position(&roles, "");

@@ -4,6 +4,7 @@
 use crate::importers::case::{Case, fixed};
 use crate::importers::columns::Columns;
 use crate::importers::headings::Role;
+use crate::importers::settings::Known;
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 
@@ -36,6 +37,9 @@ pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
         part(0),
     ];
     let columns = case.columns(&grid, roles);
+    for column in &mut case.found.columns {
+        column.known = Known::Certain;
+    }
     case.found.unit = format!("{}, as the format has it", unit.symbol());
     columns
 }

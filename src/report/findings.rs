@@ -9,9 +9,7 @@ use super::document::{Block, Section, Table, clean};
 use super::numbers::{in_words, mm, plain, short, three_digits};
 use super::parts::{fact, title};
 use super::session::{MOST_ROWS, Told};
-
-/// A limit above this, in the parameter's unit, is no limit: the poses hide the effect.
-const UNSEEN: f64 = 1e6;
+use crate::diagnosis::Sight;
 
 impl Told<'_> {
     pub(super) fn effects(&self) -> Option<Section> {
@@ -202,10 +200,15 @@ impl Told<'_> {
             for limit in d.not_found.iter().take(4 * MOST_ROWS) {
                 let sizes = limit.sizes.iter().map(|(name, size)| {
                     let (stem, unit) = in_words(name);
-                    if *size > UNSEEN {
-                        return format!("{stem}: these poses would not show it at any size");
+                    match Sight::of(*size) {
+                        Sight::AtNoSize => {
+                            format!("{stem}: these poses would not show it at any size")
+                        }
+                        Sight::AtAnySize => format!("{stem}: any size, there is no noise"),
+                        Sight::Above(size) => {
+                            format!("{stem} {} {unit}", three_digits(size)).replace(" °", "°")
+                        }
                     }
-                    format!("{stem} {} {unit}", three_digits(*size)).replace(" °", "°")
                 });
                 let name = title(limit.effect, limit.joint.map(|j| j + 1), self.robot());
                 table.row([name, sizes.collect::<Vec<_>>().join(", ")]);

@@ -126,14 +126,18 @@ pub fn status(window: &Window) -> String {
     node.label().or(node.value()).expect("it says something")
 }
 
-/// What the status bar says of the gap: before, and after where there is an answer.
+/// What the status bar says of the gap: before, and what is left now where there is an answer.
 pub fn gaps(window: &Window) -> (f64, Option<f64>) {
     let line = status(window);
     let (_, gaps) = line.split_once("gap ").expect("the gap is named");
+    let (gaps, _) = gaps.split_once(" · ").unwrap_or((gaps, ""));
     let mut numbers = gaps
         .split([' ', '→'])
         .filter_map(|word| word.parse::<f64>().ok());
-    (numbers.next().expect("the gap is a number"), numbers.next())
+    (
+        numbers.next().expect("the gap is a number"),
+        numbers.next_back(),
+    )
 }
 
 /// The dialog of the system cannot be driven; the path is typed.

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
-use crate::gui::foreign::Foreign;
+use crate::gui::foreign::{Beside, Said};
+use crate::gui::placing::End;
 use crate::gui::preferences::Preferences;
 use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
@@ -28,10 +29,14 @@ pub(crate) enum Command {
     ChooseFile,
     /// Read this file.
     OpenFile(PathBuf),
-    /// Look at a foreign file again, with what was said since.
-    Inspect(Box<Foreign>),
-    /// Make a session of a foreign file.
-    Import(Box<Foreign>),
+    /// Say something about the foreign file on the sheet.
+    Say(Box<Said>),
+    /// Its columns were looked at, and are right.
+    ConfirmColumns,
+    /// Ask for a file beside it.
+    ChooseBeside(Beside),
+    /// Make a session of it.
+    Import,
     /// Open a session that comes with the program.
     OpenExample(usize),
     /// Do it, whatever is lost.
@@ -78,6 +83,17 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Divide the joint's range where the samples ask for it.
+    Adapt,
+    /// What is being typed for an end of a region; `None`: what the document says.
+    Type {
+        /// The region's name.
+        region: String,
+        /// Which end.
+        end: End,
+        /// The text.
+        text: Option<String>,
+    },
     /// Search for what is missing.
     Search,
     /// Make a session by simulation.
@@ -118,6 +134,8 @@ pub(crate) enum Command {
     ChartJoint(usize),
     /// Show the curve of an effect that was found, by its place in the answer.
     ShowEffect(usize),
+    /// Open the right-hand side, or shut it.
+    Results(bool),
     /// Draw what there is for each sample on this.
     Canvas(Canvas),
     /// Show numbers, colours and text like this.

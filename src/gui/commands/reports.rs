@@ -39,13 +39,10 @@ impl Workbench {
 
     fn take(&mut self, report: Report) {
         match report {
-            Report::Opened(Ok(subject)) => {
-                if matches!(self.view.sheet, Some(Sheet::Import(_))) {
-                    self.view.sheet = None;
-                }
-                self.execute(Command::Edit(Edit::Open(subject)));
-            }
+            Report::Opened(Ok(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
             Report::Foreign(foreign) => self.view.sheet = Some(Sheet::Import(foreign)),
+            Report::Looked(looked) => self.take_looked(*looked),
+            Report::ChosenBeside(which, path) => self.take_beside(which, path),
             Report::OpenedModel(Ok(given)) => {
                 let beside = self.has_a_session_for(&given);
                 self.execute(Command::Edit(Edit::OpenModel { given, beside }));
@@ -86,6 +83,7 @@ impl Workbench {
                 self.searched = Some(Arc::new(*search));
                 self.keep_drawing();
             }
+            Report::Adapted(adapted) => self.take_adapted(*adapted),
             Report::Drawn(backdrop) => {
                 let before = self.backdrop.replace(Arc::new(*backdrop));
                 self.let_go(before);

@@ -1,27 +1,16 @@
-//! Commands, one by one and thousands at random.
+//! Commands, one by one.
 
 use std::sync::Arc;
 
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
-
 use super::{Command, Workbench};
-use crate::gui::boundaries::{NARROWEST_RAD, boundaries};
+use crate::gui::boundaries::boundaries;
 
-use crate::diagnosis::Mend;
-use crate::diagnostic::{Place, Severity};
-use crate::effects::CATALOGUE;
-use crate::gui::document::{ExportChoice, Method};
+use crate::gui::document::Method;
 use crate::gui::edit::Edit;
-use crate::gui::preferences::Preferences;
-use crate::gui::setup::{SetupForm, SigmaForm};
-use crate::gui::simulate::Form;
-use crate::gui::subject::Component;
-use crate::gui::subject::Subject;
+use crate::gui::setup::SetupForm;
 use crate::gui::tasks::{Runner, Tasks};
 use crate::gui::testing::workbench;
-use crate::gui::view::{Plane, Step, Then};
-use crate::kinematics::JointKind;
+use crate::gui::view::Step;
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {
@@ -215,173 +204,4 @@ fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
     assert!(workbench.tasks.newest().is_none(), "nobody asked again");
     workbench.execute(Command::Edit(Edit::Identify));
     assert!(workbench.tasks.newest().is_some());
-}
-
-/// What holds after every command.
-fn consistent(workbench: &Workbench) {
-    let document = workbench.document();
-    let samples = workbench.subject().len();
-    let view = workbench.view();
-    let samples_shown = [view.hovered, view.selected].into_iter().flatten();
-    for sample in samples_shown.chain(view.marked.iter().copied()) {
-        assert!(sample < samples);
-    }
-    for region in document.regions.iter() {
-        let width = region.to_rad - region.from_rad;
-        assert!(width >= NARROWEST_RAD * (1.0 - 1e-9), "{region:?}");
-    }
-    let mut sorted: Vec<_> = document.regions.iter().collect();
-    sorted.sort_by(|a, b| a.from_rad.total_cmp(&b.from_rad));
-    for pair in sorted.windows(2) {
-        assert!(pair[0].to_rad <= pair[1].from_rad + 1e-9, "{pair:?}");
-    }
-    let mut names: Vec<_> = document.regions.iter().map(|r| &r.name).collect();
-    names.sort();
-    names.dedup();
-    assert_eq!(names.len(), document.regions.len(), "names are unique");
-    if let Some(answer) = workbench.answer() {
-        assert_eq!(answer.lengths_mm.len(), samples);
-    }
-    assert!((0.0..=1.0).contains(&view.blend));
-    assert!(view.preferences == view.preferences.sound());
-    let errors = workbench
-        .subject()
-        .session
-        .robot
-        .problems(&Place::default());
-    assert!(
-        errors.iter().all(|d| d.severity != Severity::Error),
-        "{errors:?}"
-    );
-}
-
-/// A robot that may make no sense.
-fn any_setup(random: &mut ChaCha8Rng, subject: &Subject) -> SetupForm {
-    let mut form = SetupForm::of(&subject.session);
-    let number = random.random_range(-300.0..300.0);
-    let axis = random.random_range(0..3);
-    match random.random_range(0..7) {
-        0 => form.joints[0].axis[axis] = number,
-        1 => form.joints[0].limits = Some([number, 90.0]),
-        2 => form.tool_mm[axis] = number,
-        3 => form.sigma = SigmaForm::One(number),
-        4 => form.joints[0].kind = JointKind::Prismatic,
-        5 => form.joints[0].axis = [0.0; 3],
-        _ => form.targets[0].position_mm[axis] = number,
-    }
-    form
-}
-
-fn any_mend(random: &mut ChaCha8Rng) -> Mend {
-    match random.random_range(0..5) {
-        0 => Mend::ScaleJoint {
-            joint: random.random_range(0..2),
-            factor: -1.0,
-        },
-        1 => Mend::Reorder([1, 2, 0]),
-        2 => Mend::FreeFrame,
-        3 => Mend::TurnHome {
-            joint: 0,
-            by_rad: 1.0,
-        },
-        _ => Mend::Remove((0..random.random_range(0..6)).collect()),
-    }
-}
-
-fn any_command(random: &mut ChaCha8Rng, subject: &Subject) -> Command {
-    let effect = CATALOGUE[random.random_range(0..4)].about().id;
-    let angle = rad_from_deg(random.random_range(-200.0..200.0));
-    let boundary = random.random_range(0..9);
-    match random.random_range(0..40) {
-        26 => Command::Edit(Edit::Setup(Box::new(any_setup(random, subject)))),
-        27 => Command::Drag(Edit::Setup(Box::new(any_setup(random, subject)))),
-        28 => Command::Edit(Edit::Mend(vec![any_mend(random)])),
-        29 => Command::Mark((0..random.random_range(0..50)).collect()),
-        30 => Command::Prefer(Preferences {
-            decimals: Some(random.random()),
-            zoom: random.random_range(-1.0..9.0),
-            decimal_comma: random.random(),
-            ..Preferences::default()
-        }),
-        31 => Command::Follow(random.random()),
-        32 => Command::Do(Then::Example(random.random_range(0..4))),
-        33 => Command::OpenExample(random.random_range(0..4)),
-        34 => Command::Sheet(None),
-        35 => Command::Reload,
-        36 => Command::LookAtDisk,
-        37 => Command::Cancel,
-        38 => Command::KeepMine,
-        39 => Command::Restore(random.random_range(0..2)),
-        0 => Command::Edit(Edit::Divide(random.random_range(0..9))),
-        1 => Command::Edit(Edit::MoveBoundary(boundary, angle)),
-        2..=5 => Command::Drag(Edit::MoveBoundary(boundary, angle)),
-        6 => Command::EndDrag,
-        7 => Command::Edit(Edit::Split(random.random_range(0..7))),
-        8 => Command::Edit(Edit::Merge(random.random_range(0..7))),
-        9 => Command::Edit(Edit::Rename(
-            random.random_range(0..7),
-            random.random_range(0..9).to_string(),
-        )),
-        10 => Command::Edit(Edit::Method(Method::Exact)),
-        11 => Command::Edit(Edit::Method(Method::Regional)),
-        12 => Command::Edit(Edit::Effect(effect, random.random())),
-        13 => Command::Edit(Edit::Tolerance(random.random::<bool>().then_some(0.3))),
-        14 => Command::Edit(Edit::Identify),
-        15 => Command::Edit(Edit::RegionsOfSession),
-        16 | 17 => Command::Undo,
-        18 => Command::Redo,
-        19 => Command::GoTo(Step::ALL[random.random_range(0..Step::ALL.len())]),
-        20 => Command::Look(Plane::ALL[random.random_range(0..3)]),
-        21 => Command::Blend(random.random_range(-1.0..2.0)),
-        22 => Command::Component(Component::ALL[random.random_range(0..7)]),
-        23 => Command::Select(Some(random.random_range(0..40))),
-        24 => Command::Edit(Edit::Export(ExportChoice {
-            step: random
-                .random::<bool>()
-                .then_some(random.random_range(-1.0..10.0)),
-            joint: random.random_range(0..2),
-            ..ExportChoice::default()
-        })),
-        _ if random.random_range(0..4) == 0 => Command::Simulate(Form {
-            step_deg: random.random_range(10.0..60.0),
-            both_ways: random.random(),
-            ..Form::default()
-        }),
-        _ => Command::Hover(Some(random.random_range(0..40))),
-    }
-}
-
-#[test]
-fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
-    for seed in 0..4 {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let mut workbench = workbench();
-        workbench.execute(Command::Simulate(Form {
-            step_deg: 15.0,
-            ..Form::default()
-        }));
-        workbench.receive();
-        for _ in 0..700 {
-            let subject = Arc::clone(workbench.subject());
-            workbench.execute(any_command(&mut random, &subject));
-            workbench.receive();
-            consistent(&workbench);
-        }
-        // All the way back and forth: the same document, and the answer that belongs to it.
-        workbench.execute(Command::EndDrag);
-        let last = workbench.document().clone();
-        let mut steps = 0;
-        while workbench.undoes().is_some() {
-            workbench.execute(Command::Undo);
-            workbench.receive();
-            consistent(&workbench);
-            steps += 1;
-        }
-        for _ in 0..steps {
-            workbench.execute(Command::Redo);
-            workbench.receive();
-        }
-        assert_eq!(*workbench.document(), last, "seed {seed}");
-        assert!(workbench.settled());
-    }
 }

@@ -7,16 +7,18 @@ use crate::gui::help::{self, Word};
 use crate::gui::pictures::Plot;
 use crate::gui::plots::{correction, deviation, effect, histogram, orders, picture, waterfall};
 use crate::gui::subject::Component;
-use crate::gui::tokens::{size, space};
+use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Chart;
-use crate::gui::widgets::{self, caption};
+use crate::gui::widgets;
 
 use super::copies;
 
 /// Room for the marks at the right end of the bar, points.
 const MARKS: f32 = 92.0;
 /// Room for a list, points.
-const LIST: f32 = 128.0;
+const LIST: f32 = 104.0;
+/// Space beside each name where charts stand side by side: as much as there is room for.
+const BESIDE: [f32; 3] = [10.0, 7.0, 5.0];
 
 /// Shows the bar and the chart.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -50,30 +52,35 @@ struct Choice<'a, T> {
 }
 
 impl<T: Copy + PartialEq> Choice<'_, T> {
-    /// How wide it is side by side, points.
-    fn width(&self, ui: &Ui) -> f32 {
+    /// How wide it is side by side with so much space beside each name, points.
+    fn width(&self, ui: &Ui, beside: f32) -> f32 {
         let font = egui::FontId::proportional(size::SMALL);
-        let padding = 2.0 * ui.spacing().button_padding.x + 2.0;
+        let color = Palette::of(ui).text;
+        let padding = 2.0 * beside + 3.0;
         let wide = self.offered.iter().map(|(_, short, _)| {
             let text = (*short).to_owned();
-            let galley = ui
-                .painter()
-                .layout_no_wrap(text, font.clone(), egui::Color32::WHITE);
+            let galley = ui.painter().layout_no_wrap(text, font.clone(), color);
             galley.size().x + padding
         });
         wide.map(|w| w.max(36.0)).sum::<f32>() + 8.0
     }
 
-    fn show(&self, ui: &mut Ui, side_by_side: bool) -> Option<T> {
-        if side_by_side {
-            return widgets::segmented_named(ui, &self.offered, self.current);
+    /// Shows it side by side with so much space beside each name, or as a list.
+    fn show(&self, ui: &mut Ui, side_by_side: Option<f32>) -> Option<T> {
+        if let Some(beside) = side_by_side {
+            let shown = ui.scope(|ui| {
+                ui.spacing_mut().button_padding.x = beside;
+                widgets::segmented_named(ui, &self.offered, self.current)
+            });
+            return shown.inner;
         }
         let mut chosen = None;
         let current = self.offered.iter().find(|(one, ..)| *one == self.current);
         let shown = current.map_or("", |(_, _, name)| name);
         let list = ComboBox::from_id_salt(self.of)
             .selected_text(egui::RichText::new(shown).size(size::SMALL))
-            .width(0.0);
+            .width(0.0)
+            .height(360.0);
         let list = list.show_ui(ui, |ui| {
             for (one, _, name) in &self.offered {
                 if ui.selectable_label(*one == self.current, *name).clicked() {
@@ -129,24 +136,21 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
     // Side by side as long as there is room: the charts first, they are what is looked for.
     let lists = [components.is_some(), joints.is_some()];
     let lists = lists.into_iter().filter(|there| *there).count() as f32;
-    let mut room = ui.available_width() - MARKS - (LIST - 24.0) * lists - charts.width(ui);
-    let wide_charts = room >= 0.0;
-    let mut takes = |width: f32| {
-        let more = width - LIST;
-        let fits = wide_charts && room >= more;
-        room -= if fits { more } else { 0.0 };
-        fits
-    };
-    let wide_components = components.as_ref().is_some_and(|c| takes(c.width(ui)));
+    let room = ui.available_width() - MARKS - LIST * lists;
+    let fits = |beside: &f32| charts.width(ui, *beside) <= room;
+    let beside = BESIDE.into_iter().find(fits);
+    let left = room - beside.map_or(f32::INFINITY, |beside| charts.width(ui, beside));
+    let wide = |c: &Choice<Component>| LIST + left >= c.width(ui, BESIDE[0]);
+    let components_beside = components.as_ref().filter(|c| wide(c)).map(|_| BESIDE[0]);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
-        if let Some(chart) = charts.show(ui, wide_charts) {
+        if let Some(chart) = charts.show(ui, beside) {
             commands.push(Command::Chart(chart));
         }
-        if let Some(component) = components.and_then(|c| c.show(ui, wide_components)) {
+        if let Some(component) = components.and_then(|c| c.show(ui, components_beside)) {
             commands.push(Command::Component(component));
         }
-        if let Some(joint) = joints.and_then(|j| j.show(ui, false)) {
+        if let Some(joint) = joints.and_then(|j| j.show(ui, None)) {
             commands.push(Command::ChartJoint(joint));
         }
         let says = match chart {
@@ -164,10 +168,13 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
             }
             copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
             widgets::question(ui, word(chart));
-            if !says.is_empty() {
+            // Where it has no room the question mark says it.
+            let font = egui::FontId::proportional(size::SMALL);
+            let muted = Palette::of(ui).muted;
+            let galley = ui.painter().layout_no_wrap(says.clone(), font, muted);
+            if !says.is_empty() && galley.size().x + space::ROW <= ui.available_width() {
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    ui.set_clip_rect(ui.max_rect().intersect(ui.clip_rect()));
-                    caption(ui, &says).on_hover_text(&says);
+                    widgets::caption(ui, &says);
                 });
             }
         });

@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                         ui.spacing_mut().item_spacing.y = 3.0;
                         let title = RichText::new(title).font(strong(size::BODY));
                         ui.add(Label::new(title.color(palette.warning)).wrap());
-                        ui.add(Label::new(RichText::new(says).size(12.0)).wrap());
+                        ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
                     });
                 });
             });

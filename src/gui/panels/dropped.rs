@@ -1,6 +1,6 @@
 //! Files that are dropped on the window.
 
-use egui::{Align2, Color32, Id, LayerId, Order, Ui};
+use egui::{Align2, Id, LayerId, Order, Ui};
 
 use crate::gui::commands::Command;
 use crate::gui::tokens::{Palette, size, strong};
@@ -20,7 +20,7 @@ pub(crate) fn show(ui: &Ui, commands: &mut Vec<Command>) {
         let layer = LayerId::new(Order::Foreground, Id::unique("dropped"));
         let painter = ui.ctx().layer_painter(layer);
         let rect = ui.ctx().content_rect();
-        painter.rect_filled(rect, 0.0, Color32::from_black_alpha(150));
+        painter.rect_filled(rect, 0.0, palette.veil);
         let card = egui::Rect::from_center_size(rect.center(), egui::vec2(320.0, 88.0));
         painter.rect_filled(card, 10.0, palette.surface);
         painter.text(

@@ -65,15 +65,18 @@ fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let choice = workbench.document().export;
     widgets::section(ui, "Format");
-    for format in EXPORTERS {
-        let response = ui.radio(format.id == choice.format, format.title);
-        if response.clicked() && format.id != choice.format {
-            commands.push(Command::Edit(Edit::Export(ExportChoice {
-                format: format.id,
-                ..choice
-            })));
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for format in EXPORTERS {
+            let response = ui.radio(format.id == choice.format, format.title);
+            if response.clicked() && format.id != choice.format {
+                commands.push(Command::Edit(Edit::Export(ExportChoice {
+                    format: format.id,
+                    ..choice
+                })));
+            }
         }
-    }
+    });
     // A description of the robot is about all joints and has no steps.
     if find(choice.format).is_some_and(|format| format.rules.is_some()) {
         widgets::section(ui, "Table");
@@ -170,9 +173,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         Some(Err(because)) => widgets::hint(ui, because),
-        None if workbench.answer().is_none() => {
-            widgets::hint(ui, "Identify the robot first; the table will be shown here");
-        }
+        None if workbench.answer().is_none() => super::known::show(ui, workbench),
         None => widgets::hint(ui, "The table is being prepared"),
     }
     super::standards::show(ui, workbench);

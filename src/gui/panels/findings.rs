@@ -1,10 +1,10 @@
 //! What a search found: the verdict, names with their evidence, what cannot be told apart, what no
 //! name explains, and what to measure next.
 
-use egui::{CollapsingHeader, Grid, RichText, ScrollArea, Ui};
+use egui::{CollapsingHeader, Grid, RichText, Ui};
 
 use crate::diagnosis::next_poses::NextPose;
-use crate::diagnosis::{Diagnosis, FloorFrom, Found, Mend, Verdict};
+use crate::diagnosis::{Diagnosis, FloorFrom, Found, Mend, Sight, Verdict};
 use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
@@ -26,21 +26,14 @@ use super::unexplained;
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, "What is missing");
     ui.add_space(space::TIGHT);
-    ScrollArea::vertical()
-        .id_salt("findings")
-        .auto_shrink([false, false])
-        .show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = space::ROW;
-            match workbench.searched() {
-                None => widgets::hint(
-                    ui,
-                    "Nothing was searched for yet. What is found will stand here: its name, its \
-                     size, how sure that is, and what to check on the machine",
-                ),
-                Some(Err(because)) => widgets::hint(ui, because),
-                Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
-            }
-        });
+    widgets::scroll(ui, "findings", |ui| {
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        match workbench.searched() {
+            None => super::known::show(ui, workbench),
+            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
+        }
+    });
 }
 
 fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
@@ -182,7 +175,7 @@ fn estimates(ui: &mut Ui, id: &str, parameters: &[Estimate]) {
                 let (name, unit) = named(one.name);
                 let (value, half) = with_interval(one.value, one.ci95);
                 ui.label(name);
-                ui.label(RichText::new(value).font(strong(size::BODY)));
+                widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));
                 ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));
                 ui.end_row();
             }
@@ -198,7 +191,8 @@ fn card(
 ) {
     let units = workbench.units();
     let name = in_words(found.effect, found.joint, workbench);
-    ui.label(RichText::new(&name).font(strong(size::HEADING)));
+    let head = ui.label(RichText::new(&name).font(strong(size::HEADING)));
+    widgets::explained_effect(head, found.effect);
     ui.scope(|ui| {
         dense(ui);
         estimates(ui, found.effect, &found.parameters);
@@ -376,10 +370,15 @@ fn limits(ui: &mut Ui, d: &Diagnosis) {
             ui.label(find(limit.effect).map_or(limit.effect, |e| e.about().title));
             let sizes = limit.sizes.iter().map(|(name, size)| {
                 let (name, unit) = named(name);
-                format!("{name} {} {unit}", significant(*size, 2))
+                match Sight::of(*size) {
+                    Sight::Above(size) => {
+                        format!("{name} above {} {unit} (95 %)", significant(size, 2))
+                    }
+                    Sight::AtAnySize => format!("{name} of any size: there is no noise"),
+                    Sight::AtNoSize => format!("{name} at no size, by these poses"),
+                }
             });
-            let sizes = sizes.collect::<Vec<_>>().join(", ");
-            widgets::hint(ui, format!("above {sizes} (95 %)"));
+            widgets::hint(ui, sizes.collect::<Vec<_>>().join(", "));
         }
     });
 }

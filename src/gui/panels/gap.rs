@@ -27,7 +27,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         return;
     }
     let Some(diagnosis) = workbench.diagnosis() else {
-        return;
+        return before(ui, workbench);
     };
     let units = workbench.units();
     widgets::section(ui, "Gap");
@@ -40,6 +40,44 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         commands.push(Command::Search);
     }
     switches(ui, workbench, commands);
+}
+
+/// Where the work stands before there is a search.
+fn before(ui: &mut Ui, workbench: &Workbench) {
+    let subject = workbench.subject();
+    let units = workbench.units();
+    widgets::section(ui, "Gap so far");
+    if let Some(gap) = subject.gap_before {
+        widgets::fact(ui, "nominal robot", units.length(gap.rms_mm));
+    }
+    let answer = workbench.answer();
+    let left = answer.map(|a| a.identification.gap.after.rms_mm);
+    if let Some(left) = left {
+        widgets::fact(ui, "identified", units.length(left));
+    }
+    let floor = subject.known.floor_mm;
+    if let Some(floor) = floor {
+        widgets::fact(ui, "noise floor", units.length(floor));
+    }
+    let says = match (left, floor) {
+        (None, _) => "The search identifies by itself: step 3 need not come first",
+        (Some(left), Some(floor)) if left < 1.2 * floor => {
+            "Little is left above the noise of the instrument. The search says so where nothing is missing, and how small an effect it would have seen"
+        }
+        (Some(_), _) => {
+            "More is left than noise explains, or nobody knows yet: the search will say which"
+        }
+    };
+    widgets::hint(ui, says);
+    widgets::section(ui, "What it can name");
+    let (yes, no) = (subject.testable.len(), subject.not_testable.len());
+    widgets::fact(ui, "effects that show", format!("{yes} of {}", yes + no));
+    if no > 0 {
+        widgets::hint(
+            ui,
+            "Why the others cannot be seen in these samples stands at the right, with what to measure for them",
+        );
+    }
 }
 
 /// Where the search is.

@@ -1,11 +1,11 @@
 //! The bar at the top: menus, the session's name, undo and redo.
 
-use egui::{Align, Button, Layout, MenuBar, Response, RichText, Role, Ui, WidgetInfo};
+use egui::{Align, Button, Label, Layout, MenuBar, Response, RichText, Role, Ui, WidgetInfo};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::files::EXAMPLES;
 use crate::gui::subject::Origin;
-use crate::gui::tokens::{Palette, size, strong};
+use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::{AngleUnit, LengthUnit, Plane, Step};
 use crate::gui::widgets;
 
@@ -14,6 +14,9 @@ use super::unsaved;
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
+
+/// Room for the buttons at the right, points.
+const BUTTONS: f32 = 190.0;
 
 /// What the window is called.
 pub(crate) fn window_title(workbench: &Workbench) -> String {
@@ -41,7 +44,15 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 ui.menu_button("Help", |ui| help(ui, workbench, commands));
             });
         });
-        name(ui, workbench);
+        // The session's name stands over the plots, which are its own, and leaves room for the
+        // buttons at the right.
+        let room = shortcuts::room(ui.ctx(), workbench);
+        let over_the_plots = room.left + f32::from(space::PLOT) - ui.cursor().left();
+        ui.add_space(over_the_plots.max(0.0));
+        let width = (ui.available_width() - BUTTONS).max(0.0);
+        let high = ui.available_height();
+        let left = Layout::left_to_right(Align::Center);
+        ui.allocate_ui_with_layout(egui::vec2(width, high), left, |ui| name(ui, workbench));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let redo = workbench.redoes();
             let says = redo.map_or_else(|| "Nothing to redo".into(), |w| format!("Redo {w}"));
@@ -53,14 +64,24 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             if widgets::history_button(ui, false, undo.is_some(), &says).clicked() {
                 commands.push(Command::Undo);
             }
+            ui.add_space(space::ROW);
+            let open = shortcuts::room(ui.ctx(), workbench).results();
+            if widgets::side_button(ui, open, results_says(open)).clicked() {
+                commands.push(Command::Results(!open));
+            }
         });
     });
+}
+
+fn results_says(open: bool) -> &'static str {
+    if open { "Hide results" } else { "Show results" }
 }
 
 fn name(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let subject = workbench.subject();
-    ui.label(RichText::new(&subject.session.name).font(strong(size::BODY)));
+    let title = RichText::new(&subject.session.name).font(strong(size::BODY));
+    ui.add(Label::new(title).truncate());
     let file_name = |path: &std::path::Path| {
         let name = path.file_name();
         name.map_or_else(String::new, |name| name.to_string_lossy().into_owned())
@@ -83,7 +104,8 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     } else {
         origin
     };
-    ui.label(RichText::new(says).size(size::SMALL).color(palette.muted));
+    let says = RichText::new(says).size(size::SMALL).color(palette.muted);
+    ui.add(Label::new(says).truncate());
 }
 
 /// An item goes by its text alone, without its keys.
@@ -104,8 +126,7 @@ fn item(
     let keys = shortcuts::keys(ui.ctx(), action);
     let button = Button::new(text).shortcut_text(keys);
     if named(ui.add_enabled(enabled, button), text).clicked() {
-        let dark = ui.visuals().dark_mode;
-        commands.push(shortcuts::command_for(action, workbench, dark));
+        commands.push(shortcuts::command_for(ui.ctx(), action, workbench));
         ui.close();
     }
 }
@@ -335,6 +356,16 @@ fn view(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         commands,
     );
     ui.separator();
+    let open = shortcuts::room(ui.ctx(), workbench).results();
+    item(
+        ui,
+        workbench,
+        results_says(open),
+        Action::Results,
+        true,
+        commands,
+    );
+    ui.separator();
     let preferences = &workbench.view().preferences;
     let length = match preferences.length {
         LengthUnit::Millimetre => "Lengths in µm",
@@ -364,8 +395,7 @@ fn choice(
     let keys = shortcuts::keys(ui.ctx(), action);
     let button = Button::selectable(on, text).shortcut_text(keys);
     if named(ui.add(button), text).clicked() {
-        let dark = ui.visuals().dark_mode;
-        commands.push(shortcuts::command_for(action, workbench, dark));
+        commands.push(shortcuts::command_for(ui.ctx(), action, workbench));
         ui.close();
     }
 }

@@ -9,6 +9,7 @@ mod findings;
 mod gap;
 mod identify;
 mod import;
+mod known;
 pub(super) mod menu;
 mod model;
 mod preferences;

@@ -86,11 +86,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         let reset = now != Preferences::default();
-        let button = columns[0].add_enabled_ui(reset, |ui| widgets::secondary(ui, "Reset all"));
+        let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, "Reset all"));
         if button.inner.clicked() {
             next = Preferences::default();
         }
-        if widgets::primary(&mut columns[1], "Done").clicked() {
+        let done = widgets::primary(&mut columns[1], "Done").clicked();
+        if done || super::sheets::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }
     });

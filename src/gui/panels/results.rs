@@ -1,11 +1,12 @@
 //! The right-hand side: what the identification says, and how sure it is.
 
-use egui::{Grid, RichText, ScrollArea, Ui};
+use egui::{Grid, RichText, Ui};
 
 use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::given;
 use crate::gui::outcome::Answer;
+use crate::gui::room::Room;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{trimmed, with_interval};
 use crate::gui::view::{Side, Step};
@@ -16,15 +17,18 @@ use crate::units::deg_from_rad;
 use super::{copies, model, samples};
 
 /// Shows the right-hand side.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let side = workbench.view().side;
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+    // Samples that stand beside the results are not shown in their place as well.
+    let alone = room.samples.is_none();
+    let side = if alone {
+        workbench.view().side
+    } else {
+        Side::Results
+    };
     if workbench.view().step == Step::Export {
         widgets::heading(ui, "Export");
         ui.add_space(space::TIGHT);
-        ScrollArea::vertical()
-            .id_salt("export")
-            .auto_shrink([false, false])
-            .show(ui, |ui| super::export::preview(ui, workbench));
+        widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
         return;
     }
     if workbench.view().step == Step::Gap && side == Side::Results {
@@ -32,6 +36,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
     ui.horizontal(|ui| {
         widgets::heading(ui, "Results");
+        if !alone {
+            return;
+        }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let sides = [(Side::Results, "Summary"), (Side::Samples, "Samples")];
             if let Some(side) = widgets::segmented(ui, &sides, side) {
@@ -43,18 +50,22 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     match side {
         Side::Samples => samples::show(ui, workbench, commands),
         Side::Results => {
-            ScrollArea::vertical()
-                .id_salt("results")
-                .auto_shrink([false, false])
-                .show(ui, |ui| summary(ui, workbench));
+            widgets::scroll(ui, "results", |ui| summary(ui, workbench));
         }
     }
+}
+
+/// Shows the samples, where they have a place of their own.
+pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::heading(ui, "Samples");
+    ui.add_space(space::TIGHT);
+    samples::show(ui, workbench, commands);
 }
 
 fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.outcome().map(|o| &o.answer) {
-        None => nothing_yet(ui, workbench),
+        None => super::known::show(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let color = Palette::of(ui).outside;
             let title = RichText::new("This could not be identified");
@@ -63,32 +74,6 @@ fn summary(ui: &mut Ui, workbench: &Workbench) {
         }),
         Some(Ok(answer)) => identified(ui, workbench, answer),
     }
-}
-
-fn nothing_yet(ui: &mut Ui, workbench: &Workbench) {
-    let palette = Palette::of(ui);
-    let units = workbench.units();
-    widgets::card(ui, |ui| {
-        ui.label(RichText::new("Gap of the nominal robot").color(palette.muted));
-        let gap = workbench.subject().gap_before;
-        let rms = gap.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
-        ui.label(
-            RichText::new(rms)
-                .font(strong(size::DISPLAY))
-                .color(palette.before),
-        );
-        if let Some(gap) = gap {
-            widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
-        }
-        if let Some((inside, all)) = within(workbench, false) {
-            widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
-        }
-    });
-    widgets::hint(
-        ui,
-        "Nothing is identified yet. Choose a method in step 3 and press Identify; what the robot \
-         really is will stand here, with the interval of every number",
-    );
 }
 
 fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
@@ -199,32 +184,58 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
                 Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
                 _ => title.to_owned(),
             };
-            ui.label(RichText::new(name).color(palette.muted).size(size::SMALL));
+            ui.add_space(space::TIGHT);
+            let name = RichText::new(name).color(palette.muted).size(size::SMALL);
+            let name = ui.add(egui::Label::new(name).wrap());
+            widgets::explained_effect(name, one.effect);
         }
         let (name, unit) = named(one.name);
         let (value, half) = with_interval(one.value, one.ci95);
-        let half = RichText::new(format!("{half} {unit}")).size(size::SMALL);
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 8.0;
-            // Columns of one width throughout: a long title must not push the numbers out.
-            let cell = |ui: &mut Ui, width: f32, layout: egui::Layout, text: RichText| {
-                let room = egui::vec2(width, ui.spacing().interact_size.y);
-                ui.allocate_ui_with_layout(room, layout, |ui| {
-                    ui.set_min_width(width);
-                    ui.label(text);
-                });
-            };
-            let middle = egui::Align::Center;
-            let to_the_left = egui::Layout::left_to_right(middle);
-            let to_the_right = egui::Layout::right_to_left(middle);
-            cell(ui, 80.0, to_the_left, RichText::new(name));
-            let value = RichText::new(value).font(strong(size::BODY));
-            cell(ui, 72.0, to_the_right, value);
-            ui.label(half.color(palette.muted));
-        });
+        estimate(ui, &name, &value, &format!("{half} {unit}"));
     }
     widgets::hint(ui, "± half the 95 % interval");
     copies::button(ui, "parameters", || copies::parameters(estimates));
+}
+
+/// A parameter: its name, its value and how sure that is, each in a column of one width throughout,
+/// so that a long name does not push the numbers out; the last below the others where all three
+/// have no room.
+fn estimate(ui: &mut Ui, name: &str, value: &str, half: &str) {
+    const NAME: f32 = 80.0;
+    const VALUE: f32 = 72.0;
+    const HALF: f32 = 110.0;
+    let middle = egui::Align::Center;
+    let to_the_left = egui::Layout::left_to_right(middle);
+    let to_the_right = egui::Layout::right_to_left(middle);
+    let muted = Palette::of(ui).muted;
+    let half = RichText::new(half).size(size::SMALL).color(muted);
+    let value = RichText::new(value).font(strong(size::BODY));
+    let cell = |ui: &mut Ui, width: f32, layout: egui::Layout, text: RichText| {
+        let room = egui::vec2(width, ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(room, layout, |ui| {
+            ui.set_min_width(width);
+            ui.label(text);
+        });
+    };
+    let all = ui.available_width();
+    let roomy = all >= NAME + VALUE + HALF + 2.0 * space::ROW;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::ROW;
+        if roomy {
+            cell(ui, NAME, to_the_left, RichText::new(name));
+            cell(ui, VALUE, to_the_right, value);
+            ui.label(half.clone());
+        } else {
+            let left = all - HALF - space::ROW;
+            cell(ui, left, to_the_left, RichText::new(name));
+            cell(ui, HALF, to_the_right, value);
+        }
+    });
+    if !roomy {
+        ui.with_layout(egui::Layout::top_down(egui::Align::Max), |ui| {
+            ui.label(half)
+        });
+    }
 }
 
 /// A parameter's name and its unit, as people write them.

@@ -9,6 +9,9 @@ use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
 
 const ROW: f32 = 22.0;
+/// Width of the sample's number, and of its mark.
+const NUMBER: f32 = 44.0;
+const MARK: f32 = 20.0;
 
 /// Shows the table.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -25,15 +28,19 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .flatten();
     let scroll = last != view.selected;
     ui.data_mut(|data| data.insert_temp(id, view.selected));
+    let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
+    let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
+    let wide = wide.clamp(52.0, 96.0).floor();
+    // A column has one number of decimals, so that its numbers can be compared at a glance.
+    let like_before = subject.gap_before.map_or(1.0, |gap| gap.rms_mm);
+    let like_after = answer.map_or(1.0, |a| a.identification.gap.after.rms_mm);
     let mut table = TableBuilder::new(ui)
         .striped(false)
         .sense(Sense::click() | Sense::hover())
         .cell_layout(Layout::right_to_left(Align::Center))
-        .column(Column::exact(46.0))
-        .column(Column::exact(70.0))
-        .column(Column::exact(70.0))
-        .column(Column::exact(70.0))
-        .column(Column::remainder().at_least(24.0))
+        .column(Column::exact(NUMBER))
+        .columns(Column::exact(wide), 3)
+        .column(Column::exact(MARK))
         .auto_shrink([false, false]);
     if let Some(row) = view.selected.filter(|_| scroll) {
         table = table.scroll_to_row(row, Some(Align::Center));
@@ -74,7 +81,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 } else {
                     trimmed(units.length_value(q), 3)
                 };
-                let mm = |mm: f64| units.length_number(mm);
                 row.col(|ui| {
                     let number = RichText::new((sample + 1).to_string());
                     ui.label(number.color(palette.muted));
@@ -83,10 +89,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     ui.label(q);
                 });
                 row.col(|ui| {
-                    ui.label(mm(before));
+                    ui.label(units.length_like(before, like_before));
                 });
                 row.col(|ui| {
-                    ui.label(after.map_or_else(String::new, mm));
+                    let after = after.map(|mm| units.length_like(mm, like_after));
+                    ui.label(after.unwrap_or_default());
                 });
                 let shown = after.unwrap_or(before);
                 row.col(|ui| {

@@ -30,9 +30,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if widgets::secondary(ui, "New by simulation…").clicked() {
         commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
     }
-    widgets::hint(ui, "A file can also be dropped on the window");
-    setup::show(ui, workbench, commands);
     recent(ui, workbench, commands);
+    setup::show(ui, workbench, commands);
 }
 
 /// Files that were opened before, newest first.
@@ -57,7 +56,7 @@ fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             continue;
         }
         let says = format!("{name} is not there any more");
-        let says = RichText::new(says).size(size::SMALL + 0.5);
+        let says = RichText::new(says).size(size::NOTE);
         let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
         says.on_hover_text(whole);
         if ui.link(format!("Forget {name}")).clicked() {
@@ -198,7 +197,7 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         let width = ui.available_width() - 64.0;
         let field = TextEdit::singleline(&mut typed)
-            .hint_text("or type a path")
+            .hint_text("type a path, or drop a file")
             .desired_width(width)
             .min_size(egui::vec2(width, space::CONTROL))
             .align(egui::Align2::LEFT_CENTER);

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use egui::{Grid, Id, Key, Margin, Modal, RichText, TextEdit, Ui};
+use egui::{Grid, Id, Key, Margin, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::tasks::What;
@@ -16,16 +16,26 @@ use super::{import, preferences, recovery, shortcuts, simulation, unsaved, words
 /// window's edge beside it.
 const SHEET: i8 = space::PANEL + space::PANEL / 2;
 
+/// Between a sheet and the window's edges, together, points.
+const MARGIN: f32 = 32.0;
+
 /// Shows the open sheet, if there is one.
 pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(sheet) = &workbench.view().sheet else {
         return;
     };
     let frame = egui::Frame::popup(ui.style()).inner_margin(Margin::same(SHEET));
-    let modal = Modal::new(Id::unique("sheet")).frame(frame);
+    let modal = Modal::new(Id::unique("sheet"))
+        .frame(frame)
+        .backdrop_color(Palette::of(ui).veil);
     let shown = modal.show(ui.ctx(), |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        match sheet {
+        // On a small screen, or with large text, a sheet is higher than the window.
+        let high = ui.ctx().content_rect().height() - 2.0 * f32::from(SHEET) - MARGIN;
+        let scroll = ScrollArea::vertical()
+            .max_height(high)
+            .min_scrolled_height(high);
+        scroll.show(ui, |ui| match sheet {
             Sheet::SavePath { path, replace } => {
                 let says = "The samples are written beside it, as a CSV file of the same name";
                 match path_form(ui, "Save session", says, path, *replace, commands) {
@@ -49,10 +59,10 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
             Sheet::Recover => recovery::show(ui, workbench, commands),
             Sheet::Import(foreign) => import::show(ui, workbench, foreign, commands),
             Sheet::Preferences => preferences::show(ui, workbench, commands),
-            Sheet::Words => words::show(ui),
-            Sheet::Shortcuts => keys(ui),
-            Sheet::About => about(ui),
-        }
+            Sheet::Words => words::show(ui, commands),
+            Sheet::Shortcuts => keys(ui, commands),
+            Sheet::About => about(ui, commands),
+        });
     });
     if shown.should_close() {
         commands.push(Command::Sheet(None));
@@ -63,12 +73,27 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
 pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec<Command>) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
-        if widgets::secondary(&mut columns[0], "Cancel").clicked() {
+        if widgets::other(&mut columns[0], "Cancel").clicked() {
             commands.push(Command::Sheet(None));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
-        button.inner.clicked()
+        button.inner.clicked() || (enabled && entered(&columns[1]))
     })
+}
+
+/// The button at the end of a sheet that only says something.
+pub(super) fn done(ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.add_space(space::ROW);
+    if widgets::primary(ui, "Done").clicked() || entered(ui) {
+        commands.push(Command::Sheet(None));
+    }
+}
+
+/// Whether Enter was pressed, and for no control in particular: it means the button that stands
+/// out.
+pub(super) fn entered(ui: &Ui) -> bool {
+    let nowhere = ui.memory(|memory| memory.focused().is_none());
+    nowhere && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
 /// What was done with a path that is being typed.
@@ -149,7 +174,7 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
     }
 }
 
-fn keys(ui: &mut Ui) {
+fn keys(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.set_width(600.0);
     widgets::heading(ui, "Keyboard shortcuts");
     let others: [(&str, &str); 6] = [
@@ -170,6 +195,7 @@ fn keys(ui: &mut Ui) {
             key_rows(column, part);
         }
     });
+    done(ui, commands);
 }
 
 fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
@@ -187,7 +213,7 @@ fn key_rows(ui: &mut Ui, rows: &[(String, &str)]) {
         });
 }
 
-fn about(ui: &mut Ui) {
+fn about(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.set_width(400.0);
     widgets::heading(ui, "truepose");
     widgets::hint(ui, concat!("version ", env!("CARGO_PKG_VERSION")));
@@ -203,4 +229,5 @@ fn about(ui: &mut Ui) {
         ui,
         "Type: Inter, by the Inter project authors, SIL Open Font License 1.1",
     );
+    done(ui, commands);
 }

@@ -5,6 +5,7 @@ use egui::{Context, Key, KeyboardShortcut, Modifiers};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::preferences::{Preferences, Theme};
+use crate::gui::room::Room;
 use crate::gui::simulate::Form;
 use crate::gui::tasks::What;
 use crate::gui::view::{AngleUnit, LengthUnit, Plane, Sheet, Step};
@@ -54,6 +55,8 @@ pub(crate) enum Action {
     NextAngle,
     /// Light instead of dark, or the other way round.
     OtherTheme,
+    /// Open the results, or shut them.
+    Results,
     /// Show everything again.
     Fit,
     /// The first step, and so on.
@@ -79,7 +82,7 @@ const COMMAND: Modifiers = Modifiers::COMMAND;
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
 /// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 37] = [
+pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 38] = [
     (Action::Redo, with(SHIFTED, Key::Z), "redo"),
     (Action::Undo, with(COMMAND, Key::Z), "undo"),
     (
@@ -131,6 +134,11 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 37] = [
         "next unit of lengths",
     ),
     (Action::OtherTheme, with(COMMAND, Key::D), "light or dark"),
+    (
+        Action::Results,
+        with(COMMAND, Key::B),
+        "results, or more room for plots",
+    ),
     (
         Action::Look(Plane::Xy),
         with(SHIFTED, Key::Num1),
@@ -203,8 +211,15 @@ pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
     text.replace("Comma", ",").replace("Period", ".")
 }
 
+/// How the window is divided now.
+pub(crate) fn room(ctx: &Context, workbench: &Workbench) -> Room {
+    let size = ctx.content_rect().size();
+    Room::of(size.x, size.y, workbench.view().results)
+}
+
 /// What an action does, as the workbench stands.
-pub(crate) fn command_for(action: Action, workbench: &Workbench, dark: bool) -> Command {
+pub(crate) fn command_for(ctx: &Context, action: Action, workbench: &Workbench) -> Command {
+    let dark = ctx.global_style().visuals.dark_mode;
     let preferences = workbench.view().preferences;
     let sheet = |sheet| Command::Sheet(Some(sheet));
     match action {
@@ -248,6 +263,7 @@ pub(crate) fn command_for(action: Action, workbench: &Workbench, dark: bool) -> 
             theme: if dark { Theme::Light } else { Theme::Dark },
             ..preferences
         }),
+        Action::Results => Command::Results(!room(ctx, workbench).results()),
         Action::Fit => Command::Fit,
         Action::Step(step) => Command::GoTo(step),
         Action::Look(plane) => Command::Look(plane),
@@ -263,11 +279,10 @@ pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
     if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
         return Vec::new();
     }
-    let dark = ctx.global_style().visuals.dark_mode;
     let pressed = |shortcut: &KeyboardShortcut| ctx.input_mut(|i| i.consume_shortcut(shortcut));
     ALL.iter()
         .filter(|(_, shortcut, _)| pressed(shortcut))
-        .map(|(action, _, _)| command_for(*action, workbench, dark))
+        .map(|(action, _, _)| command_for(ctx, *action, workbench))
         .collect()
 }
 

@@ -17,8 +17,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
     Panel::bottom("deviation")
         .resizable(true)
-        .default_size(0.34 * height)
-        .size_range(140.0..=(0.7 * height).max(150.0))
+        .default_size((0.34 * height).max(172.0))
+        .size_range(172.0..=(0.7 * height).max(180.0))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
             charts::show(ui, workbench, commands);
@@ -57,7 +57,7 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
                         let title = title.font(strong(size::BODY)).color(color);
                         ui.add(egui::Label::new(title).wrap());
                         for line in &message.details {
-                            ui.add(egui::Label::new(RichText::new(line).size(12.0)).wrap());
+                            ui.add(egui::Label::new(RichText::new(line).size(size::NOTE)).wrap());
                         }
                     });
                 });

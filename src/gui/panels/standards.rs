@@ -4,7 +4,8 @@ use egui::{Grid, RichText, Ui};
 
 use crate::gui::commands::Workbench;
 use crate::gui::figures::{Group, Made, as_text};
-use crate::gui::tokens::{Palette, size, strong};
+use crate::gui::help;
+use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
 
 use super::copies;
@@ -54,14 +55,19 @@ fn table(ui: &mut Ui, group: &Group) {
         .show(ui, |ui| {
             let measured = format!("measured, {}", group.unit);
             for head in ["", &measured, "corrected"] {
-                ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
+                let head = RichText::new(head).size(size::SMALL).color(palette.muted);
+                widgets::cell_right(ui, head);
             }
             ui.end_row();
             for row in &group.rows {
                 let [before, after] = row.shown();
-                ui.label(row.symbol).on_hover_text(row.name);
-                ui.label(before);
-                ui.label(RichText::new(after).font(strong(size::BODY)));
+                ui.label(row.symbol).on_hover_ui(|ui| {
+                    ui.set_max_width(space::TIP);
+                    ui.label(RichText::new(row.name).font(strong(size::BODY)));
+                    ui.label(help::figure(row.symbol).unwrap_or_default());
+                });
+                widgets::cell_right(ui, RichText::new(before));
+                widgets::cell_right(ui, RichText::new(after).font(strong(size::BODY)));
                 ui.end_row();
             }
         });

@@ -2,6 +2,7 @@
 
 use egui::{Align, Layout, RichText, Spinner, Ui};
 
+use crate::diagnosis::FloorFrom;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::tokens::{Palette, size};
@@ -23,19 +24,46 @@ pub(crate) fn line(workbench: &Workbench) -> String {
     let gap = match (workbench.answer(), &subject.gap_before) {
         (Some(answer), _) => {
             let gap = &answer.identification.gap;
-            let (before, after) = (mm(gap.before.rms_mm), mm(gap.after.rms_mm));
-            format!("gap {before} → {after} {unit}")
+            let mut gaps = vec![gap.before.rms_mm];
+            // What the identification left, where effects were added to it since.
+            let added = workbench.document().in_the_model().next().is_some();
+            gaps.extend(
+                workbench
+                    .diagnosis()
+                    .filter(|_| added)
+                    .map(|d| d.gap.identified_mm),
+            );
+            gaps.push(gap.after.rms_mm);
+            let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
+            format!("gap {} {unit}", gaps.join(" → "))
         }
         (None, Some(gap)) => format!("gap {} {unit}", mm(gap.rms_mm)),
         (None, None) => "no sample can be used".to_owned(),
     };
-    format!("{count} {samples} · {gap}")
+    let floor = match (workbench.diagnosis(), subject.known.floor_mm) {
+        (Some(d), _) => Some((d.floor.mm, floor_from(d.floor.from))),
+        (None, Some(mm)) => Some((mm, "instrument")),
+        (None, None) => None,
+    };
+    let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
+        format!(" · floor {} {unit} ({from})", mm(floor_mm))
+    });
+    format!("{count} {samples} · {gap}{floor}")
+}
+
+/// Where a noise floor comes from, in a word.
+fn floor_from(from: FloorFrom) -> &'static str {
+    match from {
+        FloorFrom::Repeats => "repeats",
+        FloorFrom::Instrument => "instrument",
+        FloorFrom::Estimated => "estimated",
+    }
 }
 
 /// What there is to say while nothing runs.
 fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
-    let small = |text: String| RichText::new(text).size(size::SMALL + 0.5);
+    let small = |text: String| RichText::new(text).size(size::NOTE);
     if workbench.is_declined() {
         if ui.small_button("Identify again").clicked() {
             commands.push(Command::Edit(Edit::Identify));
@@ -50,11 +78,21 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
 }
 
+/// Room for what runs in the background, points.
+const BUSY: f32 = 420.0;
+
 /// Shows the bar.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     ui.horizontal_centered(|ui| {
-        ui.label(RichText::new(line(workbench)).size(size::SMALL + 0.5));
+        let status = line(workbench);
+        // What runs has its place at the right whatever is said at the left.
+        let busy = workbench.tasks().newest().is_some();
+        let room = ui.available_width() - if busy { BUSY } else { 0.0 };
+        let line = egui::Label::new(RichText::new(&status).size(size::NOTE)).truncate();
+        let high = ui.available_height();
+        let left = Layout::left_to_right(Align::Center);
+        ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Some(task) = workbench.tasks().newest() else {
                 return idle(ui, workbench, commands);
@@ -63,7 +101,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 commands.push(Command::Cancel);
             }
             let what = RichText::new(&task.what);
-            ui.label(what.size(size::SMALL + 0.5).color(palette.muted));
+            ui.label(what.size(size::NOTE).color(palette.muted));
             match task.progress() {
                 Some(part) => {
                     let bar = egui::ProgressBar::new(part).desired_width(120.0);

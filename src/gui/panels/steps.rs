@@ -1,22 +1,43 @@
 //! The left-hand side: the steps, the controls of the chosen one, and what to do next.
 
-use egui::{Panel, ScrollArea, Ui};
+use egui::{Panel, Ui, UiBuilder};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::Method;
+use crate::gui::room::Room;
 use crate::gui::tokens::space;
 use crate::gui::view::Step;
-use crate::gui::widgets::{self, Progress};
+use crate::gui::widgets::{self, Progress, StepRow};
 
 use super::{export, gap, identify, regions, session};
 
+/// The button at the foot stands no lower than this below the top of its panel, points.
+const HIGHEST: f32 = 960.0;
+
 /// Shows the left-hand side.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+    // On a high screen the button at the foot would be far from what it belongs to.
+    let mut rect = ui.available_rect_before_wrap();
+    rect.set_height(rect.height().min(HIGHEST));
+    ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
+        all(ui, workbench, room, commands);
+    });
+}
+
+fn all(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 2.0;
     for (index, step) in Step::ALL.into_iter().enumerate() {
         let (caption, progress) = state(workbench, step);
         let selected = workbench.view().step == step;
-        let row = widgets::step_row(ui, index + 1, step.name(), &caption, progress, selected);
+        let row = StepRow {
+            number: index + 1,
+            name: step.name(),
+            caption: &caption,
+            progress,
+            selected,
+            low: room.low,
+        };
+        let row = row.show(ui);
         if row.clicked() {
             commands.push(Command::GoTo(step));
         }
@@ -39,16 +60,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 Step::Export => export::next(ui, workbench, commands),
             }
         });
-    ScrollArea::vertical()
-        .id_salt(("controls", workbench.view().step.name()))
-        .auto_shrink([false, false])
-        .show(ui, |ui| match workbench.view().step {
-            Step::Session => session::show(ui, workbench, commands),
-            Step::Regions => regions::show(ui, workbench, commands),
-            Step::Identify => identify::show(ui, workbench, commands),
-            Step::Gap => gap::show(ui, workbench, commands),
-            Step::Export => export::show(ui, workbench, commands),
-        });
+    let step = workbench.view().step;
+    widgets::scroll(ui, ("controls", step.name()), |ui| match step {
+        Step::Session => session::show(ui, workbench, commands),
+        Step::Regions => regions::show(ui, workbench, commands),
+        Step::Identify => identify::show(ui, workbench, commands),
+        Step::Gap => gap::show(ui, workbench, commands),
+        Step::Export => export::show(ui, workbench, commands),
+    });
 }
 
 /// What a step has to show for itself.

@@ -2,12 +2,18 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
+use crate::gui::commands::Command;
 use crate::gui::help;
 use crate::gui::tokens::{size, space, strong};
 use crate::gui::widgets;
 
+use super::sheets;
+
+/// Height of what stands around the list, points.
+const REST: f32 = 240.0;
+
 /// Shows the sheet.
-pub(super) fn show(ui: &mut Ui) {
+pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
     widgets::heading(ui, "What the words mean");
     widgets::hint(
@@ -15,7 +21,8 @@ pub(super) fn show(ui: &mut Ui) {
         "The same stands beside the numbers, where the pointer rests on a name",
     );
     ui.add_space(space::TIGHT);
-    ScrollArea::vertical().max_height(460.0).show(ui, |ui| {
+    let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
+    ScrollArea::vertical().max_height(high).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         for word in help::ALL {
             ui.label(RichText::new(word.name).font(strong(size::BODY)));
@@ -23,4 +30,5 @@ pub(super) fn show(ui: &mut Ui) {
             ui.add_space(space::ROW);
         }
     });
+    sheets::done(ui, commands);
 }

@@ -67,12 +67,14 @@ impl Over {
         if side.is_nan() { 0.0 } else { side }
     }
 
-    /// What the session would need to be shown over it; `None` where it has it.
-    pub(crate) fn missing(self, subject: &Subject) -> Option<Missing> {
+    /// Whether no sample has a value. Looks at all of them, at worst.
+    pub(crate) fn is_missing(self, subject: &Subject) -> bool {
         let column = self.column(subject);
-        if column.is_some_and(|column| column.iter().any(|v| v.is_finite())) {
-            return None;
-        }
+        !column.is_some_and(|column| column.iter().any(|v| v.is_finite()))
+    }
+
+    /// What the session would need to be shown over it.
+    pub(crate) fn needs(self) -> Missing {
         let (title, why) = match self.variable {
             Variable::Joint => (
                 "No sample has a joint value",
@@ -98,7 +100,7 @@ impl Over {
                 "Columns speed1_deg_s and dir1 would show how the deviation follows the motion",
             ),
         };
-        Some(Missing { title, why })
+        Missing { title, why }
     }
 
     fn turns(self, subject: &Subject) -> bool {
@@ -241,11 +243,12 @@ mod tests {
             (Variable::Load, "load_kg"),
             (Variable::Temperature, "temperature_c"),
         ] {
-            let missing = over(variable).missing(&subject).expect("it is missing");
+            assert!(over(variable).is_missing(&subject));
+            let missing = over(variable).needs();
             assert!(missing.why.contains(column), "{missing:?}");
             assert!(over(variable).of(&subject, 0).is_nan());
         }
-        assert_eq!(over(Variable::Joint).missing(&subject), None);
+        assert!(!over(Variable::Joint).is_missing(&subject));
     }
 
     #[test]

@@ -109,6 +109,13 @@ impl<'a> Shown<'a> {
     /// What has to be said.
     fn note(&self, many: bool) -> String {
         let mut notes = Vec::new();
+        let joints = &self.workbench.subject().session.robot.joints;
+        let component = self.workbench.view().component;
+        let polar = [Component::Tangential, Component::Radial, Component::Axial];
+        if joints.len() > 1 && polar.contains(&component) {
+            // The axis below may be another joint's.
+            notes.push(format!("{} to {}", component.name(), joints[0].name));
+        }
         let [low, high] = layout::along(&self.series, self.envelope);
         if low == high && self.over.variable != Variable::Joint {
             let what = self.over.label(self.workbench.subject());
@@ -155,9 +162,18 @@ impl<'a> Shown<'a> {
     }
 }
 
+/// Whether no sample has a place along the chart. Of many the background knows.
+fn is_missing(workbench: &Workbench, over: Over) -> bool {
+    match workbench.envelope() {
+        Some(envelope) => envelope.placed() == 0,
+        None => over.is_missing(workbench.subject()),
+    }
+}
+
 /// Shows the chart in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mut Vec<Command>) {
-    if let Some(missing) = over.missing(workbench.subject()) {
+    if is_missing(workbench, over) {
+        let missing = over.needs();
         return strip::empty(ui, missing.title, missing.why);
     }
     let palette = Palette::of(ui);
@@ -339,7 +355,7 @@ const PAPER: f64 = 430.0;
 
 /// The chart to be saved; `None` where there is nothing to show.
 pub(crate) fn sketch(workbench: &Workbench, over: Over) -> Option<Sketch> {
-    if over.missing(workbench.subject()).is_some() {
+    if is_missing(workbench, over) {
         return None;
     }
     let shown = Shown::of(workbench, over);

@@ -172,7 +172,7 @@ fn names(
 fn note(spectrum: &Spectrum) -> String {
     let has_line = spectrum.orders.iter().any(|o| o.before.line_mm.is_some());
     let line = if has_line {
-        format!("bars below the line are noise: {LINE}")
+        LINE.to_owned()
     } else {
         "too few samples to say what is noise".to_owned()
     };

@@ -111,6 +111,7 @@ impl Sketch {
             .show_crosshair(false)
             .set_margin_fraction(egui::Vec2::ZERO)
             .grid_color(palette.line)
+            .show_grid([self.ticks.is_empty(), true])
             .x_grid_spacer(move |input| {
                 if places.is_empty() {
                     return steps(input.bounds, degrees, 9.0);

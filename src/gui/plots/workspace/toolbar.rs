@@ -20,7 +20,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let blends = measured && !view.polar() && workbench.answer().is_some();
     let roomy = ui.available_width() > ROOMY;
     ui.horizontal(|ui| {
-        if ui.available_width() > TITLED {
+        let least = if blends { WITH_BLEND } else { TITLED };
+        if ui.available_width() > least {
             title(ui, "Workspace");
         }
         let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
@@ -78,7 +79,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 
 /// With less room the plot has no title, and before and after stand in a row of their own, points.
 const TITLED: f32 = 400.0;
-const ROOMY: f32 = 540.0;
+const WITH_BLEND: f32 = 540.0;
+const ROOMY: f32 = 420.0;
 
 /// Four corners: shows everything again. Says how to look at a part.
 fn fit(ui: &mut Ui, commands: &mut Vec<Command>) {

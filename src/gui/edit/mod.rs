@@ -1,15 +1,21 @@
 //! Every change of the document: from a document and an [`Edit`] to the next document.
 
+mod regions;
+
 use std::sync::Arc;
 
 use crate::diagnosis::Mend;
 use crate::effects::{CATALOGUE, Term};
-use crate::identification::regions::RegionChoice;
+use crate::kinematics::JointKind;
+use crate::sessions::format_v1::degrees::degrees;
+use crate::sessions::{Region, Session};
+use crate::units::rad_from_deg;
 
-use super::boundaries;
+use super::division::{Decision, Division};
 use super::document::{Added, Document, ExportChoice, Method};
 use super::given::Given;
 use super::keeping::recovery::Kept;
+use super::placing::Joint;
 use super::setup::SetupForm;
 use super::subject::Subject;
 
@@ -29,10 +35,18 @@ pub(crate) enum Edit {
     Divide(usize),
     /// Move a boundary (counted in ascending order) to this angle, rad.
     MoveBoundary(usize, f64),
+    /// Put a boundary exactly there, rad: it was typed.
+    PlaceBoundary(Joint, f64),
+    /// What the adaptive division decided.
+    Adapt(Arc<[Region]>, Decision),
+    /// Go on with the regions as they are, by hand.
+    KeepRegions,
     /// Cut a region in half.
     Split(usize),
-    /// Give a region to its neighbour.
-    Merge(usize),
+    /// Make one region of this and the one after it.
+    Join(usize),
+    /// Take a region away: where it was nothing is corrected.
+    Delete(usize),
     /// Another name for a region.
     Rename(usize, String),
     /// The regions that the session brings along.
@@ -68,9 +82,12 @@ impl Edit {
             Self::Open(_) => "open session",
             Self::OpenModel { .. } => "open model",
             Self::Divide(_) => "divide into regions",
-            Self::MoveBoundary(..) => "move boundary",
+            Self::MoveBoundary(..) | Self::PlaceBoundary(..) => "move boundary",
+            Self::Adapt(..) => "divide adaptively",
+            Self::KeepRegions => "keep the regions",
             Self::Split(_) => "split region",
-            Self::Merge(_) => "merge region",
+            Self::Join(_) => "merge regions",
+            Self::Delete(_) => "delete region",
             Self::Rename(..) => "rename region",
             Self::RegionsOfSession => "take regions from session",
             Self::Method(_) => "choose method",
@@ -95,6 +112,7 @@ impl Edit {
             Self::Open(_)
                 | Self::OpenModel { .. }
                 | Self::Rename(..)
+                | Self::KeepRegions
                 | Self::Tolerance(_)
                 | Self::Export(_)
                 | Self::Setup(_)
@@ -114,52 +132,12 @@ impl Edit {
             }
             next.given = None;
         }
+        if let Some(next) = regions::apply(self, document) {
+            return next;
+        }
         match self {
             Self::Open(subject) => return Ok(opened(document, subject)),
             Self::OpenModel { given, beside } => return Ok(with_model(next, given, *beside)),
-            Self::Divide(number) => {
-                let regions = RegionChoice::Uniform(*number)
-                    .resolve(&document.subject.session)
-                    .map_err(|e| e.to_string())?;
-                by_regions(&mut next, regions)?;
-            }
-            Self::RegionsOfSession => {
-                let regions = RegionChoice::FromSession
-                    .resolve(&document.subject.session)
-                    .map_err(|e| e.to_string())?;
-                by_regions(&mut next, regions)?;
-            }
-            Self::MoveBoundary(boundary, to_rad) => {
-                let within = document.subject.travel();
-                let regions = boundaries::moved(&document.regions, *boundary, *to_rad, within)
-                    .ok_or("the boundary cannot be moved there")?;
-                by_regions(&mut next, regions)?;
-            }
-            Self::Split(region) => {
-                let regions = boundaries::split(&document.regions, *region)
-                    .ok_or("the region is too narrow to be split")?;
-                by_regions(&mut next, regions)?;
-            }
-            Self::Merge(region) => {
-                let regions = boundaries::merged(&document.regions, *region)
-                    .ok_or("there is no region to merge it with")?;
-                by_regions(&mut next, regions)?;
-            }
-            Self::Rename(region, name) => {
-                let name = name.trim();
-                if name.is_empty() {
-                    return Err("a region needs a name".to_owned());
-                }
-                let taken =
-                    |(k, r): (usize, &crate::sessions::Region)| k != *region && r.name == name;
-                if document.regions.iter().enumerate().any(taken) {
-                    return Err(format!("another region is called {name}"));
-                }
-                let mut regions = document.regions.to_vec();
-                let renamed = regions.get_mut(*region).ok_or("there is no such region")?;
-                name.clone_into(&mut renamed.name);
-                next.regions = regions.into();
-            }
             Self::Method(Method::Regional) | Self::IdentifyBy(Method::Regional)
                 if !document.subject.single_revolute() =>
             {
@@ -192,6 +170,16 @@ impl Edit {
             Self::Setup(form) => set_up(&mut next, form)?,
             Self::Mend(mends) => mend(&mut next, mends)?,
             Self::Recover(subject, kept) => return Ok(recovered(document, subject, kept)),
+            Self::Divide(_)
+            | Self::MoveBoundary(..)
+            | Self::PlaceBoundary(..)
+            | Self::Adapt(..)
+            | Self::KeepRegions
+            | Self::Split(_)
+            | Self::Join(_)
+            | Self::Delete(_)
+            | Self::Rename(..)
+            | Self::RegionsOfSession => {}
             Self::Identify => next.identified = true,
             Self::IdentifyBy(method) => {
                 next.method = *method;
@@ -231,6 +219,7 @@ fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
     for mend in mends {
         mend.apply(&mut session);
     }
+    as_saved(&mut session);
     let left = session.samples.len();
     if session.samples.incomplete().len() == left {
         return Err("no sample would be left".to_owned());
@@ -248,8 +237,26 @@ fn mend(document: &mut Document, mends: &[Mend]) -> Result<(), String> {
     Ok(())
 }
 
+/// Angles that were computed become those that a file will have: what is saved is read again to
+/// the last bit.
+fn as_saved(session: &mut Session) {
+    let turns = |k: usize| session.robot.joints[k].kind == JointKind::Revolute;
+    let turning: Vec<usize> = (0..session.robot.joints.len())
+        .filter(|k| turns(*k))
+        .collect();
+    let samples = &mut session.samples;
+    for k in turning {
+        for q in samples.q[k]
+            .iter_mut()
+            .chain(samples.q_read[k].iter_mut().flatten())
+        {
+            *q = rad_from_deg(degrees(*q));
+        }
+    }
+}
+
 /// The same document with another description of the robot, or other samples.
-fn with_session(document: &mut Document, session: crate::sessions::Session) {
+fn with_session(document: &mut Document, session: Session) {
     let subject = Subject::with(&document.subject, session);
     if document
         .given
@@ -260,6 +267,7 @@ fn with_session(document: &mut Document, session: crate::sessions::Session) {
     }
     if !subject.single_revolute() {
         document.regions = Arc::from([]);
+        document.division = Division::Given;
         document.method = Method::Exact;
     }
     document.subject = Arc::new(subject);
@@ -310,20 +318,6 @@ fn with_terms(before: &[Added], terms: &[Term]) -> Vec<Added> {
         }
     }
     added
-}
-
-/// Regions that are worked on are regions that are wanted: the answer follows them at once.
-fn by_regions(
-    document: &mut Document,
-    regions: Vec<crate::sessions::Region>,
-) -> Result<(), String> {
-    if !document.subject.single_revolute() {
-        return Err("regions are for a single joint that turns".to_owned());
-    }
-    document.regions = regions.into();
-    document.method = Method::Regional;
-    document.identified = true;
-    Ok(())
 }
 
 fn with_effect(effects: &[&'static str], id: &str, on: bool) -> Vec<&'static str> {

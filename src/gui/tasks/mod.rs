@@ -5,151 +5,27 @@
 //! while a boundary is dragged questions come faster than answers, so that only one runs at a
 //! time, and when it is done the latest question is next. The preview of an export works in the same way.
 
+mod latest;
+mod report;
+mod running;
+
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::sync::{Arc, Mutex};
+
+pub(crate) use report::{Extended, Report, What};
+pub(crate) use running::{Running, Watch};
+
+use latest::Latest;
+use running::Kind;
 
 use super::backdrop::{Backdrop, Scenery};
 use super::document::Question;
-use super::figures::Figures;
-use super::files::Saved;
-use super::foreign::Foreign;
-use super::given::Given;
-use super::keeping::recovery::LeftBehind;
-use super::keeping::watcher::{Order, Seen, Watched};
+use super::keeping::watcher::{Order, Watched};
 use super::outcome::Outcome;
-use super::pictures::Plot;
 use super::preview::{Preview, Wanted};
-use super::reporting::About;
 use super::search::Search;
 use super::subject::Subject;
-use super::view::Message;
-
-/// What a task brings back.
-#[derive(Debug)]
-pub(crate) enum Report {
-    /// A session was read or made.
-    Opened(Result<Arc<Subject>, Message>),
-    /// A file that an instrument wrote was looked at.
-    Foreign(Box<Foreign>),
-    /// A model was read.
-    OpenedModel(Result<Arc<Given>, Message>),
-    /// A path was chosen to open; `None`: cancelled, or there is no dialog on this system.
-    ChosenToOpen(Option<PathBuf>),
-    /// A path was chosen to save to.
-    ChosenToSave(Option<PathBuf>),
-    /// A session was written, or not.
-    Saved(Box<Saved>),
-    /// Preferences, recent files or what is not saved were kept, or not.
-    Kept(Result<(), String>),
-    /// What windows that are gone have left behind.
-    LeftBehind(Vec<LeftBehind>),
-    /// Something was seen on the disk.
-    Seen(Seen),
-    /// A session has grown.
-    Extended(Box<Extended>),
-    /// A question was answered.
-    Answered(Box<Outcome>),
-    /// A session was searched.
-    Searched(Box<Search>),
-    /// What plots of many samples stand on was worked out.
-    Drawn(Box<Backdrop>),
-    /// An export was prepared.
-    Prepared(Box<Preview>),
-    /// An export was written.
-    Exported(Result<PathBuf, Message>),
-    /// A measuring list was written.
-    Listed(Result<PathBuf, Message>),
-    /// A report or a picture was written, or not.
-    Written(Message),
-    /// The standards' figures were worked out.
-    Figured(Box<Figures>),
-    /// A path was chosen to export to.
-    ChosenToExport(What, Option<PathBuf>),
-    /// The task itself failed: a bug.
-    Broken,
-}
-
-/// A session that has grown, with the answer to what was asked of it.
-#[derive(Debug)]
-pub(crate) struct Extended {
-    /// Before.
-    pub(crate) from: Arc<Subject>,
-    /// After.
-    pub(crate) to: Arc<Subject>,
-    /// The answer, where something was asked.
-    pub(crate) outcome: Option<Outcome>,
-}
-
-/// What is exported.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum What {
-    /// The table for the controller.
-    Table,
-    /// The model itself.
-    Model,
-    /// Poses to measure next.
-    Poses,
-    /// The calibration report.
-    Report(About),
-    /// A plot.
-    Picture(Plot),
-}
-
-/// Between a task and the window: how far it is, and whether anybody still wants it.
-#[derive(Debug, Default)]
-pub(crate) struct Watch {
-    permille: AtomicU32,
-    stage: AtomicUsize,
-    found: Mutex<Vec<&'static str>>,
-    stopped: AtomicBool,
-}
-
-impl Watch {
-    /// Which part is done, 0 to 1.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped to 0 … 1000"
-    )]
-    pub(crate) fn done(&self, part: f64) {
-        let permille = (1000.0 * part.clamp(0.0, 1.0)) as u32;
-        self.permille.store(permille, Ordering::Relaxed);
-    }
-
-    /// Which stage has begun.
-    pub(crate) fn reached(&self, stage: usize) {
-        self.stage.store(stage, Ordering::Relaxed);
-    }
-
-    /// What a search has found so far, if it is more than before: it starts again from nothing
-    /// now and then, to see whether it ends elsewhere.
-    pub(crate) fn found(&self, names: &[&'static str]) {
-        if let Ok(mut found) = self.found.lock()
-            && names.len() >= found.len()
-        {
-            *found = names.to_vec();
-        }
-    }
-
-    /// Whether something is done already.
-    #[cfg(test)]
-    pub(crate) fn begun(&self) -> bool {
-        self.permille.load(Ordering::Relaxed) > 0
-    }
-
-    /// Nobody wants the task any more.
-    pub(crate) fn stop(&self) {
-        self.stopped.store(true, Ordering::Relaxed);
-    }
-
-    /// Whether the task was cancelled.
-    pub(crate) fn stopped(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed)
-    }
-}
 
 /// How tasks run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -159,99 +35,6 @@ pub enum Runner {
     Threads,
     /// At once: for tests, which must not depend on time.
     AtOnce,
-}
-
-/// A task that is under way.
-#[derive(Debug, Clone)]
-pub(crate) struct Running {
-    id: u64,
-    /// What it does, as the status bar says it.
-    pub(crate) what: String,
-    kind: Kind,
-    watch: Arc<Watch>,
-}
-
-impl Running {
-    /// The stage that has begun.
-    pub(crate) fn stage(&self) -> usize {
-        self.watch.stage.load(Ordering::Relaxed)
-    }
-
-    /// Names of the effects that a search has found so far.
-    pub(crate) fn found(&self) -> Vec<&'static str> {
-        self.watch
-            .found
-            .lock()
-            .map_or_else(|_| Vec::new(), |f| f.clone())
-    }
-
-    /// Which part is done, where the task says so.
-    pub(crate) fn progress(&self) -> Option<f32> {
-        let permille = self.watch.permille.load(Ordering::Relaxed);
-        (permille > 0).then(|| permille as f32 / 1000.0)
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Once,
-    Identifies,
-    Prepares,
-    Searches,
-    /// What is only drawn: it passes without a word.
-    Draws,
-    /// Nobody has to know.
-    Quiet,
-}
-
-impl Kind {
-    /// Whether the status bar names it, and can cancel it.
-    fn has_a_name(self) -> bool {
-        !matches!(self, Self::Draws | Self::Quiet)
-    }
-}
-
-/// One question at a time, and the latest one after it.
-#[derive(Debug)]
-struct Latest<Q> {
-    asked: Option<Q>,
-    waiting: Option<Q>,
-}
-
-impl<Q> Default for Latest<Q> {
-    fn default() -> Self {
-        Self {
-            asked: None,
-            waiting: None,
-        }
-    }
-}
-
-impl<Q: PartialEq + Clone> Latest<Q> {
-    /// The question, if it is to be worked on now.
-    fn ask(&mut self, question: Q) -> Option<Q> {
-        if self.asked.as_ref() == Some(&question) {
-            self.waiting = None;
-            None
-        } else if self.asked.is_some() {
-            self.waiting = Some(question);
-            None
-        } else {
-            self.asked = Some(question.clone());
-            Some(question)
-        }
-    }
-
-    fn is_asked(&self, question: &Q) -> bool {
-        self.waiting.as_ref().or(self.asked.as_ref()) == Some(question)
-    }
-
-    /// The question is answered; the one that is next.
-    fn answered(&mut self) -> Option<Q> {
-        self.asked = None;
-        let next = self.waiting.take()?;
-        self.ask(next)
-    }
 }
 
 /// Begins to look at the disk.
@@ -364,6 +147,22 @@ impl Tasks {
         work: impl FnOnce(&Watch) -> Report + Send + 'static,
     ) {
         self.spawn(what.into(), Kind::Once, work);
+    }
+
+    /// Looks at a foreign file, unless that is under way.
+    pub(crate) fn look(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Report + Send + 'static,
+    ) {
+        if !self.looks() {
+            self.spawn(what.into(), Kind::Looks, work);
+        }
+    }
+
+    /// Whether a foreign file is being looked at.
+    pub(crate) fn looks(&self) -> bool {
+        self.running.iter().any(|r| r.kind == Kind::Looks)
     }
 
     /// Asks for an answer. A question that is waiting is forgotten for it.
@@ -488,7 +287,7 @@ impl Tasks {
         let cancelled = self.running.remove(place);
         cancelled.watch.stop();
         match cancelled.kind {
-            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws => {}
+            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws | Kind::Looks => {}
             Kind::Identifies => {
                 let Latest { asked, waiting } = std::mem::take(&mut self.questions);
                 return waiting.or(asked);
@@ -511,7 +310,7 @@ impl Tasks {
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Searches | Kind::Quiet => {}
+                Kind::Once | Kind::Searches | Kind::Quiet | Kind::Looks => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

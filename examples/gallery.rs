@@ -1,0 +1,134 @@
+//! Makes the pictures of the README and of the documentation: drives the window through the walk of
+//! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
+//!
+//! `cargo run --example gallery`
+//!
+//! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes
+//! nothing.
+
+#![allow(clippy::print_stdout, reason = "it is run by hand")]
+#![allow(unreachable_pub, reason = "the parts are modules of one program")]
+
+#[path = "gallery/palette.rs"]
+mod palette;
+#[path = "gallery/report.rs"]
+mod report;
+#[path = "gallery/walk.rs"]
+mod walk;
+
+use std::path::{Path, PathBuf};
+
+use egui::Theme;
+use walk::{Window, press, there};
+
+/// Writes pictures of one theme.
+struct Gallery {
+    folder: PathBuf,
+    theme: Theme,
+}
+
+impl Gallery {
+    /// The window as it is now. In dark the file's name says so.
+    fn picture(&self, window: &mut Window, name: &str) -> anyhow::Result<()> {
+        window.remove_cursor();
+        // Until nothing moves any more.
+        window.run_steps(16);
+        let image = window.render().map_err(|why| anyhow::anyhow!(why))?;
+        let name = match self.theme {
+            Theme::Light => format!("{name}.png"),
+            Theme::Dark => format!("{name}-dark.png"),
+        };
+        let path = self.folder.join(&name);
+        let (width, height) = image.dimensions();
+        let bytes = palette::save(&path, width, height, image.as_raw())?;
+        println!("{name}: {width} × {height}, {} kB", bytes.div_ceil(1000));
+        Ok(())
+    }
+
+    /// The walk, with a picture at each step.
+    fn walk(&self) -> anyhow::Result<()> {
+        let mut window = walk::window(self.theme, None);
+        walk::asked(&mut window);
+        self.picture(&mut window, "import")?;
+        walk::filled_in(&mut window);
+        self.picture(&mut window, "alignment")?;
+        press(&mut window, "Import");
+        self.picture(&mut window, "session")?;
+        press(&mut window, "2 Regions");
+        press(&mut window, "Identify by region");
+        press(&mut window, "2 Regions");
+        self.picture(&mut window, "regions")?;
+        walk::identified(&mut window);
+        self.picture(&mut window, "identify")?;
+        walk::searched(&mut window);
+        self.picture(&mut window, "search")?;
+        walk::added(&mut window);
+        self.picture(&mut window, "gap")?;
+        press(&mut window, "5 Export");
+        press(&mut window, "LinuxCNC COMP_FILE");
+        self.picture(&mut window, "export")?;
+        if self.theme == Theme::Light {
+            self.report(&mut window)?;
+        }
+        Ok(())
+    }
+
+    /// The paper that is signed; there is one for both themes.
+    fn report(&self, window: &mut Window) -> anyhow::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let pdf = folder.path().join("report.pdf");
+        window.state_mut().type_report_path(&pdf);
+        window.run_steps(4);
+        press(window, "Save");
+        window.run_steps(8);
+        let out = self.folder.join("report.png");
+        match report::picture(&pdf, [1, 2], &out)? {
+            Some(bytes) => println!("report.png: {} kB", bytes.div_ceil(1000)),
+            None => println!("report: pdftoppm is not there, the picture stays as it was"),
+        }
+        Ok(())
+    }
+
+    /// Other views of the same machine: what is not there in this version is passed over.
+    fn views(&self) -> anyhow::Result<()> {
+        let mut window = walk::window(self.theme, None);
+        walk::imported(&mut window);
+        walk::identified(&mut window);
+        for (label, name) in [("heat map", "heat-map"), ("polar", "polar")] {
+            if there(&window, label) {
+                press(&mut window, label);
+                self.picture(&mut window, name)?;
+                press(&mut window, label);
+            } else {
+                println!("{name}: there is no {label} here");
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether there is an adapter; drawing panics where there is none.
+fn can_draw() -> bool {
+    let instance = egui_wgpu::wgpu::Instance::default();
+    let adapters = instance.enumerate_adapters(egui_wgpu::wgpu::Backends::all());
+    !pollster::block_on(adapters).is_empty()
+}
+
+fn main() -> anyhow::Result<()> {
+    if !can_draw() {
+        println!("skipped: no adapter to draw with, no picture was written");
+        return Ok(());
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // Short names on the sheet, as a person has them who works beside the files.
+    std::env::set_current_dir(root.join("sessions/walk-through"))?;
+    for theme in [Theme::Light, Theme::Dark] {
+        let gallery = Gallery {
+            folder: root.join("docs/pictures"),
+            theme,
+        };
+        gallery.walk()?;
+        gallery.views()?;
+    }
+    Ok(())
+}

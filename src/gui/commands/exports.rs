@@ -1,0 +1,65 @@
+//! Tables, models and measuring lists: what they are called, and how they are written.
+
+use std::path::PathBuf;
+
+use crate::diagnosis::measuring_list;
+use crate::gui::files;
+use crate::gui::preview::Wanted;
+use crate::gui::reporting::About;
+use crate::gui::tasks::What;
+
+use super::Workbench;
+
+impl Workbench {
+    /// What an export's file is called unless the user says otherwise.
+    pub(crate) fn name_of(&self, what: What) -> String {
+        let document = self.document();
+        let session = &document.subject.session.name;
+        match what {
+            What::Table => document.export.file_name(session),
+            What::Model => format!("{}.model.json", crate::gui::document::plain(session)),
+            What::Poses => format!("{}-next-poses.csv", crate::gui::document::plain(session)),
+            What::Report(About::Session) => {
+                format!("{}-report.html", crate::gui::document::plain(session))
+            }
+            What::Report(About::Model) => {
+                format!("{}-model-report.html", crate::gui::document::plain(session))
+            }
+            What::Picture(plot) => plot.file_name(session),
+        }
+    }
+
+    pub(super) fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        match what {
+            What::Report(about) => return self.write_report(about, path, replace),
+            What::Picture(plot) => return self.write_picture(plot, path, replace),
+            What::Table | What::Model | What::Poses => {}
+        }
+        if what == What::Poses {
+            let Some(diagnosis) = self.diagnosis() else {
+                return self.complain(
+                    "There is no measuring list yet",
+                    vec!["Search for the gap first, in step 4".to_owned()],
+                );
+            };
+            let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
+            let says = format!("writing {}", path.display());
+            self.tasks
+                .start(says, move |_| files::write_list(list, &path, replace));
+            return;
+        }
+        // From what is shown, but under the name that was chosen.
+        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+            return self.complain(
+                "There is nothing to export yet",
+                vec!["Identify the robot first, in step 3".to_owned()],
+            );
+        };
+        let choice = self.document().export;
+        let says = format!("writing {}", path.display());
+        self.tasks.start(says, move |_| {
+            let wanted = Wanted { outcome, choice };
+            files::export(&wanted, what, &path, replace)
+        });
+    }
+}

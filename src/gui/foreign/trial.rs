@@ -1,0 +1,132 @@
+//! An import that is tried: the session it makes, or why it is refused, in the sheet's words.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::Said;
+use crate::diagnostic::{Diagnostic, Rejected, Severity};
+use crate::gui::subject::{Origin, Subject};
+use crate::importers::{Alignment, Companion, Matched, Settings, import};
+use crate::kinematics::Robot;
+use crate::sessions::files;
+
+/// What an import brings.
+#[derive(Debug)]
+pub(crate) struct Trial {
+    /// The session, ready to be opened.
+    pub(crate) subject: Arc<Subject>,
+    /// How commands found their measurements.
+    pub(crate) matched: Option<Matched>,
+    /// How the points came into the base frame.
+    pub(crate) alignment: Option<Alignment>,
+    /// Warnings and notes, in words.
+    pub(crate) notes: Vec<(Severity, String)>,
+}
+
+impl Trial {
+    /// Tries it.
+    ///
+    /// # Errors
+    /// Why it is refused.
+    pub(super) fn of(
+        bytes: &[u8],
+        path: &Path,
+        said: &Said,
+        robot: &Robot,
+    ) -> Result<Self, Vec<String>> {
+        let refused = |rejected: Rejected| in_words(&rejected.diagnostics);
+        let commands = read(&said.commands).map_err(refused)?;
+        let reference = read(&said.reference).map_err(refused)?;
+        let targets = read(&said.targets).map_err(refused)?;
+        let settings = Settings {
+            name: said.name.trim().to_owned(),
+            commands: commands.as_ref().map(companion),
+            matching: said.matching,
+            motion: said.motion,
+            clock_offset_s: said.clock_offset_s,
+            reference: reference.as_ref().map(companion),
+            scale: said.scale && reference.is_some(),
+            targets: targets.as_ref().map(companion),
+            ..Settings::new(said.reading.clone(), robot)
+        };
+        let imported = import(bytes, &settings).map_err(refused)?;
+        let findings = imported.findings;
+        let notes = findings
+            .iter()
+            .map(|finding| (finding.severity, in_the_sheets_words(&finding.to_string())))
+            .collect();
+        let origin = Origin::Imported(path.to_path_buf());
+        Ok(Self {
+            subject: Arc::new(Subject::new(imported.session, findings, origin)),
+            matched: imported.matched,
+            alignment: imported.alignment,
+            notes,
+        })
+    }
+}
+
+type File = (PathBuf, Vec<u8>);
+
+fn read(typed: &str) -> Result<Option<File>, Rejected> {
+    let typed = typed.trim();
+    if typed.is_empty() {
+        return Ok(None);
+    }
+    let path = PathBuf::from(typed);
+    let bytes = files::read_document(&path)?;
+    Ok(Some((path, bytes)))
+}
+
+fn companion((path, bytes): &File) -> Companion<'_> {
+    Companion {
+        bytes,
+        file: Some(path.clone()),
+    }
+}
+
+/// Findings as lines, errors first and no more than can be read.
+pub(super) fn in_words(findings: &[Diagnostic]) -> Vec<String> {
+    const MOST: usize = 8;
+    let is_error = |finding: &&Diagnostic| finding.severity == Severity::Error;
+    let errors: Vec<&Diagnostic> = findings.iter().filter(is_error).collect();
+    let shown = errors.iter().take(MOST);
+    let mut lines: Vec<String> = shown
+        .map(|finding| in_the_sheets_words(&finding.to_string()))
+        .collect();
+    if errors.len() > MOST {
+        lines.push(format!("and {} more", errors.len() - MOST));
+    }
+    lines
+}
+
+/// What an option of the command line is called on the sheet.
+const OPTIONS: [(&str, &str); 19] = [
+    ("--clock-offset", "“Clocks apart by”"),
+    ("--match order or name", "“Matched” by order or by name"),
+    ("--match name or time", "“Matched” by name or by time"),
+    ("--match order", "“Matched” by order"),
+    ("--match", "“Matched”"),
+    ("--motion all", "“Samples are” all"),
+    ("--motion", "“Samples are”"),
+    ("--commands with", "a file of commands with"),
+    ("--commands", "a file of commands"),
+    ("--targets with", "a file of reflectors with"),
+    ("--reference", "a file of known points"),
+    ("--angle-unit", "“Angles in”"),
+    ("--separator", "“Separated by”"),
+    ("--decimal", "“Decimal sign”"),
+    ("--columns", "the columns above as"),
+    ("--z-up", "“y points up”"),
+    ("--scale", "“fit a scale”"),
+    ("--joint", "“Joint measured”"),
+    ("--unit", "“Lengths in”"),
+];
+
+/// The same sentence with the names that the sheet has for the command line's options.
+pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
+    OPTIONS
+        .iter()
+        .fold(sentence.to_owned(), |said, (option, field)| {
+            said.replace(option, field)
+        })
+}

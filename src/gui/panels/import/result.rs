@@ -1,0 +1,49 @@
+//! What the import would bring, or why it is refused.
+
+use egui::Ui;
+
+use crate::diagnostic::Severity;
+use crate::gui::foreign::{Foreign, Trial};
+use crate::gui::widgets;
+
+/// Lines that are shown.
+const MOST: usize = 8;
+
+/// Shows it, once there is nothing left to ask.
+pub(super) fn show(ui: &mut Ui, now: &Foreign) {
+    match &now.seen.trial {
+        None => {}
+        Some(Ok(trial)) => {
+            widgets::section(ui, "What the import brings");
+            brings(ui, trial);
+        }
+        Some(Err(because)) => {
+            widgets::section(ui, "What stands in the way");
+            for line in because {
+                super::line(ui, Severity::Error, line);
+            }
+        }
+    }
+}
+
+fn brings(ui: &mut Ui, trial: &Trial) {
+    let subject = &trial.subject;
+    let mut says = format!("{} samples", subject.len());
+    if let Some(gap) = &subject.gap_before {
+        says += &format!(", {:.4} mm from the nominal robot", gap.rms_mm);
+    }
+    if let Some(matched) = &trial.matched {
+        says += &format!(
+            "; matched by {}; without a partner: {} measured, {} commanded",
+            matched.by.id(),
+            matched.lonely_measurements.len(),
+            matched.lonely_commands.len()
+        );
+    }
+    ui.label(says);
+    let mut notes: Vec<_> = trial.notes.iter().collect();
+    notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
+    for (severity, note) in notes.iter().take(MOST) {
+        super::line(ui, *severity, note);
+    }
+}

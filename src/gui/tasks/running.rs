@@ -1,0 +1,109 @@
+//! A task that is under way: how far it is, and whether anybody still wants it.
+
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+
+/// Between a task and the window: how far it is, and whether anybody still wants it.
+#[derive(Debug, Default)]
+pub(crate) struct Watch {
+    permille: AtomicU32,
+    stage: AtomicUsize,
+    found: Mutex<Vec<&'static str>>,
+    stopped: AtomicBool,
+}
+
+impl Watch {
+    /// Which part is done, 0 to 1.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to 0 … 1000"
+    )]
+    pub(crate) fn done(&self, part: f64) {
+        let permille = (1000.0 * part.clamp(0.0, 1.0)) as u32;
+        self.permille.store(permille, Ordering::Relaxed);
+    }
+
+    /// Which stage has begun.
+    pub(crate) fn reached(&self, stage: usize) {
+        self.stage.store(stage, Ordering::Relaxed);
+    }
+
+    /// What a search has found so far, if it is more than before: it starts again from nothing
+    /// now and then, to see whether it ends elsewhere.
+    pub(crate) fn found(&self, names: &[&'static str]) {
+        if let Ok(mut found) = self.found.lock()
+            && names.len() >= found.len()
+        {
+            *found = names.to_vec();
+        }
+    }
+
+    /// Whether something is done already.
+    #[cfg(test)]
+    pub(crate) fn begun(&self) -> bool {
+        self.permille.load(Ordering::Relaxed) > 0
+    }
+
+    /// Nobody wants the task any more.
+    pub(crate) fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the task was cancelled.
+    pub(crate) fn stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+}
+
+/// A task that is under way.
+#[derive(Debug, Clone)]
+pub(crate) struct Running {
+    pub(super) id: u64,
+    /// What it does, as the status bar says it.
+    pub(crate) what: String,
+    pub(super) kind: Kind,
+    pub(super) watch: Arc<Watch>,
+}
+
+impl Running {
+    /// The stage that has begun.
+    pub(crate) fn stage(&self) -> usize {
+        self.watch.stage.load(Ordering::Relaxed)
+    }
+
+    /// Names of the effects that a search has found so far.
+    pub(crate) fn found(&self) -> Vec<&'static str> {
+        self.watch
+            .found
+            .lock()
+            .map_or_else(|_| Vec::new(), |f| f.clone())
+    }
+
+    /// Which part is done, where the task says so.
+    pub(crate) fn progress(&self) -> Option<f32> {
+        let permille = self.watch.permille.load(Ordering::Relaxed);
+        (permille > 0).then(|| permille as f32 / 1000.0)
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Once,
+    Identifies,
+    Prepares,
+    Searches,
+    /// Looks at a foreign file.
+    Looks,
+    /// What is only drawn: it passes without a word.
+    Draws,
+    /// Nobody has to know.
+    Quiet,
+}
+
+impl Kind {
+    /// Whether the status bar names it, and can cancel it.
+    pub(super) fn has_a_name(self) -> bool {
+        !matches!(self, Self::Draws | Self::Quiet)
+    }
+}
