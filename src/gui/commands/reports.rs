@@ -103,7 +103,15 @@ impl Workbench {
                     replace: false,
                 });
             }
-            Report::Written(message) => self.view.message = Some(message),
+            Report::Written(message) => {
+                let written = !message.wrong;
+                self.view.message = Some(message);
+                if written {
+                    self.go_on();
+                } else {
+                    self.stay();
+                }
+            }
             Report::Figured(figures) => {
                 self.figures = Some(*figures);
                 // What is shown may be another answer by now.
@@ -115,6 +123,7 @@ impl Workbench {
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
+                self.go_on();
             }
             Report::Exported(Ok(path)) => {
                 self.model_is_on_file();
