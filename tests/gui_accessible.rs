@@ -173,8 +173,8 @@ fn reached(window: &mut Window) -> BTreeSet<String> {
             if !node.is_focused() {
                 continue;
             }
-            let labels = node.labelled_by();
-            let by = labels.filter_map(|l| l.value().or(l.label())).next();
+            let mut labels = node.labelled_by();
+            let by = labels.find_map(|l| l.value().or(l.label()));
             if let Some(name) = node.label().or(by)
                 && reached.insert(name)
             {
@@ -211,8 +211,8 @@ fn the_tabulator_reaches_everything() {
                     | Role::Link
                     | Role::Tab
             );
-            let labels = node.labelled_by();
-            let by = labels.filter_map(|l| l.value().or(l.label())).next();
+            let mut labels = node.labelled_by();
+            let by = labels.find_map(|l| l.value().or(l.label()));
             let Some(name) = node.label().or(by) else {
                 continue;
             };
