@@ -174,7 +174,7 @@ fn reached(window: &mut Window) -> BTreeSet<String> {
                 continue;
             }
             let labels = node.labelled_by();
-            let by = labels.filter_map(|l| l.value().or(l.label())).next();
+            let by = labels.find_map(|l| l.value().or(l.label()));
             if let Some(name) = node.label().or(by)
                 && reached.insert(name)
             {
@@ -212,7 +212,7 @@ fn the_tabulator_reaches_everything() {
                     | Role::Tab
             );
             let labels = node.labelled_by();
-            let by = labels.filter_map(|l| l.value().or(l.label())).next();
+            let by = labels.find_map(|l| l.value().or(l.label()));
             let Some(name) = node.label().or(by) else {
                 continue;
             };
