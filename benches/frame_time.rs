@@ -2,18 +2,25 @@
 //! identified, and tessellating it, without anything that draws. Beside it the arrows alone as
 //! `egui_plot` has them.
 //!
+//! The row "drag" is a region boundary under the hand on the largest session, while identifications
+//! follow in the background as they do in the window; beside it what counting the samples of the
+//! regions one by one takes, which a frame must not do.
+//!
 //! The pointer is on the plot and moves, so that the nearest sample is searched in every frame. With
 //! 10⁶ samples `egui_plot`'s arrows could not even be drawn: their index buffer is too long.
 
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use egui::{Context, Event, Key, Modifiers, RawInput, Rect, pos2, vec2};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
+use egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use egui_plot::{Arrows, Plot, PlotPoints};
 use truepose::gui::{App, Runner};
+use truepose::identification::regions::Assignment;
+use truepose::sessions::Region;
 
 const SIZES: [usize; 3] = [1_000, 100_000, 1_000_000];
 
@@ -54,6 +61,8 @@ struct Window {
     frames: u32,
     /// The status bar of the last frame without an event.
     says: String,
+    /// Where the handle of the boundary at 0° was in the last frame.
+    handle: Option<Pos2>,
 }
 
 impl Window {
@@ -61,25 +70,11 @@ impl Window {
     fn new(samples: usize) -> Self {
         let folder = tempfile::tempdir().expect("there is a folder for temporary files");
         let path = write_session(folder.path(), samples);
-        let ctx = Context::default();
-        let app = App::new(&ctx, Some(path), Runner::AtOnce).drawn_by_nobody();
-        let mut window = Self {
-            ctx,
-            app,
-            frames: 0,
-            says: String::new(),
-        };
+        let mut window = Self::opening(path, Runner::AtOnce);
         for _ in 0..4 {
             window.frame(Vec::new());
         }
-        let identify = Event::Key {
-            key: Key::I,
-            physical_key: None,
-            pressed: true,
-            repeat: false,
-            modifiers: Modifiers::COMMAND,
-        };
-        window.frame(vec![identify]);
+        window.frame(vec![key(Key::I)]);
         for _ in 0..4 {
             window.frame(Vec::new());
         }
@@ -90,6 +85,61 @@ impl Window {
             "not identified: {says}"
         );
         window
+    }
+
+    fn opening(path: PathBuf, runner: Runner) -> Self {
+        let ctx = Context::default();
+        let app = App::new(&ctx, Some(path), runner).drawn_by_nobody();
+        Self {
+            ctx,
+            app,
+            frames: 0,
+            says: String::new(),
+            handle: None,
+        }
+    }
+
+    /// A window in which the hand holds the boundary at 0°; tasks run on threads.
+    fn dragging(samples: usize) -> Self {
+        let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+        let path = write_session(folder.path(), samples);
+        let mut window = Self::opening(path, Runner::Threads);
+        // The handle is found where a screen reader finds it.
+        window.ctx.enable_accesskit();
+        let there = format!("{samples} samples · gap");
+        window.wait("the session", |window| window.says.contains(&there));
+        window.frame(vec![key(Key::Num2)]);
+        window.wait("a boundary", |window| window.handle.is_some());
+        // What the plots stand on is made in the background.
+        std::thread::sleep(Duration::from_secs(5));
+        let at = window.handle.expect("it was waited for");
+        window.frame(vec![Event::PointerMoved(at)]);
+        window.frame(vec![Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed: true,
+            modifiers: Modifiers::NONE,
+        }]);
+        window
+    }
+
+    fn wait(&mut self, what: &str, there: impl Fn(&Self) -> bool) {
+        for _ in 0..3000 {
+            self.frame(Vec::new());
+            if there(self) {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        panic!("{what} did not come: {}", self.says);
+    }
+
+    /// A frame in which the hand has moved on.
+    fn dragged(&mut self) -> usize {
+        let at = self.handle.expect("the hand is on it");
+        let k = f32::from(u16::try_from(self.frames % 80).unwrap_or(0));
+        let up = if k < 40.0 { k - 20.0 } else { 60.0 - k };
+        self.frame(vec![Event::PointerMoved(pos2(at.x, at.y - 2.0 * up))])
     }
 
     /// One frame; the number of its triangles.
@@ -106,6 +156,15 @@ impl Window {
         let mut output = self.ctx.run_ui(input, |ui| app.show(ui));
         output.textures_delta.clear();
         if still {
+            let update = output.platform_output.accesskit_update.as_ref();
+            let mut nodes = update.into_iter().flat_map(|update| &update.nodes);
+            let handle = nodes.find(|(_, node)| node.label() == Some("boundary at 0°"));
+            let bounds = handle.and_then(|(_, node)| node.bounds());
+            self.handle = bounds.map(|b| {
+                let middle = [f64::midpoint(b.x0, b.x1), f64::midpoint(b.y0, b.y1)];
+                let [x, y] = middle.map(points);
+                pos2(x, y)
+            });
             let texts = output.shapes.iter().filter_map(|shape| match &shape.shape {
                 egui::Shape::Text(text) => Some(text.galley.text()),
                 _ => None,
@@ -120,6 +179,21 @@ impl Window {
     fn moved(&mut self) -> usize {
         let k = f32::from(u16::try_from(self.frames % 60).unwrap_or(0));
         self.frame(vec![Event::PointerMoved(pos2(420.0 + 5.0 * k, 330.0))])
+    }
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "a place on the screen")]
+fn points(place: f64) -> f32 {
+    place as f32
+}
+
+fn key(key: Key) -> Event {
+    Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::COMMAND,
     }
 }
 
@@ -175,6 +249,40 @@ fn median_ms(runs: usize, mut run: impl FnMut() -> usize) -> f64 {
     times[runs / 2]
 }
 
+/// Samples of six regions, counted one by one.
+fn counted(q: &[f64], regions: &[Region]) -> usize {
+    let assignment = Assignment::new(regions);
+    let mut counts = vec![0_usize; regions.len()];
+    for region in q.iter().filter_map(|q| assignment.region_of(*q)) {
+        counts[region] += 1;
+    }
+    counts[0]
+}
+
+/// A boundary under the hand, on the largest session.
+fn drag(group: &mut BenchmarkGroup<'_, WallTime>) {
+    let samples = SIZES[SIZES.len() - 1];
+    let mut window = Window::dragging(samples);
+    let whole = median_ms(201, || window.dragged());
+    let q: Vec<f64> = (0..samples)
+        .map(|i| ((i as f64 * 0.618_033_988_75).fract() * 360.0 - 180.0).to_radians())
+        .collect();
+    let region = |k: u8| Region {
+        name: k.to_string(),
+        from_rad: (60.0 * f64::from(k) - 180.0).to_radians(),
+        to_rad: (60.0 * f64::from(k) - 120.0).to_radians(),
+    };
+    let regions: Vec<Region> = (0..6).map(region).collect();
+    let counting = median_ms(7, || counted(&q, &regions));
+    eprintln!(
+        "{samples} samples, a boundary dragged: the whole window {whole:.2} ms; counting one by \
+         one would add {counting:.2} ms, ratio {:.4}",
+        whole / (whole + counting)
+    );
+    let name = BenchmarkId::new("drag", samples);
+    group.bench_function(name, |bencher| bencher.iter(|| window.dragged()));
+}
+
 fn frame_time(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("frame");
     group.sample_size(10);
@@ -195,6 +303,7 @@ fn frame_time(criterion: &mut Criterion) {
         let name = BenchmarkId::new("egui_plot's arrows alone", samples);
         group.bench_function(name, |bencher| bencher.iter(|| plain(&ctx, &tails, &tips)));
     }
+    drag(&mut group);
     group.finish();
 }
 

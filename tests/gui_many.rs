@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use egui_kittest::kittest::Queryable;
-use support::window;
+use support::{Window, window};
 use truepose::gui::{App, Runner};
 
 const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot": { "name": "axis",
@@ -85,17 +85,27 @@ fn the_pointer_finds_a_sample_among_many_in_both_plots() {
     }
 }
 
+/// How often each of these stands somewhere in the window.
+fn counts(window: &Window, names: &[&str]) -> Vec<usize> {
+    let count = |name: &&str| window.query_all_by_label(name).count();
+    names.iter().map(count).collect()
+}
+
 #[test]
 fn the_heat_map_and_the_colours_are_switched_in_the_bar() {
     let mut window = window(None);
     window.get_by_label("heat map").click();
     window.run_steps(4);
+    let names = ["deviation", "direction", "load", "temperature", "time"];
+    let before = counts(&window, &names);
     window.get_by_label("Colour of vectors").click();
     window.run_steps(4);
-    for name in ["deviation", "direction", "load", "temperature", "time"] {
-        assert!(window.query_by_label(name).is_some(), "{name}");
+    let listed = counts(&window, &names);
+    for (name, (before, listed)) in names.iter().zip(before.iter().zip(&listed)) {
+        assert_eq!(*listed, before + 1, "{name}");
     }
-    window.get_by_label("temperature").click();
+    let temperature = window.get_all_by_label("temperature").last();
+    temperature.expect("it is listed").click();
     window.run_steps(4);
     window.get_by_label("x z").click();
     window.run_steps(4);
@@ -107,8 +117,10 @@ fn the_heat_map_and_the_colours_are_switched_in_the_bar() {
 fn a_condition_that_never_changes_is_no_colour() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(Some(write_session(folder.path(), 90)));
+    let names = ["load", "temperature"];
+    let before = counts(&window, &names);
     window.get_by_label("Colour of vectors").click();
     window.run_steps(4);
-    assert!(window.query_by_label("load").is_some());
-    assert!(window.query_by_label("temperature").is_none());
+    let listed = counts(&window, &names);
+    assert_eq!(listed, [before[0] + 1, before[1]]);
 }

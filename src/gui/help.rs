@@ -61,6 +61,10 @@ words! {
         "Only x and y were measured; nothing can be said about what happens along z";
     DIRECTION, "Direction",
         "The side from which the joint came to the pose. Approaching from both sides is what makes backlash visible";
+    POLAR, "Polar view",
+        "A component of the deviation around the angle of the joint, as circles of a ballbar test are shown (ISO 230-4): on the nominal circle there is none, and one ring stands for the length that is written above. An oval is a tilted or wobbling axis, a shifted circle a wrong centre, two circles play between both directions";
+    DRAWN_ROBOT, "The robot in the workspace",
+        "The nominal robot in outline at the sample that is chosen or under the pointer, and beside it as a line the real one, as it was measured or identified, displaced as many times as is written beside it. Without a choice it stands faintly at a sample in the middle";
     OVER_TIME, "Deviation over time",
         "The deviation in the order in which it was measured. A slope is a drift of the machine or the tripod; a step is the moment when somebody touched one of them";
     OVER_LOAD, "Deviation over load",

@@ -102,6 +102,16 @@ impl Plane {
     }
 }
 
+/// What the upper plot shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Aspect {
+    /// Where the robot was, in a plane.
+    #[default]
+    Plane,
+    /// The deviation around the joint's angle.
+    Around,
+}
+
 /// Unit of lengths on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -350,8 +360,8 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
-    /// Whether the deviation around the joint's angle is shown instead of a plane.
-    pub(crate) polar: bool,
+    /// Whether that plane is shown, or the deviation around the joint's angle.
+    pub(crate) aspect: Aspect,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
     /// From 0, before, to 1, after.
@@ -400,12 +410,19 @@ pub(crate) struct ViewState {
     pub(crate) fitted: u64,
 }
 
+impl ViewState {
+    /// Whether the deviation around the joint's angle is shown.
+    pub(crate) fn polar(&self) -> bool {
+        self.aspect == Aspect::Around
+    }
+}
+
 impl Default for ViewState {
     fn default() -> Self {
         Self {
             step: Step::default(),
             plane: Plane::default(),
-            polar: false,
+            aspect: Aspect::default(),
             magnification: None,
             blend: 1.0,
             colouring: Colouring::default(),

@@ -162,7 +162,7 @@ impl Workbench {
             plane: self.view.plane,
             heat: self.view.heat,
             thins: self.view.canvas == Canvas::Shapes,
-            polar: self.view.polar,
+            polar: self.view.polar(),
             component: self.view.component,
             chart: self.charting(),
         };

@@ -18,6 +18,8 @@ mod reports;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod under_way;
+#[cfg(test)]
 mod walk;
 
 use std::path::{Path, PathBuf};
@@ -41,7 +43,7 @@ use crate::gui::subject::Subject;
 use crate::gui::tasks::Tasks;
 use crate::gui::undo::History;
 use crate::gui::units::Units;
-use crate::gui::view::{Message, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::gui::view::{Aspect, Message, Plane, Sheet, Side, Step, Then, ViewState};
 use crate::sessions::Samples;
 
 /// Document, view, answer and tasks.
@@ -218,6 +220,8 @@ impl Workbench {
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),
             Command::Cancel => {
+                // What was to be done after it is not wanted any more either.
+                self.stay();
                 if let Some(question) = self.tasks.cancel_newest() {
                     self.declined = Some(question);
                 }
@@ -233,8 +237,8 @@ impl Workbench {
         let view = &mut self.view;
         match command {
             Command::GoTo(step) => view.step = step,
-            Command::Look(plane) => (view.plane, view.polar) = (plane, false),
-            Command::LookAround => view.polar = true,
+            Command::Look(plane) => (view.plane, view.aspect) = (plane, Aspect::Plane),
+            Command::LookAround => view.aspect = Aspect::Around,
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -345,7 +349,7 @@ impl Workbench {
     /// Looks at the workspace in the plane in which joint 1 turns.
     fn look_along_the_axis(&mut self) {
         let along = self.subject().joint.along;
-        self.view.polar = false;
+        self.view.aspect = Aspect::Plane;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()

@@ -10,6 +10,18 @@ use crate::gui::view::{Message, Sheet};
 use super::{Command, Workbench};
 
 impl Workbench {
+    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
+    /// longer than a frame may.
+    fn let_go(&mut self, before: Option<impl Send + 'static>) {
+        const MANY: usize = 100_000;
+        if before.is_some() && self.subject().len() > MANY {
+            self.tasks.quietly(move || {
+                drop(before);
+                Report::Kept(Ok(()))
+            });
+        }
+    }
+
     /// Takes what the tasks have brought. Whether there was anything.
     pub(crate) fn receive(&mut self) -> bool {
         let mut any = false;
@@ -62,7 +74,8 @@ impl Workbench {
                 });
             }
             Report::Answered(outcome) => {
-                self.outcome = Some(Arc::new(*outcome));
+                let before = self.outcome.replace(Arc::new(*outcome));
+                self.let_go(before);
                 self.keep_preparing();
                 self.keep_drawing();
             }
@@ -71,7 +84,10 @@ impl Workbench {
                 self.keep_drawing();
             }
             Report::Adapted(adapted) => self.take_adapted(*adapted),
-            Report::Drawn(backdrop) => self.backdrop = Some(Arc::new(*backdrop)),
+            Report::Drawn(backdrop) => {
+                let before = self.backdrop.replace(Arc::new(*backdrop));
+                self.let_go(before);
+            }
             Report::Prepared(preview) => self.preview = Some(*preview),
             Report::ChosenToExport(what, Some(path)) => self.execute(Command::ExportTo {
                 what,
@@ -87,7 +103,15 @@ impl Workbench {
                     replace: false,
                 });
             }
-            Report::Written(message) => self.view.message = Some(message),
+            Report::Written(message) => {
+                let written = !message.wrong;
+                self.view.message = Some(message);
+                if written {
+                    self.go_on();
+                } else {
+                    self.stay();
+                }
+            }
             Report::Figured(figures) => {
                 self.figures = Some(*figures);
                 // What is shown may be another answer by now.
@@ -99,6 +123,7 @@ impl Workbench {
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
+                self.go_on();
             }
             Report::Exported(Ok(path)) => {
                 self.model_is_on_file();

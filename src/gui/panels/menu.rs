@@ -342,10 +342,10 @@ fn view(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         (Plane::Xz, "Workspace from the side"),
         (Plane::Yz, "Workspace from the front"),
     ] {
-        let on = workbench.view().plane == plane && !workbench.view().polar;
+        let on = workbench.view().plane == plane && !workbench.view().polar();
         choice(ui, workbench, on, name, Action::Look(plane), commands);
     }
-    let (on, name) = (workbench.view().polar, "Deviation around the angle");
+    let (on, name) = (workbench.view().polar(), "Deviation around the angle");
     choice(ui, workbench, on, name, Action::LookAround, commands);
     item(
         ui,

@@ -17,7 +17,7 @@ use super::{import, preferences, recovery, shortcuts, simulation, unsaved, words
 const SHEET: i8 = space::PANEL + space::PANEL / 2;
 
 /// Between a sheet and the window's edges, together, points.
-const MARGIN: f32 = 32.0;
+const MARGIN: f32 = 12.0;
 
 /// Shows the open sheet, if there is one.
 pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {

@@ -11,7 +11,7 @@ use super::{charts, disk};
 /// The least height of the chart with its bar, and of the workspace with its own, points: as much
 /// of a window as the user pulls, or makes smaller afterwards, neither vanishes.
 const LOWEST: f32 = 182.0;
-const WORKSPACE: f32 = 250.0;
+const WORKSPACE: f32 = 256.0;
 
 /// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {

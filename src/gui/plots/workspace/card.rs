@@ -9,7 +9,7 @@ use egui::{Context, Vec2, WidgetInfo, pos2, vec2};
 use crate::gui::commands::Workbench;
 use crate::gui::tokens::{DARK, LIGHT, size, strong};
 
-use super::layout::{Line, about, brief};
+use super::about::{Line, about, brief};
 use super::room;
 
 /// From the pointer to the card, points: a mark under the pointer is at most 14 away, and its ring

@@ -18,9 +18,9 @@ use super::robot::Drawn;
 use super::scales;
 
 /// The longest that the scale's arrow gets, points.
-const LONGEST_SCALE: f64 = 64.0;
+const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
-const SCALE: f32 = 112.0;
+const SCALE: f32 = 100.0;
 /// Height of a row, points.
 const HIGH: f32 = 18.0;
 
@@ -105,7 +105,7 @@ fn note(ui: &mut Ui, says: &str, palette: &Palette) {
 
 fn rows(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
     ui.scope(|ui| {
-        ui.spacing_mut().item_spacing = vec2(12.0, 1.0);
+        ui.spacing_mut().item_spacing = vec2(10.0, 1.0);
         ui.spacing_mut().interact_size.y = HIGH;
         ui.horizontal_wrapped(contents);
     });
@@ -127,18 +127,14 @@ pub(super) fn show(
             scale = Some(entry(ui, SCALE, "", palette));
             meanings(ui, workbench, scene, palette);
         }
-        if let Some(robot) = robot.filter(|robot| robot.asked_for) {
-            sign(ui, "nominal robot", Sign::Tube, palette);
+        // Whether somebody points at a sample or not: nothing moves under the pointer.
+        if let Some(robot) = robot {
+            sign(ui, "robot", Sign::Tube, palette);
             match &robot.real {
                 Some(real) if real.identified => {
                     sign(ui, "identified", Sign::Line(palette.after, 2.5), palette);
                 }
-                Some(_) => sign(
-                    ui,
-                    "measured robot",
-                    Sign::Line(palette.before, 2.5),
-                    palette,
-                ),
+                Some(_) => sign(ui, "as measured", Sign::Line(palette.before, 2.5), palette),
                 None => {}
             }
         }

@@ -1,8 +1,10 @@
 //! The workspace: sectors, nominal path, the robot, measured points, error vectors; or the
 //! deviation around the joint's angle.
 
+mod about;
 mod card;
 mod crowd;
+mod drawn;
 mod handles;
 mod layers;
 mod layout;
@@ -18,5 +20,5 @@ mod toolbar;
 pub(crate) use layout::nearest;
 pub(crate) use paint::{hover, marked, show};
 pub(crate) use polar::sheet::sheet as polar_sheet;
-pub(crate) use robot::model::extent as robot_extent;
+pub(crate) use robot::extent as robot_extent;
 pub(crate) use toolbar::show as bar;

@@ -17,7 +17,7 @@ use super::model::{magnification as magnification_of, offers};
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let view = workbench.view();
     let measured = !workbench.subject().is_empty();
-    let blends = measured && !view.polar && workbench.answer().is_some();
+    let blends = measured && !view.polar() && workbench.answer().is_some();
     let roomy = ui.available_width() > ROOMY;
     ui.horizontal(|ui| {
         let least = if blends { WITH_BLEND } else { TITLED };
@@ -26,18 +26,18 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
         let views = [planes[0], planes[1], planes[2], (None, "polar")];
-        let shown = (!view.polar).then_some(view.plane);
+        let shown = (!view.polar()).then_some(view.plane);
         match widgets::segmented(ui, &views, shown) {
             Some(Some(plane)) => commands.push(Command::Look(plane)),
             Some(None) => commands.push(Command::LookAround),
             None => {}
         }
-        if measured && view.polar {
+        if measured && view.polar() {
             component(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if measured {
-                let plot = if view.polar {
+                let plot = if view.polar() {
                     Plot::Polar
                 } else {
                     Plot::Workspace
@@ -45,6 +45,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 picture(ui, plot, commands);
             }
             fit(ui, commands);
+            if measured && view.polar() && workbench.answer().is_some() {
+                let shown = [(false, "both"), (true, "only after")];
+                if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
+                    commands.push(Command::OnlyAfter(only));
+                }
+            }
             if blends && roomy {
                 ui.add_space(space::TIGHT);
                 blend(ui, workbench, commands);
@@ -54,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if !measured {
         return;
     }
-    if view.polar {
+    if view.polar() {
         return;
     }
     ui.horizontal_wrapped(|ui| {
@@ -121,7 +127,7 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let planar = workbench.subject().session.samples.z_mm.is_none();
     let list = ComboBox::from_id_salt("polar component");
     let text = RichText::new(now.name()).size(size::SMALL);
-    let list = list.selected_text(text).show_ui(ui, |ui| {
+    let list = list.width(84.0).selected_text(text).show_ui(ui, |ui| {
         for component in Component::ALL {
             if planar && component.out_of_plane() {
                 continue;

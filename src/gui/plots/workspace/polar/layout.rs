@@ -153,7 +153,7 @@ mod tests {
         polar.range = [-2.0, 2.0];
         let between = names_at(&polar).to_degrees();
         assert!((between - 165.0).abs() < 1e-9 || (between - 195.0).abs() < 1e-9);
-        polar.range = [-3.14, 3.14];
+        polar.range = [-3.1, 3.1];
         let between = names_at(&polar).to_degrees();
         assert!((between - 15.0).abs() < 1e-9);
     }

@@ -2,6 +2,7 @@
 //! shown: the nominal circle, and the deviation magnified along its radius.
 
 mod layout;
+mod marks;
 pub(crate) mod model;
 mod paint;
 pub(crate) mod sheet;

@@ -1,8 +1,7 @@
-//! The polar view in egui. Before is hollow, after is filled; triangles point the way that the
-//! joint came.
+//! The polar view in egui: the rings, what they stand for, and what the pointer does.
 
 use egui::epaint::Mesh;
-use egui::{Align2, Color32, FontId, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Align2, FontId, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{Plot, PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
@@ -15,7 +14,8 @@ use super::super::layout::nearest;
 use super::super::model::dial;
 use super::super::paint::{hover, marked};
 use super::layout::{self, Bearing, NOMINAL, SPOKES};
-use super::model::{Polar, Spot, Trace};
+use super::marks::{dots, extremes, lines};
+use super::model::{Polar, Spot};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -23,8 +23,6 @@ const REACH: f32 = 14.0;
 const MOST_NEAR: usize = 400;
 /// More samples than this are shown by their extremes.
 const MOST_SPOTS: usize = 600;
-/// Columns of extremes around.
-const COLUMNS: usize = 720;
 
 /// Shows the view in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: &mut Vec<Command>) {
@@ -146,7 +144,7 @@ fn near(
     angles.flat_map(near).collect::<Vec<_>>().into_iter()
 }
 
-fn screen(transform: &PlotTransform, [x, y]: [f64; 2]) -> Pos2 {
+pub(super) fn screen(transform: &PlotTransform, [x, y]: [f64; 2]) -> Pos2 {
     transform.position_from_point(&PlotPoint::new(x, y))
 }
 
@@ -203,141 +201,6 @@ fn spoke(k: u8) -> f64 {
     std::f64::consts::TAU * f64::from(k) / f64::from(SPOKES)
 }
 
-/// Means at each angle: before is dashed.
-fn lines(
-    shapes: &mut Vec<Shape>,
-    transform: &PlotTransform,
-    polar: &Polar,
-    bearing: Bearing,
-    palette: &Palette,
-) {
-    let points = |piece: &[[f64; 2]]| -> Vec<Pos2> {
-        let point = |[q, mm]: &[f64; 2]| bearing.at(*q, layout::radius(polar, *mm));
-        piece.iter().map(|p| screen(transform, point(p))).collect()
-    };
-    let pieces = |traces: &'_ [Trace]| -> Vec<Vec<Pos2>> {
-        let pieces = traces.iter().flat_map(|trace| &trace.pieces);
-        pieces.map(|piece| points(piece)).collect()
-    };
-    let stroke = Stroke::new(1.25, palette.before.gamma_multiply(0.8));
-    for piece in pieces(&polar.before) {
-        shapes.extend(Shape::dashed_line(&piece, stroke, 5.0, 3.0));
-    }
-    for piece in pieces(&polar.after) {
-        shapes.push(Shape::line(piece, Stroke::new(1.5, palette.after)));
-    }
-}
-
-fn dots(
-    shapes: &mut Vec<Shape>,
-    transform: &PlotTransform,
-    polar: &Polar,
-    spots: &[Spot],
-    bearing: Bearing,
-    only_after: bool,
-    palette: &Palette,
-) {
-    let identified = spots.iter().any(|s| s.after_mm.is_some());
-    let (fill, edge) = if identified {
-        (Color32::TRANSPARENT, palette.before.gamma_multiply(0.75))
-    } else {
-        (palette.before.gamma_multiply(0.35), palette.before)
-    };
-    let placed: Vec<_> = spots
-        .iter()
-        .map(|spot| {
-            let places = layout::places(polar, spot, bearing, only_after, transform);
-            (spot, places)
-        })
-        .collect();
-    for (spot, [before, _]) in &placed {
-        if let Some(at) = before {
-            let ahead = ahead(spot, bearing);
-            let stroke = Stroke::new(1.2, edge);
-            shapes.push(pointing(*at, 3.2, ahead, fill, stroke));
-        }
-    }
-    for (spot, [_, after]) in &placed {
-        if let Some(at) = after {
-            let stroke = Stroke::new(0.8, palette.surface);
-            let ahead = ahead(spot, bearing);
-            shapes.push(pointing(*at, 3.4, ahead, palette.after, stroke));
-        }
-    }
-}
-
-/// The way that the joint moved, on the screen; nothing where it is not known.
-fn ahead(spot: &Spot, bearing: Bearing) -> Option<egui::Vec2> {
-    if spot.side == 0.0 {
-        return None;
-    }
-    let [x, y] = bearing.at(spot.q, 1.0).map(single);
-    let turn = single(bearing.way * spot.side.signum());
-    Some(turn * vec2(-y, -x))
-}
-
-/// A triangle that points this way; a disc where there is none.
-fn pointing(
-    at: Pos2,
-    radius: f32,
-    ahead: Option<egui::Vec2>,
-    fill: Color32,
-    stroke: Stroke,
-) -> Shape {
-    let Some(ahead) = ahead else {
-        return marks::pointing(at, radius, 0.0, fill, stroke);
-    };
-    let across = vec2(-ahead.y, ahead.x);
-    let corners = vec![
-        at + ahead * 1.25 * radius,
-        at - ahead * 0.75 * radius + across * 1.1 * radius,
-        at - ahead * 0.75 * radius - across * 1.1 * radius,
-    ];
-    Shape::convex_polygon(corners, fill, stroke)
-}
-
-/// What lies between the smallest and the largest deviation in each piece of the circle.
-fn extremes(
-    transform: &PlotTransform,
-    polar: &Polar,
-    envelope: &Envelope,
-    bearing: Bearing,
-    only_after: bool,
-    palette: &Palette,
-) -> Shape {
-    let mut mesh = Mesh::default();
-    let least = 1.5 / transform.dpos_dvalue_x().abs();
-    let mut add = |q: [f64; 2], [low, high]: [f64; 2], color: Color32| {
-        let first = u32::try_from(mesh.vertices.len()).unwrap_or(0);
-        for (q, divisions) in [(q[0], low), (q[0], high), (q[1], high), (q[1], low)] {
-            let at = screen(transform, bearing.at(q, divisions));
-            mesh.colored_vertex(at, color);
-        }
-        mesh.add_triangle(first, first + 1, first + 2);
-        mesh.add_triangle(first, first + 2, first + 3);
-    };
-    let [low, high] = polar.range;
-    let columns = envelope.columns([low, high + 1e-9], COLUMNS);
-    let thick = |mm: [f64; 2]| {
-        let [a, b] = mm.map(|mm| layout::radius(polar, mm));
-        let more = (0.5 * (least - (b - a))).max(0.0);
-        [a - more, b + more]
-    };
-    for column in columns.iter().filter(|_| !only_after) {
-        if let Some([low, high]) = column.before_mm.map(thick) {
-            add(column.x, [low, high], palette.before.gamma_multiply(0.3));
-            add(column.x, [low, low + least], palette.before);
-            add(column.x, [high - least, high], palette.before);
-        }
-    }
-    for column in &columns {
-        if let Some(ends) = column.after_mm.map(thick) {
-            add(column.x, ends, palette.after.gamma_multiply(0.85));
-        }
-    }
-    Shape::mesh(mesh)
-}
-
 /// Angles around, and what the rings stand for.
 fn names(
     ui: &Ui,
@@ -364,27 +227,14 @@ fn names(
     }
     let q = layout::names_at(polar);
     let [inside, outside] = polar.divisions;
-    let rings = [-inside, 0.0, outside];
-    for divisions in rings {
+    for divisions in [-inside, outside] {
         let at = screen(transform, bearing.at(q, NOMINAL + divisions));
         let value = units.length_value(divisions * polar.division_mm);
-        let text = if divisions == 0.0 {
-            "nominal".to_owned()
-        } else {
-            format!("{} {}", trimmed(value, 6), units.length_name())
-        };
+        let text = format!("{} {}", trimmed(value, 6), units.length_name());
         let galley = painter.layout_no_wrap(text, font.clone(), palette.muted);
         let place = Align2::CENTER_CENTER.anchor_size(at, galley.size());
         let back = place.expand2(vec2(3.0, 1.0));
         painter.rect_filled(back, 2.0, palette.surface);
         painter.galley(place.min, galley, palette.muted);
     }
-}
-
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "a direction is drawn in single precision"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }

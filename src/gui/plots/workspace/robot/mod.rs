@@ -1,7 +1,9 @@
 //! The robot at one pose: the nominal one in outline, the real one beside it.
 
-pub(super) mod model;
+mod model;
 mod paint;
+mod skeleton;
 
 pub(super) use model::Drawn;
 pub(super) use paint::{beneath, values};
+pub(crate) use skeleton::extent;

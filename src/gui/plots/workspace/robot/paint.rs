@@ -172,7 +172,7 @@ pub(crate) fn values(
         said(
             ui,
             Rect::from_min_size(frame.left_top(), Vec2::splat(1.0)),
-            says,
+            &says,
         );
         return;
     };
@@ -207,7 +207,7 @@ pub(crate) fn values(
     let high: f32 = rows.iter().map(|r| r.size().y).sum();
     let wide = rows.iter().map(|r| r.size().x).fold(0.0, f32::max);
     let card = vec2(wide + 12.0, high + 6.0);
-    let places = room::around(tool, card, 16.0);
+    let places = room::everywhere(tool, card, 16.0, frame);
     let chain: Vec<Pos2> = drawn
         .nominal_mm
         .windows(2)
@@ -216,8 +216,8 @@ pub(crate) fn values(
             (0..=8_u8).map(move |k| ends[0].lerp(ends[1], f32::from(k) / 8.0))
         })
         .collect();
-    let Some(place) = room::freest(&places, frame, &[crowd, &chain]) else {
-        said(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), says);
+    let Some(place) = room::freest(&places, frame, &[crowd, &chain, &chain, &chain]) else {
+        said(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
         return;
     };
     let painter = ui.painter().with_clip_rect(frame);
@@ -234,14 +234,14 @@ pub(crate) fn values(
         painter.galley(at, galley, palette.text);
         at = pos2(at.x, next);
     }
-    said(ui, place, says);
+    said(ui, place, &says);
 }
 
 /// A line for whoever cannot see the plot.
-fn said(ui: &mut Ui, place: Rect, says: String) {
+fn said(ui: &Ui, place: Rect, says: &str) {
     let id = ui.scope_id().with("robot");
     let response = ui.interact(place, id, egui::Sense::hover());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says.clone()));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
 }
 
 #[allow(
