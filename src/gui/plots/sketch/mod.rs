@@ -169,7 +169,7 @@ impl Sketch {
                     let points: Vec<_> = points.iter().map(|p| at(*p)).collect();
                     let stroke = Stroke::new(*width, stands.color(palette));
                     if *dashed {
-                        shapes.extend(dashed(&points, stroke));
+                        shapes.extend(dashes(&points, stroke));
                     } else {
                         shapes.push(Shape::line(points, stroke));
                     }
@@ -202,7 +202,7 @@ impl Sketch {
 const DASH: [f32; 2] = [5.0, 3.5];
 
 /// A dashed line through points that may be nearer to each other than a dash is long.
-fn dashed(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
+fn dashes(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
     let mut shapes = Vec::new();
     let mut dash: Vec<Pos2> = points.first().copied().into_iter().collect();
     let (mut drawn, mut left) = (true, DASH[0]);
@@ -244,7 +244,7 @@ mod tests {
             .map(|k| pos2(0.5 * f32::from(k), 3.0))
             .collect();
         let lengths = |points: &[Pos2]| {
-            let shapes = dashed(points, Stroke::new(1.0, DARK.text));
+            let shapes = dashes(points, Stroke::new(1.0, DARK.text));
             let of = |shape: &Shape| shape.visual_bounding_rect().width();
             shapes.iter().map(of).collect::<Vec<f32>>()
         };
@@ -254,6 +254,6 @@ mod tests {
         for (a, b) in few.iter().zip(&many) {
             assert!((a - b).abs() < 1e-2, "{few:?} {many:?}");
         }
-        assert!(dashed(&ends[..1], Stroke::new(1.0, DARK.text)).is_empty());
+        assert!(dashes(&ends[..1], Stroke::new(1.0, DARK.text)).is_empty());
     }
 }
