@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use egui_kittest::kittest::Queryable;
-use support::window;
+use support::{Window, window};
 use truepose::gui::{App, Runner};
 
 const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot": { "name": "axis",
@@ -86,7 +86,7 @@ fn the_pointer_finds_a_sample_among_many_in_both_plots() {
 }
 
 /// How often each of these stands somewhere in the window.
-fn counts(window: &Harness<'_, App>, names: &[&str]) -> Vec<usize> {
+fn counts(window: &Window, names: &[&str]) -> Vec<usize> {
     let count = |name: &&str| window.query_all_by_label(name).count();
     names.iter().map(count).collect()
 }
