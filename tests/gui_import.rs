@@ -128,7 +128,7 @@ fn guessed_columns_have_to_be_confirmed() {
     assert!(says(&window, "5 of 5 columns are guessed"));
     assert!(says(&window, "Look at the columns above, and confirm them"));
     // What somebody chose is no guess any more; the others still are.
-    take_column_for(&mut window, 1, "left out");
+    take_column_for(&mut window, 1, "reflector");
     assert!(says(&window, "as you said"));
     assert!(says(&window, "4 of 5 columns are guessed"));
     press(&mut window, "The columns are right");

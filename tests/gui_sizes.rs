@@ -27,9 +27,9 @@ const SIZES: [[f32; 2]; 6] = [
 const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
 const ROUNDING: f32 = 1.5;
-/// The least that a plot may be, points.
-const LEAST_WORKSPACE: [f32; 2] = [300.0, 100.0];
-const LEAST_CHART: [f32; 2] = [300.0, 70.0];
+/// The least that the workspace and a chart may be, points: in a low window, and else.
+const LEAST_LOW: [[f32; 2]; 2] = [[300.0, 90.0], [300.0, 60.0]];
+const LEAST: [[f32; 2]; 2] = [[300.0, 150.0], [300.0, 80.0]];
 
 fn window(size: [f32; 2]) -> Window {
     window_of(size, None, Runner::AtOnce)
@@ -174,10 +174,12 @@ fn look(window: &Window, at: &str) {
             assert!(apart, "{at}: {a:?} lies on {b:?}");
         }
     }
+    let low = whole.height() < 600.0;
+    let [workspace, chart] = if low { LEAST_LOW } else { LEAST };
     for (name, least) in [
-        ("workspace plot", LEAST_WORKSPACE),
-        ("deviation chart", LEAST_CHART),
-        ("gap by step", LEAST_CHART),
+        ("workspace plot", workspace),
+        ("deviation chart", chart),
+        ("gap by step", chart),
     ] {
         let figures = all.iter().filter(|t| t.role == Role::Figure);
         for plot in figures.filter(|t| t.says.starts_with(name)) {

@@ -740,7 +740,11 @@ fn a_header_and_single_columns_can_be_said_and_the_others_stay_what_they_are() {
     let text = b"exported 2026\nTime [ms];X [cm];Y [cm];q1_deg\n0;24;6;1\n7;8;9;10\n";
     let found = inspect(text, &reading(Kind::Csv));
     assert_eq!(found.header_line, Some(2));
-    let known: Vec<bool> = found.columns.iter().map(|c| c.is_guess()).collect();
+    let known = found
+        .columns
+        .iter()
+        .map(truepose::importers::ColumnGuess::is_guess);
+    let known: Vec<bool> = known.collect();
     assert_eq!(known, [true, true, true, false], "q1_deg is no guess");
     // One column is said: a time in ms and lengths in cm stay what they are.
     let said = Reading {

@@ -152,7 +152,7 @@ fn every_picture_of_the_documents_is_there() {
         let folder = path.parent().expect("a folder");
         let pictures = text.split("](").skip(1);
         let pictures = pictures.filter_map(|rest| rest.split_once(')'));
-        for (picture, _) in pictures.filter(|(name, _)| name.ends_with(".png")) {
+        for (picture, _) in pictures.filter(|(name, _)| name.contains("pictures/")) {
             assert!(folder.join(picture).exists(), "{document}: {picture}");
         }
     }

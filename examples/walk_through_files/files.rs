@@ -17,18 +17,34 @@ use truepose::simulation::{load_scenario, simulate, unwatched};
 /// Points of the base plate, surveyed: name, base frame in mm, and how far off the instrument
 /// measured each, in µm, first at the start and then at the end of the day. Somebody kicked the
 /// nest of B4 between the survey and the first measurement.
-const BASE: [(&str, [f64; 3], [[f64; 3]; 2]); 6] = [
-    ("B1", [450.0, 420.0, 0.0], [[4., -3., 5.], [-2., 4., -3.]]),
-    ("B2", [-430.0, 440.0, 3.0], [[-5., 2., -4.], [3., -1., 4.]]),
-    ("B3", [-460.0, -410.0, 0.0], [[2., 5., 3.], [-4., -3., -2.]]),
-    (
+const BASE: [Nest; 6] = [
+    nest("B1", [450.0, 420.0, 0.0], [[4., -3., 5.], [-2., 4., -3.]]),
+    nest("B2", [-430.0, 440.0, 3.0], [[-5., 2., -4.], [3., -1., 4.]]),
+    nest("B3", [-460.0, -410.0, 0.0], [[2., 5., 3.], [-4., -3., -2.]]),
+    nest(
         "B4",
         [440.0, -450.0, 5.0],
         [[812., -395., 6.], [809., -398., 2.]],
     ),
-    ("B5", [60.0, 520.0, 610.0], [[-3., -4., 2.], [5., 2., -5.]]),
-    ("B6", [-520.0, 30.0, 620.0], [[3., 1., -4.], [-2., -3., 3.]]),
+    nest("B5", [60.0, 520.0, 610.0], [[-3., -4., 2.], [5., 2., -5.]]),
+    nest("B6", [-520.0, 30.0, 620.0], [[3., 1., -4.], [-2., -3., 3.]]),
 ];
+
+/// A surveyed point.
+struct Nest {
+    name: &'static str,
+    at_mm: [f64; 3],
+    /// Measured less surveyed, at the start and at the end of the day.
+    off_um: [[f64; 3]; 2],
+}
+
+const fn nest(name: &'static str, at_mm: [f64; 3], off_um: [[f64; 3]; 2]) -> Nest {
+    Nest {
+        name,
+        at_mm,
+        off_um,
+    }
+}
 
 /// What the files are called, and what is in them.
 pub struct Files {
@@ -97,7 +113,12 @@ fn tracker(session: &Session) -> String {
         let _ = writeln!(text, "{group},{name},{:.4},{:.4},{:.4}", p.x, p.y, p.z);
     };
     let base = |when: usize, line: &mut dyn FnMut(&str, &str, Point3<f64>)| {
-        for (name, at, off_um) in BASE {
+        for Nest {
+            name,
+            at_mm: at,
+            off_um,
+        } in BASE
+        {
             let off = off_um[when];
             let place = Point3::new(
                 at[0] + off[0] / 1000.0,
@@ -155,7 +176,10 @@ fn reflectors(session: &Session) -> String {
 
 fn base_points() -> String {
     let mut text = String::from("name,x_mm,y_mm,z_mm\n");
-    for (name, at, _) in BASE {
+    for Nest {
+        name, at_mm: at, ..
+    } in BASE
+    {
         let _ = writeln!(text, "{name},{},{},{}", at[0], at[1], at[2]);
     }
     text

@@ -224,9 +224,20 @@ mod tests {
     #[test]
     fn every_number_that_stands_in_a_panel_is_explained() {
         let panels = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/gui/panels");
+        let mut folders = vec![panels];
+        let mut files = Vec::new();
+        while let Some(folder) = folders.pop() {
+            for entry in std::fs::read_dir(folder).expect("the panels") {
+                let path = entry.expect("a panel").path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else {
+                    files.push(path);
+                }
+            }
+        }
         let mut seen = 0;
-        for entry in std::fs::read_dir(panels).expect("the panels") {
-            let path = entry.expect("a panel").path();
+        for path in files {
             let source = std::fs::read_to_string(&path).expect("its source");
             for name in names_in(&source) {
                 // Names of files are what they are.

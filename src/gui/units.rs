@@ -269,7 +269,7 @@ mod tests {
     #[test]
     fn numbers_of_a_column_have_the_same_decimals() {
         let units = Units::default();
-        let column = [0.0195, 0.00955, 0.1].map(|mm| units.length_like(mm, 0.0533));
+        let column = [0.0195, 0.00958, 0.1].map(|mm| units.length_like(mm, 0.0533));
         assert_eq!(column, ["0.0195", "0.0096", "0.1000"]);
         assert_eq!(units.length_like(-2.5, 0.0), "−2.50");
         assert_eq!(units.length_like(f64::NAN, 1.0), "–");

@@ -51,7 +51,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     if let Some(missing) = missing {
         widgets::hint(ui, missing);
     }
-    if super::sheets::buttons(ui, "Import", missing.is_none(), commands) {
+    if super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands) {
         commands.push(Command::Import);
     } else if next != now.said {
         commands.push(Command::Say(Box::new(next)));

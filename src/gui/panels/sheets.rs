@@ -17,7 +17,7 @@ use super::{import, preferences, recovery, shortcuts, simulation, unsaved, words
 const SHEET: i8 = space::PANEL + space::PANEL / 2;
 
 /// Between a sheet and the window's edges, together, points.
-const MARGIN: f32 = 32.0;
+const MARGIN: f32 = 12.0;
 
 /// Shows the open sheet, if there is one.
 pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -71,13 +71,24 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
 
 /// The buttons at the end of a sheet. Whether the first was pressed.
 pub(super) fn buttons(ui: &mut Ui, text: &str, enabled: bool, commands: &mut Vec<Command>) -> bool {
+    let pressed = buttons_without_enter(ui, text, enabled, commands);
+    pressed || (enabled && entered(ui))
+}
+
+/// The same where Enter only ends what is typed into one of many fields.
+pub(super) fn buttons_without_enter(
+    ui: &mut Ui,
+    text: &str,
+    enabled: bool,
+    commands: &mut Vec<Command>,
+) -> bool {
     ui.add_space(space::ROW);
     ui.columns(2, |columns| {
         if widgets::other(&mut columns[0], "Cancel").clicked() {
             commands.push(Command::Sheet(None));
         }
         let button = columns[1].add_enabled_ui(enabled, |ui| widgets::primary(ui, text));
-        button.inner.clicked() || (enabled && entered(&columns[1]))
+        button.inner.clicked()
     })
 }
 

@@ -8,6 +8,11 @@ use crate::gui::tokens::{Palette, size, strong};
 
 use super::{charts, disk};
 
+/// The least height of the chart with its bar, and of the workspace with its own, points: as much
+/// of a window as the user pulls, or makes smaller afterwards, neither vanishes.
+const LOWEST: f32 = 182.0;
+const WORKSPACE: f32 = 256.0;
+
 /// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     disk::show(ui, workbench, commands);
@@ -17,8 +22,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
     Panel::bottom("deviation")
         .resizable(true)
-        .default_size((0.34 * height).max(172.0))
-        .size_range(172.0..=(0.7 * height).max(180.0))
+        .default_size((0.34 * height).max(LOWEST))
+        .size_range(LOWEST..=(height - WORKSPACE).max(LOWEST))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
             charts::show(ui, workbench, commands);

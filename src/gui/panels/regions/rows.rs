@@ -17,7 +17,7 @@ use super::row;
 /// More regions than this are too many to be listed with fields.
 const MOST_LISTED: usize = 60;
 /// Widths of the columns: name, from, to, samples, what can be done.
-pub(super) const COLUMNS: [f32; 5] = [58.0, 62.0, 62.0, 44.0, 26.0];
+pub(super) const COLUMNS: [f32; 5] = [40.0, 60.0, 60.0, 40.0, 26.0];
 const HEIGHT: f32 = 24.0;
 
 /// Shows the rows.
