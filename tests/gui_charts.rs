@@ -59,17 +59,15 @@ fn find_sample(window: &mut Window, name: &str) -> Option<(egui::Pos2, String)> 
             );
             window.hover_at(at);
             window.run_steps(2);
-            if !there(window, "approached") {
-                continue;
-            }
-            let mut titles = window.query_all_by_label_contains("sample ");
-            let title = titles.find_map(|node| {
-                let node = node.accesskit_node();
-                let text = node.label().or(node.value())?;
-                let number = text.strip_prefix("sample ")?;
-                number.parse::<usize>().ok().map(|_| text)
+            let mut cards = window.query_all_by_label_contains("card of sample ");
+            let sample = cards.find_map(|node| {
+                let said = node.accesskit_node().label()?;
+                let (title, _) = said.strip_prefix("card of ")?.split_once(':')?;
+                Some(title.to_owned())
             });
-            return title.map(|title| (at, title));
+            if let Some(sample) = sample {
+                return Some((at, sample));
+            }
         }
     }
     None

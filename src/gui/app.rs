@@ -206,7 +206,7 @@ impl App {
             self.workbench.tidy();
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|i| i.viewport().close_requested()) {
-            if self.workbench.at_risk().any() {
+            if self.workbench.at_risk().any() || self.workbench.tasks().writing().is_some() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
                 self.workbench.execute(Command::Leave);
             } else {

@@ -5,7 +5,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::atomic::{WriteError, refuse_to_replace_inputs, write_atomically};
+use crate::atomic::{
+    Prepared, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
+};
 use crate::diagnostic::{Diagnostic, Rejected};
 use crate::export::{Document, Job, find};
 pub(crate) use crate::model::format_v1::is_model;
@@ -94,6 +96,10 @@ fn opened(loaded: Result<Loaded, Rejected>, origin: Origin, name: &str) -> Repor
             let mut subject = Subject::new(loaded.session, loaded.findings, origin);
             subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
             subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+            if subject.single_revolute() {
+                // Sorted here, so that the window never waits for it.
+                subject.angles();
+            }
             Ok(Arc::new(subject))
         }
         Err(rejected) => Err(Message {
@@ -257,15 +263,21 @@ fn same_file(a: &Path, b: &Path) -> bool {
 
 /// What the system says, and what to do about it.
 fn advice(error: &WriteError) -> String {
-    let WriteError::Io { source, .. } = error else {
-        return if let WriteError::Exists(path) = error {
-            format!(
+    let source = match error {
+        WriteError::Io { source, .. } => source,
+        WriteError::Exists(path) => {
+            return format!(
                 "{} exists already; allow replacing it, or choose another name",
                 path.display()
-            )
-        } else {
-            error.to_string()
-        };
+            );
+        }
+        WriteError::NotAFile(path) => {
+            return format!(
+                "{} is a folder or a device and cannot be replaced; choose another name",
+                path.display()
+            );
+        }
+        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return error.to_string(),
     };
     let what_to_do = match source.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
@@ -273,7 +285,13 @@ fn advice(error: &WriteError) -> String {
         }
         ErrorKind::ReadOnlyFilesystem => "the disk can only be read: save to another disk",
         ErrorKind::PermissionDenied => "nothing may be written there: save to another folder",
-        ErrorKind::NotFound => "the folder is not there: choose another, or make it first",
+        ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            "the folder is not there: choose another, or make it first"
+        }
+        ErrorKind::InvalidFilename => {
+            "the name is too long, or has a sign in it that no name may have: choose another name"
+        }
+        ErrorKind::Interrupted => return "it was cancelled".to_owned(),
         _ => return error.to_string(),
     };
     format!("{what_to_do} ({source})")
@@ -377,6 +395,9 @@ pub(crate) fn ending(path: &Path) -> Option<String> {
 pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
     let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
     refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
+    if path.exists() && !path.is_file() {
+        return Err(advice(&WriteError::NotAFile(path.to_path_buf())));
+    }
     if path.exists() && !replace {
         return Err(advice(&WriteError::Exists(path.to_path_buf())));
     }
@@ -446,11 +467,21 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
             there.display()
         ));
     }
-    for (place, document) in places.iter().zip(documents) {
-        write_atomically(place, replace, |file| file.write_all(&document.bytes))
-            .map_err(|error| advice(&error))?;
-    }
-    Ok(())
+    // All of them are on the disk before the first has its name.
+    let write = |(place, document): (&PathBuf, &Document)| {
+        Prepared::write(place, replace, |file| file.write_all(&document.bytes))
+    };
+    let written: Result<Vec<Prepared>, WriteError> =
+        places.iter().zip(documents).map(write).collect();
+    let mut written = written.map_err(|error| advice(&error))?;
+    let committed = if written.len() == 2
+        && let (Some(second), Some(first)) = (written.pop(), written.pop())
+    {
+        commit_both(first, second)
+    } else {
+        written.into_iter().try_for_each(Prepared::commit)
+    };
+    committed.map_err(|error| advice(&error))
 }
 
 /// What a session's file is called unless the user says otherwise.

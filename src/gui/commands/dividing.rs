@@ -18,6 +18,14 @@ pub(crate) struct Adapted {
     made: Result<(Vec<Region>, Decision), String>,
 }
 
+impl Adapted {
+    /// Looks where the samples ask for regions. Takes its time with many samples.
+    pub(super) fn of(subject: Arc<Subject>) -> Self {
+        let made = adapt(&subject.session);
+        Self { subject, made }
+    }
+}
+
 impl Workbench {
     /// Looks where the samples ask for regions.
     pub(super) fn adapt(&mut self) {
@@ -30,8 +38,7 @@ impl Workbench {
         }
         self.tasks
             .start("looking where regions are needed", move |_| {
-                let made = adapt(&subject.session);
-                Report::Adapted(Box::new(Adapted { subject, made }))
+                Report::Adapted(Box::new(Adapted::of(subject)))
             });
     }
 

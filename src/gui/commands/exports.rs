@@ -45,7 +45,7 @@ impl Workbench {
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
             let says = format!("writing {}", path.display());
             self.tasks
-                .start(says, move |_| files::write_list(list, &path, replace));
+                .write(says, move |_| files::write_list(list, &path, replace));
             return;
         }
         // From what is shown, but under the name that was chosen.
@@ -57,7 +57,7 @@ impl Workbench {
         };
         let choice = self.document().export;
         let says = format!("writing {}", path.display());
-        self.tasks.start(says, move |_| {
+        self.tasks.write(says, move |_| {
             let wanted = Wanted { outcome, choice };
             files::export(&wanted, what, &path, replace)
         });

@@ -65,6 +65,17 @@ impl Workbench {
 
     /// Does it, unless something would be lost: then asks first.
     pub(super) fn ask_then(&mut self, then: Then) {
+        if let (Then::Leave, Some(writing)) = (&then, self.tasks.writing()) {
+            // Nobody has to choose between a file and leaving.
+            let title = format!("The window closes after {}", writing.what);
+            self.view.message = Some(Message {
+                wrong: false,
+                title,
+                details: Vec::new(),
+            });
+            self.desk.then = Some(then);
+            return;
+        }
         if self.at_risk().any() {
             self.view.sheet = Some(Sheet::Unsaved(then));
         } else {
@@ -80,15 +91,15 @@ impl Workbench {
             Then::Leave => self.view.leaving = true,
             Then::Open(path) => {
                 let what = format!("reading {}", path.display());
-                self.tasks.start(what, move |_| files::open(&path));
+                self.tasks.open(what, move |_| files::open(&path));
             }
             Then::Example(index) => {
                 self.tasks
-                    .start("reading an example", move |_| files::open_example(index));
+                    .open("reading an example", move |_| files::open_example(index));
             }
             Then::Simulate(form) => {
                 self.tasks
-                    .start("simulating", move |watch| files::simulate(&form, watch));
+                    .open("simulating", move |watch| files::simulate(&form, watch));
             }
         }
     }
@@ -133,7 +144,7 @@ impl Workbench {
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (format!("saving {}", path.display()), path.to_path_buf());
         self.tasks
-            .start(what, move |_| files::save(document, &path, replace, known));
+            .write(what, move |_| files::save(document, &path, replace, known));
     }
 
     pub(super) fn take_saved(&mut self, saved: Saved) {

@@ -18,6 +18,8 @@ mod reports;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod under_way;
+#[cfg(test)]
 mod walk;
 
 use std::path::{Path, PathBuf};
@@ -218,6 +220,8 @@ impl Workbench {
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),
             Command::Cancel => {
+                // What was to be done after it is not wanted any more either.
+                self.stay();
                 if let Some(question) = self.tasks.cancel_newest() {
                     self.declined = Some(question);
                 }

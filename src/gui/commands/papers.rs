@@ -58,7 +58,7 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let says = format!("writing {}", path.display());
-        self.tasks.start(says, move |watch| {
+        self.tasks.write(says, move |watch| {
             reporting::write(&wanted, &path, replace, watch)
         });
     }
@@ -79,7 +79,7 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let says = format!("writing {}", path.display());
-        self.tasks.start(says, move |watch| {
+        self.tasks.write(says, move |watch| {
             pictures::write(&wanted, &path, replace, watch)
         });
     }

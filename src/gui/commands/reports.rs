@@ -103,19 +103,17 @@ impl Workbench {
                     replace: false,
                 });
             }
-            Report::Written(message) => self.view.message = Some(message),
+            Report::Written(message) => self.take_written(message),
             Report::Figured(figures) => {
                 self.figures = Some(*figures);
                 // What is shown may be another answer by now.
                 self.keep_figuring();
             }
-            Report::Listed(Ok(path)) => {
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: format!("Written: {}", path.display()),
-                    details: Vec::new(),
-                });
-            }
+            Report::Listed(Ok(path)) => self.take_written(Message {
+                wrong: false,
+                title: format!("Written: {}", path.display()),
+                details: Vec::new(),
+            }),
             Report::Exported(Ok(path)) => {
                 self.model_is_on_file();
                 self.view.message = Some(Message {
@@ -137,6 +135,17 @@ impl Workbench {
                     ],
                 );
             }
+        }
+    }
+
+    /// Something was written, or not: what was to be done then is done, or is not.
+    fn take_written(&mut self, message: Message) {
+        let written = !message.wrong;
+        self.view.message = Some(message);
+        if written {
+            self.go_on();
+        } else {
+            self.stay();
         }
     }
 

@@ -5,7 +5,9 @@ use egui::{Align, ComboBox, Layout, Ui};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::help::{self, Word};
 use crate::gui::pictures::Plot;
-use crate::gui::plots::{correction, deviation, effect, histogram, orders, picture, waterfall};
+use crate::gui::plots::{
+    correction, deviation, effect, histogram, orders, picture, strip, waterfall,
+};
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Chart;
@@ -33,9 +35,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         Chart::Orders => orders::show(ui, workbench, commands),
         Chart::Histogram => histogram::show(ui, workbench, commands),
         Chart::Effect => effect::show(ui, workbench, commands),
-        Chart::Gap => waterfall::show(ui, workbench),
+        Chart::Gap => {
+            let says = "root mean square over the samples that were fitted";
+            strip::show(ui, says, &[], commands);
+            waterfall::show(ui, workbench);
+        }
         Chart::Table => {
             if let Some(Ok(made)) = workbench.export() {
+                strip::show(ui, &correction::caption(made), &[], commands);
                 correction::show(ui, workbench, made);
             }
         }
@@ -153,14 +160,6 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
         if let Some(joint) = joints.and_then(|j| j.show(ui, None)) {
             commands.push(Command::ChartJoint(joint));
         }
-        let says = match chart {
-            Chart::Gap => "root mean square over the samples that were fitted".to_owned(),
-            Chart::Table => match workbench.export() {
-                Some(Ok(made)) => correction::caption(made),
-                _ => String::new(),
-            },
-            _ => String::new(),
-        };
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = space::TIGHT;
             if has_picture(workbench, chart) {
@@ -168,15 +167,6 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
             }
             copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
             widgets::question(ui, word(chart));
-            // Where it has no room the question mark says it.
-            let font = egui::FontId::proportional(size::SMALL);
-            let muted = Palette::of(ui).muted;
-            let galley = ui.painter().layout_no_wrap(says.clone(), font, muted);
-            if !says.is_empty() && galley.size().x + space::ROW <= ui.available_width() {
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    widgets::caption(ui, &says);
-                });
-            }
         });
     });
 }

@@ -12,7 +12,7 @@ mod marks;
 pub(crate) mod orders;
 pub(crate) mod over;
 pub(crate) mod sketch;
-mod strip;
+pub(crate) mod strip;
 pub(crate) mod waterfall;
 pub(crate) mod workspace;
 

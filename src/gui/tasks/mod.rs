@@ -149,6 +149,33 @@ impl Tasks {
         self.spawn(what.into(), Kind::Once, work);
     }
 
+    /// Starts a task that brings another session. One that is under way already is dropped for it:
+    /// what was asked for last counts, not what takes longest.
+    pub(crate) fn open(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Report + Send + 'static,
+    ) {
+        while self.running.iter().any(|r| r.kind == Kind::Opens) {
+            self.cancel(|kind| kind == Kind::Opens);
+        }
+        self.spawn(what.into(), Kind::Opens, work);
+    }
+
+    /// Starts a task that writes a file.
+    pub(crate) fn write(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Report + Send + 'static,
+    ) {
+        self.spawn(what.into(), Kind::Writes, work);
+    }
+
+    /// What is being written, if anything is.
+    pub(crate) fn writing(&self) -> Option<&Running> {
+        self.running.iter().find(|r| r.kind == Kind::Writes)
+    }
+
     /// Looks at a foreign file, unless that is under way.
     pub(crate) fn look(
         &mut self,
@@ -271,8 +298,8 @@ impl Tasks {
         }
     }
 
-    /// Cancels the newest task: its report will not be taken. The question that is not answered
-    /// then, if it was one.
+    /// Cancels the newest task: its report will not be taken, unless it is about a file that is
+    /// being written. The question that is not answered then, if it was one.
     pub(crate) fn cancel_newest(&mut self) -> Option<Question> {
         self.cancel(Kind::has_a_name)
     }
@@ -284,15 +311,26 @@ impl Tasks {
 
     fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Question> {
         let place = self.running.iter().rposition(|r| meant(r.kind))?;
+        self.running[place].watch.stop();
+        if self.running[place].kind == Kind::Writes {
+            // The file may have its name already.
+            "cancelling".clone_into(&mut self.running[place].what);
+            return None;
+        }
         let cancelled = self.running.remove(place);
-        cancelled.watch.stop();
         match cancelled.kind {
-            Kind::Once | Kind::Searches | Kind::Quiet | Kind::Draws | Kind::Looks => {}
             Kind::Identifies => {
                 let Latest { asked, waiting } = std::mem::take(&mut self.questions);
                 return waiting.or(asked);
             }
             Kind::Prepares => self.previews = Latest::default(),
+            Kind::Once
+            | Kind::Opens
+            | Kind::Writes
+            | Kind::Searches
+            | Kind::Quiet
+            | Kind::Looks
+            | Kind::Draws => {}
         }
         None
     }
@@ -310,7 +348,12 @@ impl Tasks {
             };
             let finished = self.running.remove(place);
             match finished.kind {
-                Kind::Once | Kind::Searches | Kind::Quiet | Kind::Looks => {}
+                Kind::Once
+                | Kind::Opens
+                | Kind::Writes
+                | Kind::Searches
+                | Kind::Quiet
+                | Kind::Looks => {}
                 Kind::Identifies => {
                     if let Some(next) = self.questions.answered() {
                         self.answer(next);

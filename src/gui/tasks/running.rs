@@ -90,6 +90,10 @@ impl Running {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Once,
+    /// It brings another session: the newest counts.
+    Opens,
+    /// It writes a file: how that went is told, cancelled or not.
+    Writes,
     Identifies,
     Prepares,
     Searches,

@@ -363,7 +363,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
                 .then(|| Box::new(setup(random, workbench.subject()))),
         ),
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
-        148 if random.random_range(0..20) == 0 => Command::Leave,
+        148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148..=150 => Command::Dismiss,
         151 => Command::Fit,
         _ => {

@@ -34,10 +34,19 @@ const TAIL: usize = 25;
 
 #[test]
 fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
+    let walks = std::thread::scope(|scope| {
+        let walks: Vec<_> = (0..SEEDS)
+            .map(|seed| scope.spawn(move || walk(seed)))
+            .collect();
+        let ended = walks.into_iter().map(std::thread::ScopedJoinHandle::join);
+        ended.collect::<Vec<_>>()
+    });
     let mut done: BTreeSet<&str> = BTreeSet::new();
     let mut edited: BTreeSet<&str> = BTreeSet::new();
-    for seed in 0..SEEDS {
-        walk(seed, &mut done, &mut edited);
+    for walk in walks {
+        let (some, changes) = walk.expect("a walk failed; see above which and where");
+        done.extend(some);
+        edited.extend(changes);
     }
     let missed: Vec<&&str> = kinds::COMMANDS
         .iter()
@@ -72,7 +81,9 @@ impl Drop for Told {
     }
 }
 
-fn walk(seed: u64, done: &mut BTreeSet<&'static str>, edited: &mut BTreeSet<&'static str>) {
+/// The kinds of commands and of changes that it did.
+fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
+    let (mut done, mut edited) = (BTreeSet::new(), BTreeSet::new());
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let folder = tempfile::tempdir().expect("a folder");
     let mut files = prepared(folder.path());
@@ -127,6 +138,7 @@ fn walk(seed: u64, done: &mut BTreeSet<&'static str>, edited: &mut BTreeSet<&'st
     }
     all_the_way(app.bench());
     nothing_is_half_written(folder.path());
+    (done, edited)
 }
 
 /// Files to open: an instrument's, and one that is damaged.

@@ -18,6 +18,8 @@ use super::model::{Bins, Counted, Histogram, NoiseCurve, RULE};
 
 /// A noise curve is drawn where a bin is at most so many standard deviations wide.
 const SHARP: f64 = 3.0;
+/// The noise curve is shown up to so many times the tallest bar.
+const MOST_PEAK: f64 = 2.0;
 /// Points of the noise curve.
 const FINE: usize = 240;
 
@@ -93,17 +95,18 @@ fn drawn(workbench: &Workbench, histogram: &Histogram) -> Sketch {
     }
     let [low, high] = bins.span();
     let component = workbench.view().component;
+    let mut tallest = most;
     if let Some(noise) = curve(workbench, &bins) {
         let samples = histogram.sizes_before.within(0.0).1;
         let at = |k: usize| low + (high - low) * k as f64 / FINE as f64;
-        let point = |k: usize| {
-            let count = noise.count(at(k), bins.width_mm, samples);
-            [value(at(k)), count.min(1.08 * most)]
-        };
+        let point = |k: usize| [value(at(k)), noise.count(at(k), bins.width_mm, samples)];
         let points: Vec<[f64; 2]> = (0..=FINE).map(point).collect();
+        // A curve far above all bars must not flatten them.
+        let peak = points.iter().map(|p| p[1]).fold(0.0, f64::max);
+        tallest = most.max(peak.min(MOST_PEAK * most));
         inks.push(Ink::Line(points, Stands::Noise, 1.8, true));
     }
-    let top = 1.2 * most;
+    let top = 1.2 * tallest;
     if let Some(tolerance) = workbench.document().tolerance_mm {
         let both = [-tolerance, tolerance];
         let ends = if component == Component::Length {

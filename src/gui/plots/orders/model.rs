@@ -30,7 +30,7 @@ const HIGHEST: usize = 24;
 /// Noise alone gives no bar above the line in this share of sessions.
 const QUIET: f64 = 0.99;
 /// The line, in words.
-pub(crate) const LINE: &str = "noise alone stays below the line in 99 of 100 sessions";
+pub(crate) const LINE: &str = "noise stays below the line in 99 of 100 sessions";
 /// On each side of an order that is known (a gear's).
 const AROUND: usize = 2;
 /// Orders beyond this would take too long.
@@ -135,10 +135,7 @@ impl Spectrum {
         }
         let range = crate::gui::units::trimmed(360.0 * self.turns, 0);
         let apart = crate::gui::units::trimmed((1.0 / self.turns).ceil(), 0);
-        let mut says = format!(
-            "range {range}°, less than a turn: orders nearer than {apart} to each other cannot be \
-             told apart"
-        );
+        let mut says = format!("range {range}°: orders nearer than {apart} cannot be told apart");
         match self.unseen {
             0 => {}
             1 => says += ", and order 1 cannot be seen",

@@ -3,7 +3,7 @@
 
 mod paper;
 
-use egui::{Align2, Color32, FontId, Painter, Rect, Shape, Stroke, StrokeKind, pos2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, pos2};
 use egui_plot::{Plot, PlotPoint, PlotTransform};
 
 use crate::gui::tokens::{Palette, size};
@@ -169,7 +169,7 @@ impl Sketch {
                     let points: Vec<_> = points.iter().map(|p| at(*p)).collect();
                     let stroke = Stroke::new(*width, stands.color(palette));
                     if *dashed {
-                        shapes.extend(Shape::dashed_line(&points, stroke, 5.0, 3.5));
+                        shapes.extend(dashes(&points, stroke));
                     } else {
                         shapes.push(Shape::line(points, stroke));
                     }
@@ -195,5 +195,65 @@ impl Sketch {
                 }
             }
         }
+    }
+}
+
+/// A dash and the gap after it, points.
+const DASH: [f32; 2] = [5.0, 3.5];
+
+/// A dashed line through points that may be nearer to each other than a dash is long.
+fn dashes(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
+    let mut shapes = Vec::new();
+    let mut dash: Vec<Pos2> = points.first().copied().into_iter().collect();
+    let (mut drawn, mut left) = (true, DASH[0]);
+    for pair in points.windows(2) {
+        let (mut from, to) = (pair[0], pair[1]);
+        let mut length = from.distance(to);
+        if !length.is_finite() {
+            continue;
+        }
+        while length > left {
+            from += (to - from) * (left / length);
+            length -= left;
+            dash.push(from);
+            if drawn {
+                shapes.push(Shape::line(std::mem::take(&mut dash), stroke));
+            }
+            dash = vec![from];
+            drawn = !drawn;
+            left = DASH[usize::from(!drawn)];
+        }
+        left -= length;
+        dash.push(to);
+    }
+    if drawn && dash.len() > 1 {
+        shapes.push(Shape::line(dash, stroke));
+    }
+    shapes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::tokens::DARK;
+
+    #[test]
+    fn dashes_have_one_length_however_near_the_points_are() {
+        let ends = [pos2(0.0, 3.0), pos2(85.0, 3.0)];
+        let fine: Vec<Pos2> = (0_u8..=170)
+            .map(|k| pos2(0.5 * f32::from(k), 3.0))
+            .collect();
+        let lengths = |points: &[Pos2]| {
+            let shapes = dashes(points, Stroke::new(1.0, DARK.text));
+            let of = |shape: &Shape| shape.visual_bounding_rect().width();
+            shapes.iter().map(of).collect::<Vec<f32>>()
+        };
+        let (few, many) = (lengths(&ends), lengths(&fine));
+        assert_eq!(few.len(), 10);
+        assert_eq!(many.len(), 10);
+        for (a, b) in few.iter().zip(&many) {
+            assert!((a - b).abs() < 1e-2, "{few:?} {many:?}");
+        }
+        assert!(dashes(&ends[..1], Stroke::new(1.0, DARK.text)).is_empty());
     }
 }
