@@ -173,7 +173,7 @@ fn reached(window: &mut Window) -> BTreeSet<String> {
             if !node.is_focused() {
                 continue;
             }
-            let labels = node.labelled_by();
+            let mut labels = node.labelled_by();
             let by = labels.find_map(|l| l.value().or(l.label()));
             if let Some(name) = node.label().or(by)
                 && reached.insert(name)
@@ -211,7 +211,7 @@ fn the_tabulator_reaches_everything() {
                     | Role::Link
                     | Role::Tab
             );
-            let labels = node.labelled_by();
+            let mut labels = node.labelled_by();
             let by = labels.find_map(|l| l.value().or(l.label()));
             let Some(name) = node.label().or(by) else {
                 continue;
