@@ -70,7 +70,7 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
 pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec<Command>) {
     let mut done = None;
     let menu = ui.scope(|ui| {
-        ui.spacing_mut().button_padding.x = 4.0;
+        ui.spacing_mut().button_padding = egui::vec2(4.0, 2.0);
         ui.spacing_mut().interact_size.x = COLUMNS[4];
         ui.menu_button("…", |ui| {
             ui.set_min_width(180.0);

@@ -16,8 +16,11 @@ use super::row;
 
 /// More regions than this are too many to be listed with fields.
 const MOST_LISTED: usize = 60;
-/// Widths of the columns: name, from, to, samples, what can be done.
+/// Widths of the columns: name, from, to, samples, what can be done. The name takes what is left
+/// of the panel.
 pub(super) const COLUMNS: [f32; 5] = [40.0, 60.0, 60.0, 40.0, 26.0];
+/// Between the columns.
+const BETWEEN: f32 = 5.0;
 const HEIGHT: f32 = 24.0;
 
 /// Shows the rows.
@@ -29,12 +32,14 @@ pub(super) fn show(
 ) {
     let regions = &workbench.document().regions;
     let units = workbench.units();
-    ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
+    ui.spacing_mut().item_spacing = vec2(BETWEEN, 3.0);
     ui.spacing_mut().interact_size.y = HEIGHT;
-    head(ui, units);
+    let others: f32 = COLUMNS[1..].iter().map(|width| width + BETWEEN).sum();
+    let name_wide = (ui.available_width() - others).max(COLUMNS[0]);
+    head(ui, units, name_wide);
     for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
         ui.horizontal(|ui| {
-            name(ui, k, &region.name, commands);
+            name(ui, k, &region.name, name_wide, commands);
             for end in [End::From, End::To] {
                 angle(ui, workbench, k, end, commands);
             }
@@ -59,7 +64,7 @@ pub(super) fn show(
     }
 }
 
-fn head(ui: &mut Ui, units: Units) {
+fn head(ui: &mut Ui, units: Units, name_wide: f32) {
     let muted = Palette::of(ui).muted;
     let unit = units.angle_name().trim();
     let names = [
@@ -69,7 +74,8 @@ fn head(ui: &mut Ui, units: Units) {
         "samples".to_owned(),
     ];
     ui.horizontal(|ui| {
-        for (name, width) in names.into_iter().zip(COLUMNS) {
+        for (k, (name, width)) in names.into_iter().zip(COLUMNS).enumerate() {
+            let width = if k == 0 { name_wide } else { width };
             ui.allocate_ui(vec2(width, 16.0), |ui| {
                 ui.set_min_width(width);
                 let name = RichText::new(name).size(size::SMALL).color(muted);
@@ -121,7 +127,7 @@ pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
     ui.ctx().viewport_id().0.with(("name of region", region))
 }
 
-fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
+fn name(ui: &mut Ui, region: usize, name: &str, width: f32, commands: &mut Vec<Command>) {
     let id = name_id(ui, region);
     let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
     let mut text = typed.unwrap_or_else(|| name.to_owned());
@@ -130,7 +136,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
         .margin(egui::Margin::symmetric(6, 4))
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
-    let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
+    let field = ui.add_sized([width, HEIGHT], edit);
     ui.ctx().accesskit_node_builder(field.id, |node| {
         node.set_label(format!("Name of region {name}"));
     });
