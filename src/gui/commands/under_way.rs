@@ -103,7 +103,8 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
 #[test]
 fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
     let mut bench = on_threads();
-    bench.execute(Command::Edit(Edit::Divide(3)));
+    bench.execute(Command::Do(Then::Example(1)));
+    until(&mut bench, idle);
     let (go, wait) = gate();
     bench.tasks.write("writing", move |_| {
         let _ = wait.recv();
