@@ -81,6 +81,7 @@ fn every_input_of_every_step_has_a_name() {
             _ => {}
         }
     }
+    press(&mut window, "1 Session");
     press(&mut window, "Samples");
     named(&window, "samples");
     press(&mut window, "2 Regions");
@@ -100,7 +101,7 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
     }
     let shifted = Modifiers::COMMAND.plus(Modifiers::SHIFT);
     for (heading, modifiers, key) in [
-        ("New by simulation", Modifiers::COMMAND, Key::N),
+        ("A lamp on one turning axis", Modifiers::COMMAND, Key::N),
         ("Save session", shifted, Key::P),
         ("Preferences", Modifiers::COMMAND, Key::Comma),
         ("Keyboard shortcuts", Modifiers::COMMAND, Key::K),

@@ -66,12 +66,11 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Division::Adaptive(_) => 2,
     };
     let chosen = ui.horizontal(|ui| {
-        ui.label("Regions");
-        widgets::question(ui, help::REGION);
+        let chosen = widgets::segmented(ui, &kinds, now);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            widgets::segmented(ui, &kinds, now)
-        })
-        .inner
+            widgets::question(ui, help::REGION);
+        });
+        chosen
     });
     match chosen.inner {
         Some(0) => commands.push(Command::Edit(Edit::Divide(number))),
