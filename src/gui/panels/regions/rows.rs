@@ -16,9 +16,21 @@ use super::row;
 
 /// More regions than this are too many to be listed with fields.
 const MOST_LISTED: usize = 60;
-/// Widths of the columns: name, from, to, samples, what can be done.
+/// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
 pub(super) const COLUMNS: [f32; 5] = [40.0, 60.0, 60.0, 40.0, 26.0];
+/// Widest field for an end: all digits that a boundary is shown with.
+const WIDEST: f32 = 76.0;
+/// Between the columns.
+const GAP: f32 = 5.0;
 const HEIGHT: f32 = 24.0;
+
+/// The columns in a panel of this width.
+fn columns(available: f32) -> [f32; 5] {
+    let [name, least, _, samples, more] = COLUMNS;
+    let rest = available - name - samples - more - 4.0 * GAP;
+    let end = (0.5 * rest).clamp(least, WIDEST);
+    [name, end, end, samples, more]
+}
 
 /// Shows the rows.
 pub(super) fn show(
@@ -29,14 +41,15 @@ pub(super) fn show(
 ) {
     let regions = &workbench.document().regions;
     let units = workbench.units();
-    ui.spacing_mut().item_spacing = vec2(5.0, 3.0);
+    ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
     ui.spacing_mut().interact_size.y = HEIGHT;
-    head(ui, units);
+    let columns = columns(ui.available_width());
+    head(ui, columns, units);
     for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
         ui.horizontal(|ui| {
             name(ui, k, &region.name, commands);
             for end in [End::From, End::To] {
-                angle(ui, workbench, k, end, commands);
+                angle(ui, columns[1], workbench, (k, end), commands);
             }
             samples(ui, workbench, k, counts[k], commands);
             row::more(ui, regions, k, commands);
@@ -59,7 +72,7 @@ pub(super) fn show(
     }
 }
 
-fn head(ui: &mut Ui, units: Units) {
+fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
     let muted = Palette::of(ui).muted;
     let unit = units.angle_name().trim();
     let names = [
@@ -69,7 +82,7 @@ fn head(ui: &mut Ui, units: Units) {
         "samples".to_owned(),
     ];
     ui.horizontal(|ui| {
-        for (name, width) in names.into_iter().zip(COLUMNS) {
+        for (name, width) in names.into_iter().zip(columns) {
             ui.allocate_ui(vec2(width, 16.0), |ui| {
                 ui.set_min_width(width);
                 let name = RichText::new(name).size(size::SMALL).color(muted);
@@ -154,7 +167,13 @@ struct Typing {
     changed: bool,
 }
 
-fn angle(ui: &mut Ui, workbench: &Workbench, k: usize, end: End, commands: &mut Vec<Command>) {
+fn angle(
+    ui: &mut Ui,
+    width: f32,
+    workbench: &Workbench,
+    (k, end): (usize, End),
+    commands: &mut Vec<Command>,
+) {
     let regions = &workbench.document().regions;
     let (region, units) = (&regions[k], workbench.units());
     let at_rad = match end {
@@ -172,7 +191,7 @@ fn angle(ui: &mut Ui, workbench: &Workbench, k: usize, end: End, commands: &mut 
         .margin(egui::Margin::symmetric(6, 4))
         .align(egui::Align2::RIGHT_CENTER)
         .clip_text(true);
-    let field = ui.add_sized([COLUMNS[1], HEIGHT], edit);
+    let field = ui.add_sized([width, HEIGHT], edit);
     let name = format!(
         "{}, region {}",
         if end == End::From { "From" } else { "To" },
