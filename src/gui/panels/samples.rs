@@ -1,8 +1,8 @@
 //! Sample by sample: what was measured where, and whether it is within the tolerance. Any number
 //! of rows; only those in sight are made.
 
-use egui::{Align, Layout, RichText, Sense, Stroke, Ui, vec2};
-use egui_extras::{Column, TableBuilder};
+use egui::{Align, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::tokens::{Palette, size};
@@ -62,9 +62,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 String::new(),
             ];
             for head in heads {
-                header.col(|ui| {
-                    ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
-                });
+                heading(&mut header, &head);
             }
         })
         .body(|body| {
@@ -81,22 +79,22 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 } else {
                     trimmed(units.length_value(q), 3)
                 };
-                row.col(|ui| {
+                cell(&mut row, "number", |ui| {
                     let number = RichText::new((sample + 1).to_string());
                     ui.label(number.color(palette.muted));
                 });
-                row.col(|ui| {
+                cell(&mut row, "angle", |ui| {
                     ui.label(q);
                 });
-                row.col(|ui| {
+                cell(&mut row, "before", |ui| {
                     ui.label(units.length_like(before, like_before));
                 });
-                row.col(|ui| {
+                cell(&mut row, "after", |ui| {
                     let after = after.map(|mm| units.length_like(mm, like_after));
                     ui.label(after.unwrap_or_default());
                 });
                 let shown = after.unwrap_or(before);
-                row.col(|ui| {
+                cell(&mut row, "tolerance", |ui| {
                     if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
                         mark(ui, shown <= tolerance_mm);
                     }
@@ -116,6 +114,24 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if before.flatten() != hovered {
         commands.push(Command::Hover(hovered));
     }
+}
+
+/// The head of a column; the last is a mark, and needs a name all the same.
+fn heading(header: &mut TableRow<'_, '_>, head: &str) {
+    let (_, cell) = header.col(|ui| {
+        let muted = Palette::of(ui).muted;
+        ui.label(RichText::new(head).size(size::SMALL).color(muted));
+    });
+    let name = if head.is_empty() { "tolerance" } else { head };
+    let name = format!("column {name}");
+    cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
+}
+
+/// A cell of a row; it can be pressed, and so it has a name.
+fn cell(row: &mut TableRow<'_, '_>, what: &str, contents: impl FnOnce(&mut Ui)) {
+    let name = format!("row {}, {what}", row.index() + 1);
+    let (_, response) = row.col(contents);
+    response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
 }
 
 fn mark(ui: &mut Ui, within: bool) {
