@@ -43,10 +43,11 @@ fn session_with(effects: &str, speeds: &str, folder: &Path) -> PathBuf {
     path
 }
 
-/// The gap that the status bar names last, mm.
+/// The gap that the status bar names last, mm; what stands behind it is the noise floor.
 fn gap_mm(window: &Window) -> f64 {
     let line = status(window);
-    let numbers = line.split([' ', '→']);
+    let gaps = line.split("· floor").next().unwrap_or_default();
+    let numbers = gaps.split([' ', '→']);
     let mut numbers = numbers.filter_map(|word| word.parse::<f64>().ok());
     let last = numbers.next_back();
     last.expect("a number")

@@ -11,8 +11,9 @@
 use crate::identification::regions::Assignment;
 use crate::sessions::Region;
 
-/// Angles closer to a boundary than this are assigned one by one, rad.
-const NEAR_RAD: f64 = 2e-9;
+/// Angles this close to a boundary are looked at one by one, rad: who owns them is decided within
+/// a billionth.
+const NEAR_RAD: f64 = 1e-8;
 
 /// See the module.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -89,42 +90,43 @@ impl Angles {
     /// The samples of each region.
     pub(crate) fn by_region(&self, regions: &[Region]) -> Vec<Count> {
         let mut counts = vec![Count::default(); regions.len()];
-        let assignment = Assignment::new(regions);
-        let mut ends: Vec<f64> = regions
-            .iter()
-            .flat_map(|r| [r.from_rad, r.to_rad])
-            .collect();
-        ends.sort_unstable_by(f64::total_cmp);
-        ends.dedup();
-        let mut give = |to: Option<usize>, count: Count| {
-            if let Some(region) = to {
-                counts[region] = counts[region].plus(count);
-            }
-        };
-        let mut done_to = f64::NEG_INFINITY;
-        for end in ends {
-            // What lies between two boundaries belongs to one region.
-            let (near, past) = (end - NEAR_RAD, end + NEAR_RAD);
-            let inner = self.between(done_to, near);
-            if inner.all > 0 {
-                let middle = 0.5 * (done_to.max(near - 1.0) + near);
-                give(assignment.region_of(middle), inner);
-            }
-            let first = self.at_rad.partition_point(|q| *q < near.max(done_to));
-            for k in first..self.at_rad.len() {
-                let q = self.at_rad[k];
-                if q >= past {
-                    break;
-                }
-                give(
-                    assignment.region_of(q),
-                    self.below[k + 1].minus(self.below[k]),
-                );
-            }
-            done_to = past.max(done_to);
-        }
+        pieces(&self.at_rad, regions, |owner, from, to| {
+            counts[owner] = counts[owner].plus(self.below[to].minus(self.below[from]));
+        });
         counts
     }
+}
+
+/// Divides ascending angles at the boundaries of regions, which may overlap and leave gaps. Calls
+/// `see` with each region that owns the angles from one place to before another; angles close to a
+/// boundary are decided one by one.
+pub(crate) fn pieces(angles: &[f64], regions: &[Region], mut see: impl FnMut(usize, usize, usize)) {
+    let assignment = Assignment::new(regions);
+    let ends = regions.iter().flat_map(|r| [r.from_rad, r.to_rad]);
+    let mut ends: Vec<f64> = ends.filter(|end| !end.is_nan()).collect();
+    ends.sort_unstable_by(f64::total_cmp);
+    let mut place = 0;
+    let mut see = |from: usize, to: usize| {
+        // All of them lie on the same side of every boundary.
+        if from < to
+            && let Some(owner) = assignment.region_of(angles[from])
+        {
+            see(owner, from, to);
+        }
+    };
+    for end in ends {
+        let below = angles.partition_point(|q| *q < end - NEAR_RAD).max(place);
+        see(place, below);
+        place = below;
+        let near = angles.partition_point(|q| *q <= end + NEAR_RAD);
+        while place < near {
+            let here = angles[place];
+            let next = place + angles[place..].partition_point(|q| *q <= here);
+            see(place, next);
+            place = next;
+        }
+    }
+    see(place, angles.len());
 }
 
 #[cfg(test)]

@@ -16,15 +16,11 @@ use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
 use crate::identification::RegionSums;
 use crate::identification::problem::Problem;
-use crate::identification::regions::Assignment;
 use crate::lanes::dot;
 use crate::sessions::Region;
 
+use super::angles::pieces;
 use super::subject::Subject;
-
-/// Angles this close to a boundary are looked at one by one, rad: who owns them is decided within
-/// a billionth.
-const NEAR: f64 = 1e-8;
 
 /// Sums of 1, ΔPx, l1·ΔPy, l1², |ΔP|².
 type Sums = [f64; 5];
@@ -110,7 +106,7 @@ impl Tally {
     /// What each of these regions holds; they may overlap, and leave gaps.
     pub(crate) fn held(&self, regions: &[Region]) -> Vec<Held> {
         let mut held = vec![(0, [0.0; 5]); regions.len()];
-        self.pieces(regions, |owner, from, to| {
+        pieces(&self.q, regions, |owner, from, to| {
             let (samples, sums) = &mut held[owner];
             *samples += to - from;
             for (k, sum) in sums.iter_mut().enumerate() {
@@ -123,36 +119,6 @@ impl Tally {
             sums: region_sums(sums),
         })
         .collect()
-    }
-
-    /// Calls `see` with the region that owns the samples from one place to before another.
-    fn pieces(&self, regions: &[Region], mut see: impl FnMut(usize, usize, usize)) {
-        let assignment = Assignment::new(regions);
-        let ends = regions.iter().flat_map(|r| [r.from_rad, r.to_rad]);
-        let mut ends: Vec<f64> = ends.filter(|end| !end.is_nan()).collect();
-        ends.sort_unstable_by(f64::total_cmp);
-        let mut place = 0;
-        let mut see = |from: usize, to: usize| {
-            // All of them lie on the same side of every boundary.
-            if from < to
-                && let Some(owner) = assignment.region_of(self.q[from])
-            {
-                see(owner, from, to);
-            }
-        };
-        for end in ends {
-            let below = self.q.partition_point(|q| *q < end - NEAR).max(place);
-            see(place, below);
-            place = below;
-            let near = self.q.partition_point(|q| *q <= end + NEAR);
-            while place < near {
-                let here = self.q[place];
-                let next = place + self.q[place..].partition_point(|q| *q <= here);
-                see(place, next);
-                place = next;
-            }
-        }
-        see(place, self.q.len());
     }
 }
 
@@ -191,6 +157,7 @@ impl Tallied {
 mod tests {
     use super::*;
     use crate::gui::testing::workbench;
+    use crate::identification::regions::Assignment;
     use crate::identification::sum_by_region;
     use crate::units::rad_from_deg;
 

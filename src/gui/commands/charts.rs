@@ -216,6 +216,10 @@ mod tests {
         go(&mut workbench, Step::Export);
         choose(&mut workbench, Chart::Table);
         assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
+        go(&mut workbench, Step::Identify);
+        choose(&mut workbench, Chart::Time);
+        choose(&mut workbench, Chart::Angle);
+        assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
         choose(&mut workbench, Chart::Time);
         workbench.execute(Command::Edit(Edit::Identify));
         assert_eq!(workbench.chart(), Chart::Time);

@@ -239,7 +239,7 @@ fn search(ui: &mut Ui) {
         }
         widgets::hint(
             ui,
-            "Seconds for a hundred samples, minutes for many thousands. The window stays free \
+            "It takes a moment, and some seconds with a million samples. The window stays free \
              meanwhile, and the search can be stopped",
         );
     });

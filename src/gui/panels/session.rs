@@ -176,6 +176,9 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             Severity::Error => ("error", palette.outside),
         };
         ui.horizontal_wrapped(|ui| {
+            // Lines of one finding stand as close as those of any text.
+            ui.spacing_mut().interact_size.y = 0.0;
+            ui.spacing_mut().item_spacing.y = 2.0;
             ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
             let text = RichText::new(finding.to_string()).size(size::SMALL);
             if finding.samples.is_empty() {

@@ -16,12 +16,21 @@ use super::row;
 
 /// More regions than this are too many to be listed with fields.
 const MOST_LISTED: usize = 60;
-/// Widths of the columns: name, from, to, samples, what can be done. The name takes what is left
-/// of the panel.
+/// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
 pub(super) const COLUMNS: [f32; 5] = [40.0, 60.0, 60.0, 40.0, 26.0];
+/// Widest field for an end: all digits that a boundary is shown with.
+const WIDEST: f32 = 76.0;
 /// Between the columns.
-const BETWEEN: f32 = 5.0;
+const GAP: f32 = 5.0;
 const HEIGHT: f32 = 24.0;
+
+/// The columns in a panel of this width.
+fn columns(available: f32) -> [f32; 5] {
+    let [name, least, _, samples, more] = COLUMNS;
+    let rest = available - name - samples - more - 4.0 * GAP;
+    let end = (0.5 * rest).clamp(least, WIDEST);
+    [name, end, end, samples, more]
+}
 
 /// Shows the rows.
 pub(super) fn show(
@@ -32,16 +41,15 @@ pub(super) fn show(
 ) {
     let regions = &workbench.document().regions;
     let units = workbench.units();
-    ui.spacing_mut().item_spacing = vec2(BETWEEN, 3.0);
+    ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
     ui.spacing_mut().interact_size.y = HEIGHT;
-    let others: f32 = COLUMNS[1..].iter().map(|width| width + BETWEEN).sum();
-    let name_wide = (ui.available_width() - others).max(COLUMNS[0]);
-    head(ui, units, name_wide);
+    let columns = columns(ui.available_width());
+    head(ui, columns, units);
     for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
         ui.horizontal(|ui| {
-            name(ui, k, &region.name, name_wide, commands);
+            name(ui, k, &region.name, commands);
             for end in [End::From, End::To] {
-                angle(ui, workbench, k, end, commands);
+                angle(ui, columns[1], workbench, (k, end), commands);
             }
             samples(ui, workbench, k, counts[k], commands);
             row::more(ui, regions, k, commands);
@@ -64,7 +72,7 @@ pub(super) fn show(
     }
 }
 
-fn head(ui: &mut Ui, units: Units, name_wide: f32) {
+fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
     let muted = Palette::of(ui).muted;
     let unit = units.angle_name().trim();
     let names = [
@@ -74,8 +82,7 @@ fn head(ui: &mut Ui, units: Units, name_wide: f32) {
         "samples".to_owned(),
     ];
     ui.horizontal(|ui| {
-        for (k, (name, width)) in names.into_iter().zip(COLUMNS).enumerate() {
-            let width = if k == 0 { name_wide } else { width };
+        for (name, width) in names.into_iter().zip(columns) {
             ui.allocate_ui(vec2(width, 16.0), |ui| {
                 ui.set_min_width(width);
                 let name = RichText::new(name).size(size::SMALL).color(muted);
@@ -127,7 +134,7 @@ pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
     ui.ctx().viewport_id().0.with(("name of region", region))
 }
 
-fn name(ui: &mut Ui, region: usize, name: &str, width: f32, commands: &mut Vec<Command>) {
+fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
     let id = name_id(ui, region);
     let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
     let mut text = typed.unwrap_or_else(|| name.to_owned());
@@ -136,7 +143,7 @@ fn name(ui: &mut Ui, region: usize, name: &str, width: f32, commands: &mut Vec<C
         .margin(egui::Margin::symmetric(6, 4))
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
-    let field = ui.add_sized([width, HEIGHT], edit);
+    let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
     ui.ctx().accesskit_node_builder(field.id, |node| {
         node.set_label(format!("Name of region {name}"));
     });
@@ -160,7 +167,13 @@ struct Typing {
     changed: bool,
 }
 
-fn angle(ui: &mut Ui, workbench: &Workbench, k: usize, end: End, commands: &mut Vec<Command>) {
+fn angle(
+    ui: &mut Ui,
+    width: f32,
+    workbench: &Workbench,
+    (k, end): (usize, End),
+    commands: &mut Vec<Command>,
+) {
     let regions = &workbench.document().regions;
     let (region, units) = (&regions[k], workbench.units());
     let at_rad = match end {
@@ -178,7 +191,7 @@ fn angle(ui: &mut Ui, workbench: &Workbench, k: usize, end: End, commands: &mut 
         .margin(egui::Margin::symmetric(6, 4))
         .align(egui::Align2::RIGHT_CENTER)
         .clip_text(true);
-    let field = ui.add_sized([COLUMNS[1], HEIGHT], edit);
+    let field = ui.add_sized([width, HEIGHT], edit);
     let name = format!(
         "{}, region {}",
         if end == End::From { "From" } else { "To" },
