@@ -21,7 +21,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
     follow(ui, workbench, commands);
-    ui.scope(|ui| findings(ui, workbench, commands));
+    findings(ui, workbench, commands);
     widgets::section(ui, "Another session or model");
     if widgets::secondary(ui, "Open…").clicked() {
         commands.push(Command::ChooseFile);
@@ -169,8 +169,6 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     }
     let palette = Palette::of(ui);
     widgets::section(ui, &format!("Found while reading: {}", findings.len()));
-    // Lines of one finding stand as close as those of any text.
-    ui.spacing_mut().interact_size.y = 0.0;
     for finding in findings.iter().take(MOST) {
         let (mark, color) = match finding.severity {
             Severity::Note => ("note", palette.muted),
