@@ -8,7 +8,9 @@
 //! ```
 //!
 //! over the cells c that hold a sample; the nearest of them decides how far the map reaches, however
-//! many there are. A cell keeps three mean products, |b|², b·a and |a|² of
+//! many there are. σ is half of what lies between neighbouring places, within bounds: neighbours run
+//! into one another, and what is farther from all of them than they are apart stays empty. A cell
+//! keeps three mean products, |b|², b·a and |a|² of
 //! the deviations before and after: the map at any blend t between them is exactly
 //! √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²), so that blending needs no new map. Cells follow the
 //! nominal robot's extent: a sample that was measured far away cannot stretch the map.
@@ -19,8 +21,12 @@ use crate::gui::view::Plane;
 
 /// Cells along the longer side of what the robot reached.
 const CELLS: f64 = 144.0;
-/// The Gaussian's σ, in parts of that side.
-const SIGMA: f64 = 0.03;
+/// Bounds of the Gaussian's σ, in parts of that side.
+const SIGMA: [f64; 2] = [0.03, 0.06];
+/// σ in distances between neighbouring places.
+const OF_SPACING: f64 = 0.5;
+/// More places than these lie as close as the smallest σ asks for, and are not compared.
+const FEW_PLACES: usize = 1500;
 /// The Gaussian ends at so many σ.
 const END: f64 = 4.5;
 
@@ -31,6 +37,8 @@ pub(crate) struct Heat {
     pub(crate) first_mm: [f64; 2],
     /// Width of a cell, mm.
     pub(crate) cell_mm: f64,
+    /// The Gaussian's σ, mm.
+    pub(crate) sigma_mm: f64,
     /// Number of cells to the right and up.
     pub(crate) size: [usize; 2],
     /// |b|², b·a, |a|², mm², and the opacity, row by row from below.
@@ -49,7 +57,8 @@ impl Heat {
             return None;
         }
         let cell_mm = side / CELLS;
-        let sigma = SIGMA * CELLS;
+        let places = places(subject, [right, up], [low[right], low[up]], cell_mm);
+        let sigma = (OF_SPACING * spacing(&places)).clamp(SIGMA[0] * CELLS, SIGMA[1] * CELLS);
         let margin = (END * sigma).ceil();
         let size =
             extent.map(|e| crate::gui::units::whole((e / cell_mm).ceil() + 2.0 * margin) + 1);
@@ -83,6 +92,7 @@ impl Heat {
         Some(Self {
             first_mm,
             cell_mm,
+            sigma_mm: sigma * cell_mm,
             size,
             cells: smoothed(&sums, size, sigma),
         })
@@ -108,6 +118,43 @@ impl Heat {
             (1.0 - v) * ((1.0 - u) * a[k] + u * b[k]) + v * ((1.0 - u) * c[k] + u * d[k])
         })
     }
+}
+
+/// The cells in which something was measured, each once, counted from the nominal robot's lowest
+/// corner.
+fn places(subject: &Subject, axes: [usize; 2], low_mm: [f64; 2], cell_mm: f64) -> Vec<[f64; 2]> {
+    let side = crate::gui::units::whole(CELLS) + 1;
+    let mut seen = vec![false; side * side];
+    let mut places = Vec::new();
+    for sample in &subject.overview.usable {
+        let at = subject.measured(*sample as usize);
+        let cell = [0, 1].map(|k| ((at[axes[k]] - low_mm[k]) / cell_mm).round());
+        if cell.iter().all(|c| (0.0..side as f64).contains(c)) {
+            let [x, y] = cell.map(crate::gui::units::whole);
+            if !std::mem::replace(&mut seen[x + side * y], true) {
+                places.push(cell);
+            }
+        }
+    }
+    places
+}
+
+/// The median distance from a place to its nearest neighbour, cells; 0 where they are many.
+fn spacing(places: &[[f64; 2]]) -> f64 {
+    if places.len() > FEW_PLACES {
+        return 0.0;
+    }
+    let nearest = |i: usize| {
+        let apart = |j: usize| {
+            let [dx, dy] = [0, 1].map(|k| places[i][k] - places[j][k]);
+            dx.hypot(dy)
+        };
+        let others = (0..places.len()).filter(|j| *j != i);
+        others.map(apart).fold(f64::INFINITY, f64::min)
+    };
+    let mut nearest: Vec<f64> = (0..places.len()).map(nearest).collect();
+    nearest.sort_unstable_by(f64::total_cmp);
+    nearest.get(nearest.len() / 2).copied().unwrap_or(0.0)
 }
 
 /// The root mean square deviation, mm, that these products give at a blend from before to after.
@@ -189,6 +236,25 @@ mod tests {
             assert!(heat.at([0.5 * x, 0.5 * y])[3] < 0.01);
         }
         assert_eq!(heat.at([1e9, f64::NAN]), [0.0; 4]);
+    }
+
+    #[test]
+    fn places_some_way_apart_run_into_one_another() {
+        let mut workbench = workbench();
+        let form = crate::gui::simulate::Form {
+            step_deg: 12.0,
+            ..crate::gui::simulate::Form::default()
+        };
+        workbench.execute(Command::Simulate(form));
+        workbench.receive();
+        let subject = workbench.subject();
+        let heat = Heat::of(subject, None, Plane::Xy).expect("there are samples");
+        let [a, b] = [4, 5].map(|sample| subject.measured(sample));
+        let apart = (a[0] - b[0]).hypot(a[1] - b[1]);
+        assert!(apart > 0.08 * 2.0 * subject.arm_mm, "{apart}");
+        let between = heat.at([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]);
+        assert!(between[3] > 0.6, "{between:?}");
+        assert!((heat.sigma_mm / apart - 0.5).abs() < 0.05, "{apart}");
     }
 
     #[test]

@@ -270,7 +270,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
             };
             layer.shape(frame())
         });
-        let sigma_mm = 0.03 * 2.0 * subject.arm_mm;
+        let sigma_mm = heat.sigma_mm;
         for sample in (0..subject.len()).step_by(7) {
             let at = subject.measured(sample);
             // The definition, over the samples themselves.
