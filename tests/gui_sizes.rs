@@ -361,3 +361,21 @@ fn whatever_has_the_keyboard_shows_it_and_tab_reaches_every_control_of_a_step() 
         assert!(reached.contains(name), "{name} is not among {reached:?}");
     }
 }
+
+#[test]
+fn the_chart_keeps_its_share_of_a_window_that_is_made_larger_and_smaller() {
+    let mut window = window_of([1280.0, 800.0], None, Runner::AtOnce);
+    let share = |window: &Window, height: f32| {
+        let chart = window.get_by_label("deviation chart, tangential");
+        chart.rect().height() / height
+    };
+    let first = share(&window, 800.0);
+    window.set_size(egui::vec2(3840.0, 2160.0));
+    window.run_steps(6);
+    let large = share(&window, 2160.0);
+    assert!(large > first, "{first} → {large}");
+    window.set_size(egui::vec2(1280.0, 800.0));
+    window.run_steps(6);
+    let back = share(&window, 800.0);
+    assert!((back - first).abs() < 0.01, "{first} → {back}");
+}

@@ -1,6 +1,6 @@
 //! The middle: what the user has to know, the workspace, and the chart below it.
 
-use egui::{Align, Frame, Layout, Margin, Panel, RichText, Ui};
+use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::workspace;
@@ -12,6 +12,8 @@ use super::{charts, disk};
 /// of a window as the user pulls, or makes smaller afterwards, neither vanishes.
 const LOWEST: f32 = 182.0;
 const WORKSPACE: f32 = 256.0;
+/// The chart's panel.
+const CHART: &str = "deviation";
 
 /// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -20,7 +22,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let palette = Palette::of(ui);
     let height = ui.available_height();
     let part = |margin| Frame::NONE.fill(palette.surface).inner_margin(margin);
-    Panel::bottom("deviation")
+    keep_share(ui, height);
+    Panel::bottom(CHART)
         .resizable(true)
         .default_size((0.34 * height).max(LOWEST))
         .size_range(LOWEST..=(height - WORKSPACE).max(LOWEST))
@@ -32,6 +35,22 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         workspace::bar(ui, workbench, commands);
         workspace::show(ui, workbench, commands);
     });
+}
+
+/// The chart keeps its share of the middle when the window gets another size: what is right on a
+/// laptop would be a strip on a large screen.
+fn keep_share(ui: &Ui, height: f32) {
+    let id = ui.scope_id().with(CHART);
+    let before: Option<f32> = ui.data_mut(|data| data.get_temp(id));
+    ui.data_mut(|data| data.insert_temp(id, height));
+    let (Some(before), Some(mut state)) = (before, PanelState::load(ui.ctx(), id)) else {
+        return;
+    };
+    if before > 0.0 && before != height {
+        let share = state.outer_rect.height() * height / before;
+        state.outer_rect.set_height(share);
+        ui.data_mut(|data| data.insert_persisted(id, state));
+    }
 }
 
 fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
