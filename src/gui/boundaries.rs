@@ -132,16 +132,8 @@ pub(crate) fn snapped_rad(rad: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::identification::regions::testing::regions;
     use crate::units::rad_from_deg;
-
-    fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
-        let make = |(k, (from, to)): (usize, &(f64, f64))| Region {
-            name: (k + 1).to_string(),
-            from_rad: rad_from_deg(*from),
-            to_rad: rad_from_deg(*to),
-        };
-        degrees.iter().enumerate().map(make).collect()
-    }
 
     const WITHIN: (f64, f64) = (-1.6, 1.6);
 

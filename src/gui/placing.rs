@@ -271,15 +271,7 @@ pub(crate) fn shown(rad: f64, units: Units) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
-        let make = |(k, (from, to)): (usize, &(f64, f64))| Region {
-            name: (k + 1).to_string(),
-            from_rad: rad_from_deg(*from),
-            to_rad: rad_from_deg(*to),
-        };
-        degrees.iter().enumerate().map(make).collect()
-    }
+    use crate::identification::regions::testing::regions;
 
     /// Types the end of a region, in degrees, on a joint that reaches from −180° to 180°.
     fn typed_at(

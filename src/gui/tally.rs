@@ -158,17 +158,8 @@ mod tests {
     use super::*;
     use crate::gui::testing::workbench;
     use crate::identification::regions::Assignment;
+    use crate::identification::regions::testing::regions;
     use crate::identification::sum_by_region;
-    use crate::units::rad_from_deg;
-
-    fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
-        let region = |(k, (from, to)): (usize, &(f64, f64))| Region {
-            name: k.to_string(),
-            from_rad: rad_from_deg(*from),
-            to_rad: rad_from_deg(*to),
-        };
-        degrees.iter().enumerate().map(region).collect()
-    }
 
     /// Divisions of every kind; many boundaries are where samples are.
     fn divisions() -> Vec<Vec<Region>> {

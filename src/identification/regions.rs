@@ -244,11 +244,14 @@ impl Slots {
     }
 }
 
+/// Regions for tests.
 #[cfg(test)]
-mod tests {
-    use super::*;
+pub(crate) mod testing {
+    use super::Region;
+    use crate::units::rad_from_deg;
 
-    fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
+    /// Regions from and to these degrees, named 1, 2, … in this order.
+    pub(crate) fn regions(degrees: &[(f64, f64)]) -> Vec<Region> {
         let make = |(k, (from, to)): (usize, &(f64, f64))| Region {
             name: (k + 1).to_string(),
             from_rad: rad_from_deg(*from),
@@ -256,6 +259,12 @@ mod tests {
         };
         degrees.iter().enumerate().map(make).collect()
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::testing::regions;
+    use super::*;
 
     /// Asked one by one and by the block, which have to agree.
     fn owner(regions: &[Region], deg: f64) -> Option<usize> {

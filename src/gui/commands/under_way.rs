@@ -38,6 +38,14 @@ fn until(bench: &mut Workbench, holds: impl Fn(&Workbench) -> bool) {
     panic!("it never came to that");
 }
 
+fn written() -> Report {
+    Report::Written(Message {
+        wrong: false,
+        title: "Written".to_owned(),
+        details: Vec::new(),
+    })
+}
+
 fn idle(bench: &Workbench) -> bool {
     bench.tasks.newest().is_none()
 }
@@ -108,11 +116,7 @@ fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
     let (go, wait) = gate();
     bench.tasks.write("writing", move |_| {
         let _ = wait.recv();
-        Report::Written(Message {
-            wrong: false,
-            title: "Written".to_owned(),
-            details: Vec::new(),
-        })
+        written()
     });
     bench.execute(Command::Leave);
     bench.execute(Command::Cancel);
@@ -129,11 +133,7 @@ fn the_window_closes_after_what_is_being_written() {
     until(&mut bench, idle);
     bench.tasks.write("writing the report", move |_| {
         let _ = wait.recv();
-        Report::Written(Message {
-            wrong: false,
-            title: "Written".to_owned(),
-            details: Vec::new(),
-        })
+        written()
     });
     bench.execute(Command::Leave);
     assert!(!bench.view().leaving, "not before it is written");

@@ -1,14 +1,6 @@
 // Error vectors: a quad for each, in which the distance to the arrow's outline decides how much of
 // a pixel is covered. The head grows with the arrow, up to a point.
 
-struct Sample {
-    @location(0) at: vec3f,
-    @location(1) before: vec3f,
-    @location(2) conditions: vec3f,
-    @location(3) after: vec3f,
-    @location(4) suspected: f32,
-}
-
 struct Arrow {
     @builtin(position) position: vec4f,
     // From the tail along the arrow, and across, pixels.

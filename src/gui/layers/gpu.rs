@@ -222,9 +222,9 @@ impl Drawer {
         );
         let samples = pipeline_layout(device, &[Some(&uniform)]);
         let map = pipeline_layout(device, &[Some(&uniform), Some(&cells_layout)]);
-        let arrows = shader(device, include_str!("arrows.wgsl"));
-        let marks = shader(device, include_str!("marks.wgsl"));
-        let heat = shader(device, include_str!("heat.wgsl"));
+        let arrows = shader(device, &[SAMPLE, include_str!("arrows.wgsl")]);
+        let marks = shader(device, &[SAMPLE, include_str!("marks.wgsl")]);
+        let heat = shader(device, &[include_str!("heat.wgsl")]);
         Self {
             linear: format.is_srgb(),
             marks: pipeline(device, &samples, &marks, "mark", &columns(), format),
@@ -357,8 +357,11 @@ fn zeros(device: &Device, rows: usize) -> Buffer {
     })
 }
 
-fn shader(device: &Device, own: &str) -> wgpu::ShaderModule {
-    let source = format!("{}{own}", include_str!("frame.wgsl"));
+/// What arrows and marks are both drawn from.
+const SAMPLE: &str = include_str!("sample.wgsl");
+
+fn shader(device: &Device, own: &[&str]) -> wgpu::ShaderModule {
+    let source = include_str!("frame.wgsl").to_owned() + &own.concat();
     device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("layer"),
         source: wgpu::ShaderSource::Wgsl(source.into()),

@@ -1,14 +1,6 @@
 // Measured points: a disc, or an open diamond outside the tolerance, and a ring around what is
 // suspected.
 
-struct Sample {
-    @location(0) at: vec3f,
-    @location(1) before: vec3f,
-    @location(2) conditions: vec3f,
-    @location(3) after: vec3f,
-    @location(4) suspected: f32,
-}
-
 struct Mark {
     @builtin(position) position: vec4f,
     // From the middle, points.

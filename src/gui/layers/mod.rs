@@ -9,7 +9,7 @@
 //! - Model: `cloud` (the samples as they are uploaded), `heat` (the error over the plane),
 //!   `nearest` (which sample is under the pointer).
 //! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
-//! - Paint: `gpu` with `frame.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws
+//! - Paint: `gpu` with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws
 //!   the heat map where there is nothing but egui.
 
 mod cloud;
