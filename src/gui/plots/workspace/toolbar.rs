@@ -1,6 +1,6 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
-use egui::{Align, ComboBox, Layout, RichText, Role, Sense, Slider, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Align, ComboBox, Layout, RichText, Slider, Stroke, Ui, vec2};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::pictures::Plot;
@@ -9,7 +9,7 @@ use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{significant, trimmed};
 use crate::gui::view::{Colouring, Plane};
-use crate::gui::widgets::{self, caption, fine, title};
+use crate::gui::widgets::{self, Sign, caption, fine, sign, title};
 
 use super::model::{magnification as magnification_of, offers};
 
@@ -84,16 +84,13 @@ const ROOMY: f32 = 420.0;
 
 /// Four corners: shows everything again. Says how to look at a part.
 fn fit(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let palette = Palette::of(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
-    let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, "Fit to view"));
-    let lit = response.hovered() || response.has_focus();
+    let Sign {
+        response,
+        rect,
+        lit: _,
+        color,
+    } = sign(ui, "Fit to view");
     let painter = ui.painter();
-    if lit {
-        painter.rect_filled(rect, f32::from(space::ROUND), palette.inset);
-    }
-    let color = if lit { palette.text } else { palette.muted };
     let at = |x: f32, y: f32| rect.center() + vec2(x, y);
     for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
         let corner = vec![

@@ -1,0 +1,154 @@
+//! Buttons with words on them.
+
+use egui::{
+    Button, Color32, CornerRadius, Frame, Margin, Response, RichText, Role, Stroke, Ui, WidgetInfo,
+    vec2,
+};
+
+use crate::gui::tokens::{Palette, size, space, strong};
+
+/// What a wide button looks like: at rest, under the pointer, pressed.
+struct Look {
+    fills: [Color32; 3],
+    text: Color32,
+    edge: Color32,
+    heavy: bool,
+    height: f32,
+}
+
+fn wide(ui: &mut Ui, text: &str, look: &Look) -> Response {
+    let font = if look.heavy {
+        strong(size::BODY)
+    } else {
+        egui::FontId::proportional(size::BODY)
+    };
+    let label = RichText::new(text).font(font).color(look.text);
+    ui.scope(|ui| {
+        let [rest, hovered, pressed] = look.fills;
+        let widgets = &mut ui.visuals_mut().widgets;
+        for (state, fill) in [
+            (&mut widgets.inactive, rest),
+            (&mut widgets.noninteractive, rest),
+            (&mut widgets.hovered, hovered),
+            (&mut widgets.open, hovered),
+            (&mut widgets.active, pressed),
+        ] {
+            state.weak_bg_fill = fill;
+            state.bg_stroke = Stroke::new(1.0, look.edge);
+        }
+        let room = vec2(ui.available_width(), look.height);
+        ui.add_sized(room, Button::new(label).wrap())
+    })
+    .inner
+}
+
+/// The one thing to do next, as wide as the panel.
+pub(crate) fn primary(ui: &mut Ui, text: &str) -> Response {
+    let palette = Palette::of(ui);
+    let darker = |t| palette.accent.lerp_to_gamma(palette.text, t);
+    let look = Look {
+        fills: [palette.accent, darker(0.12), darker(0.25)],
+        text: palette.on_accent,
+        edge: Color32::TRANSPARENT,
+        heavy: true,
+        height: space::PRIMARY,
+    };
+    wide(ui, text, &look)
+}
+
+/// Something else that can be done, as wide as the panel.
+pub(crate) fn secondary(ui: &mut Ui, text: &str) -> Response {
+    quiet(ui, text, 32.0)
+}
+
+/// The same beside the one that stands out, and as high.
+pub(crate) fn other(ui: &mut Ui, text: &str) -> Response {
+    quiet(ui, text, space::PRIMARY)
+}
+
+fn quiet(ui: &mut Ui, text: &str, height: f32) -> Response {
+    let palette = Palette::of(ui);
+    let look = Look {
+        fills: [palette.surface, palette.inset, palette.accent_soft],
+        text: palette.text,
+        edge: palette.outline,
+        heavy: false,
+        height,
+    };
+    wide(ui, text, &look)
+}
+
+/// One of several, side by side. The one that was clicked.
+pub(crate) fn segmented<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    options: &[(T, &str)],
+    current: T,
+) -> Option<T> {
+    let named = options.iter().map(|(value, name)| (*value, *name, *name));
+    segmented_named(ui, &named.collect::<Vec<_>>(), current)
+}
+
+/// The same where a short name is shown and a longer one says what it means.
+pub(crate) fn segmented_named<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    options: &[(T, &str, &str)],
+    current: T,
+) -> Option<T> {
+    let palette = Palette::of(ui);
+    let mut chosen = None;
+    let frame = Frame::NONE
+        .fill(palette.inset)
+        .stroke(Stroke::new(1.0, palette.line))
+        .corner_radius(CornerRadius::same(space::ROUND))
+        .inner_margin(Margin::same(2));
+    frame.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.horizontal(|ui| {
+            // Where a row runs from right to left the first still stands at the left.
+            let backwards = ui.layout().prefer_right_to_left();
+            for k in 0..options.len() {
+                let k = if backwards { options.len() - 1 - k } else { k };
+                let (value, name, meant) = &options[k];
+                let on = *value == current;
+                let response = segment(ui, palette, name, meant, on);
+                if response.clicked() && !on {
+                    chosen = Some(*value);
+                }
+                if name != meant {
+                    response.on_hover_text(*meant);
+                }
+            }
+        });
+    });
+    chosen
+}
+
+fn segment(ui: &mut Ui, palette: Palette, name: &str, meant: &str, on: bool) -> Response {
+    let text = RichText::new(name);
+    let text = if on {
+        text.font(strong(size::SMALL)).color(palette.accent)
+    } else {
+        text.size(size::SMALL).color(palette.muted)
+    };
+    let (rest, edge) = if on {
+        (palette.surface, palette.outline)
+    } else {
+        (Color32::TRANSPARENT, Color32::TRANSPARENT)
+    };
+    let widgets = &mut ui.visuals_mut().widgets;
+    for (state, fill) in [
+        (&mut widgets.inactive, rest),
+        (&mut widgets.hovered, palette.surface),
+        (&mut widgets.active, palette.accent_soft),
+    ] {
+        state.weak_bg_fill = fill;
+        state.bg_stroke = Stroke::new(1.0, edge);
+    }
+    let button = Button::new(text)
+        .corner_radius(CornerRadius::same(space::ROUND - 2))
+        .min_size(vec2(34.0, 22.0));
+    let response = ui.add(button);
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, enabled, on, meant));
+    response
+}

@@ -1,0 +1,88 @@
+//! The few controls that egui does not have, in the window's own look.
+
+mod buttons;
+mod fields;
+mod icons;
+mod steps;
+mod text;
+
+pub(crate) use buttons::{other, primary, secondary, segmented, segmented_named};
+pub(crate) use fields::{cell_number, form_row, number};
+pub(crate) use icons::{Sign, copy_button, history_button, save_button, side_button, sign};
+pub(crate) use steps::{Progress, StepRow};
+pub(crate) use text::{
+    caption, cell_right, dense, explained, explained_effect, fact, facts, fine, heading, hint,
+    hint_about, question, section, title, wrong,
+};
+
+use egui::{Color32, CornerRadius, Frame, Margin, Sense, Stroke, StrokeKind, Ui, vec2};
+
+use crate::gui::tokens::{DARK, LIGHT, Palette, space};
+
+/// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
+/// margin, so that edges keep their line with or without it.
+pub(crate) fn scroll(
+    ui: &mut Ui,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    contents: impl FnOnce(&mut Ui),
+) {
+    let room = ui.available_rect_before_wrap();
+    let with_bar = room.with_max_x(room.right() + space::GUTTER);
+    // The panel is not to grow by the bar in its margin.
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(with_bar));
+    egui::ScrollArea::vertical()
+        .id_salt(salt)
+        .auto_shrink([false, false])
+        .show(&mut inside, |ui| {
+            ui.set_width(room.width().min(ui.available_width()));
+            contents(ui);
+        });
+    ui.advance_cursor_after_rect(room);
+}
+
+/// A surface of its own.
+pub(crate) fn card<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let palette = Palette::of(ui);
+    let frame = Frame::NONE
+        .fill(palette.surface)
+        .stroke(Stroke::new(1.0, palette.line))
+        .corner_radius(CornerRadius::same(space::ROUND + 2))
+        .inner_margin(Margin::same(space::CARD));
+    let shown = frame.show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        contents(ui)
+    });
+    shown.inner
+}
+
+/// A ring around whatever has the keyboard, in the layer that it is in.
+pub(crate) fn focus_ring(ctx: &egui::Context) {
+    let Some(response) = ctx
+        .memory(egui::Memory::focused)
+        .and_then(|id| ctx.read_response(id))
+    else {
+        return;
+    };
+    let palette = if ctx.global_style().visuals.dark_mode {
+        DARK
+    } else {
+        LIGHT
+    };
+    // What is scrolled out of sight has no ring.
+    let seen = response.interact_rect.expand(2.0 * space::RING);
+    let painter = ctx.layer_painter(response.layer_id).with_clip_rect(seen);
+    let round = CornerRadius::same(space::ROUND + 1);
+    let ring = Stroke::new(space::RING, palette.accent);
+    painter.rect_stroke(response.rect, round, ring, StrokeKind::Outside);
+}
+
+/// Part of a whole as a bar: before above, after below.
+pub(crate) fn share_bar(ui: &mut Ui, part: f32, color: Color32) {
+    let palette = Palette::of(ui);
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 6.0), Sense::hover());
+    let painter = ui.painter();
+    painter.rect_filled(rect, 3.0, palette.inset);
+    let mut filled = rect;
+    filled.set_width(rect.width() * part.clamp(0.0, 1.0));
+    painter.rect_filled(filled, 3.0, color);
+}
