@@ -202,6 +202,28 @@ fn the_same_session_gives_the_same_bytes_and_both_formats_hold_the_numbers() {
 }
 
 #[test]
+fn a_note_keeps_its_lines_and_shows_the_first_digits_of_hashes() {
+    let hash = "0123456789abcdef".repeat(4);
+    let mut session = small(8, false);
+    session.note = format!(
+        "imported from a.txt (sha256 {hash}) as tracker.\nreference point 'B4' is 0.903 mm off: left \
+         out of the alignment.\nleft out 1 measurement without a command: 'try' (line 51)."
+    );
+    let made = report(&session);
+    let page = html(&made);
+    assert!(!page.contains(&hash), "twelve digits are enough to compare");
+    assert!(page.contains("(sha256 0123456789ab…) as tracker.<br>"));
+    assert!(page.contains("left out of the alignment.<br>\nleft out 1 measurement"));
+    let document = pdf(&made).unwrap();
+    check_pdf(&document);
+    if let Some(words) = words_of(&document) {
+        let lines: Vec<&str> = words.lines().map(str::trim).collect();
+        let own = "left out 1 measurement without a command: 'try' (line 51).";
+        assert!(lines.contains(&own), "a line of its own: {words}");
+    }
+}
+
+#[test]
 fn names_from_outside_stay_text_in_both_formats() {
     let evil = "<script>alert(1)</script>\" onload='x' & http://example.org \u{202e}Ось 检 e\u{0}";
     let document = json!({

@@ -39,7 +39,7 @@ impl Job<'_> {
             lost.len(),
             matching::listed_rows(columns, &lost)
         );
-        self.warn(found, "");
+        self.left_out(self.place.clone(), found);
     }
 
     /// Brings the points into the base frame, if points are known there.
@@ -97,15 +97,14 @@ impl Job<'_> {
                 );
             }
         };
+        self.say_alignment(&alignment, &place);
         if !missing.is_empty() {
             let found = format!(
                 "left out reference points that were not measured: {}",
                 listed(&missing)
             );
-            self.findings
-                .push(Diagnostic::warning(place.clone(), found, ""));
+            self.left_out(place, found);
         }
-        self.say_alignment(&alignment, &place);
         // The points that fix the frame are no poses of the robot, unless a command says so.
         let commanded = self.commanded_names();
         let is_pose = |name: &&str| !known.contains_key(*name) || commanded.contains(*name);
@@ -176,14 +175,14 @@ impl Job<'_> {
             .collect();
         let found = format!("{said}: {}", matching::listed_up_to(&each, 40));
         self.findings.push(Diagnostic::note(place.clone(), found));
+        self.said.push(said);
         for outlier in alignment.outliers() {
             let found = format!(
                 "reference point {} is {:.3} mm off: left out of the alignment",
                 quoted(&outlier.name),
                 outlier.vector_mm.norm()
             );
-            self.findings
-                .push(Diagnostic::warning(place.clone(), found, ""));
+            self.left_out(place.clone(), found);
         }
         if !self.settings.scale && (alignment.best_scale - 1.0).abs() > 1e-3 {
             let found = format!(
@@ -194,7 +193,6 @@ impl Job<'_> {
             self.findings
                 .push(Diagnostic::warning(place.clone(), found, expected));
         }
-        self.said.push(said);
     }
 }
 

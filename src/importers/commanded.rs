@@ -8,7 +8,7 @@ use crate::importers::columns::Columns;
 use crate::importers::csv;
 use crate::importers::headings::Role;
 use crate::importers::join::{self, Timing};
-use crate::importers::matching::{self, Matching, Pairs, listed};
+use crate::importers::matching::{self, Matching, Pairs, counted, listed};
 use crate::importers::session::{Job, Matched};
 use crate::kinematics::JointKind;
 use crate::sessions::Target;
@@ -70,6 +70,7 @@ impl Job<'_> {
             lonely_commands: Vec::new(),
             clock: None,
         };
+        self.said.push(format!("commands matched by {}", by.id()));
         let (columns, left) = match by {
             Matching::Order => match matching::by_order(&columns, &commands) {
                 Ok(pairs) => matching::join(columns, commands, &pairs),
@@ -102,27 +103,25 @@ impl Job<'_> {
             self.note(found);
         }
         matched.samples = columns.rows();
-        self.said.push(format!("commands matched by {}", by.id()));
         Ok((columns, Some(matched)))
     }
 
     pub(crate) fn say_lonely(&mut self, pairs: &Pairs, commands: &Place) {
         if !pairs.lonely_measured.is_empty() {
             let found = format!(
-                "left out {} measurements without a command: {}",
-                pairs.lonely_measured.len(),
+                "left out {} without a command: {}",
+                counted(pairs.lonely_measured.len(), "measurement"),
                 listed(&pairs.lonely_measured)
             );
-            self.warn(found, "");
+            self.left_out(self.place.clone(), found);
         }
         if !pairs.lonely_commands.is_empty() {
             let found = format!(
-                "left out {} commands without a measurement: {}",
-                pairs.lonely_commands.len(),
+                "left out {} without a measurement: {}",
+                counted(pairs.lonely_commands.len(), "command"),
                 listed(&pairs.lonely_commands)
             );
-            self.findings
-                .push(Diagnostic::warning(commands.clone(), found, ""));
+            self.left_out(commands.clone(), found);
         }
     }
 
@@ -169,6 +168,8 @@ impl Job<'_> {
         };
         self.note(said.clone());
         self.said.push(said);
+        self.said
+            .extend(done.findings.iter().map(|finding| finding.found.clone()));
         self.findings.extend(done.findings);
         Ok((done.columns, done.left, clock))
     }

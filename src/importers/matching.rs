@@ -169,6 +169,12 @@ pub(crate) fn listed_rows(columns: &Columns, rows: &[usize]) -> String {
     }
 }
 
+/// So many of them, in words.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{ending}")
+}
+
 /// A list that a line can bear.
 pub(crate) fn listed(words: &[String]) -> String {
     listed_up_to(words, 8)

@@ -214,6 +214,13 @@ impl Job<'_> {
             .push(Diagnostic::warning(self.place.clone(), found, expected));
     }
 
+    /// Warns of what did not come into the session, and has its note say it: whoever signs reads
+    /// the note, not the terminal.
+    pub(crate) fn left_out(&mut self, place: Place, found: String) {
+        self.said.push(found.clone());
+        self.findings.push(Diagnostic::warning(place, found, ""));
+    }
+
     fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
         let kind = inspection.kind.map_or("", super::Kind::id);
         let mut said = format!(

@@ -49,7 +49,7 @@ pub enum Block {
     Text(String),
     /// Points one below another.
     List(Vec<String>),
-    /// Names with what belongs to them.
+    /// Names with what belongs to them, which may have several lines.
     Facts(Vec<(String, String)>),
     /// A table.
     Table(Table),
@@ -98,9 +98,39 @@ pub fn clean(text: &str) -> String {
     clean_to(text, LONGEST)
 }
 
-/// The same for a note, which may be long.
+/// The same for a note, which may be long and have lines of its own. A hash is shown by its first
+/// digits, as hashes are compared by people; the note itself keeps the whole.
 pub fn clean_note(text: &str) -> String {
-    clean_to(text, LONGEST_NOTE)
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let lines: Vec<String> = lines
+        .map(|line| clean_to(&with_short_hashes(line), LONGEST_NOTE))
+        .collect();
+    let mut note = lines.join("\n");
+    if let Some((end, _)) = note.char_indices().nth(LONGEST_NOTE) {
+        note.truncate(end);
+        note.push('…');
+    }
+    note
+}
+
+/// Runs of 64 hexadecimal digits, which is what SHA-256 looks like, cut to their first twelve.
+fn with_short_hashes(line: &str) -> String {
+    let mut shown = String::with_capacity(line.len());
+    let mut rest = line;
+    while !rest.is_empty() {
+        let digits = rest.bytes().take_while(u8::is_ascii_hexdigit).count();
+        let others = rest[digits..].find(|c: char| c.is_ascii_hexdigit());
+        let end = others.map_or(rest.len(), |others| digits + others);
+        if digits == 64 {
+            shown.push_str(&rest[..12]);
+            shown.push('…');
+            shown.push_str(&rest[digits..end]);
+        } else {
+            shown.push_str(&rest[..end]);
+        }
+        rest = &rest[end..];
+    }
+    shown
 }
 
 fn clean_to(text: &str, longest: usize) -> String {
@@ -134,7 +164,24 @@ mod tests {
         assert_eq!(clean("a\u{202e}b\u{0}c\nd"), "a[U+202E]b[U+0000]c d");
         assert_eq!(clean(&"x".repeat(5000)).chars().count(), LONGEST + 1);
         assert_eq!(clean_note(&"x".repeat(5000)), "x".repeat(5000));
+        assert_eq!(clean_note("a\u{202e}b\n\n c\r\nd\te"), "a[U+202E]b\nc\nd e");
         assert!(clean_note(&"x".repeat(50_000)).ends_with("x…"));
+        assert_eq!(
+            clean_note(&"x\n".repeat(50_000)).chars().count(),
+            LONGEST_NOTE + 1
+        );
         assert_eq!(clean("Prüfung Ось 检"), "Prüfung Ось 检");
+    }
+
+    #[test]
+    fn a_note_shows_the_first_digits_of_a_hash() {
+        let hash = "0123456789abcdef".repeat(4);
+        let note = clean_note(&format!(
+            "from a.txt (sha256 {hash}): UTF-8.\nnot {hash}0 ü"
+        ));
+        assert_eq!(
+            note,
+            format!("from a.txt (sha256 0123456789ab…): UTF-8.\nnot {hash}0 ü")
+        );
     }
 }

@@ -104,11 +104,14 @@ impl Told<'_> {
         blocks.extend(self.next_poses());
         blocks.extend(self.outliers());
         if blocks.is_empty() {
-            blocks.push(Block::Text(
-                "Nothing: no data problem, no rival explanation, nothing left without a name, no \
-                 suspected sample"
-                    .to_owned(),
-            ));
+            let mut text =
+                "Nothing in these samples: no data problem, no rival explanation, nothing \
+                            left without a name, no suspected sample"
+                    .to_owned();
+            if !self.given.note.trim().is_empty() {
+                text += ". The note says where they come from";
+            }
+            blocks.push(Block::Text(text));
         }
         Section {
             title: "What stays open".to_owned(),

@@ -79,7 +79,7 @@ fn write_block(block: &Block, out: &mut String) {
                     out,
                     "<div><dt>{}</dt><dd>{}</dd></div>",
                     escape(name),
-                    escape(value)
+                    escape(value).replace('\n', "<br>\n")
                 );
             }
             writeln!(out, "</dl>")

@@ -92,7 +92,7 @@ impl Report {
 /// Everything that is there to be told.
 pub(super) struct Told<'a> {
     pub(super) session: &'a Session,
-    given: &'a Session,
+    pub(super) given: &'a Session,
     pub(super) found: &'a Diagnosis,
     calibration: &'a Calibration,
     verification: &'a Verification,

@@ -237,10 +237,24 @@ impl Flow<'_> {
         }
     }
 
+    /// A fact's value in lines: its own, each as long as there is room; what runs over is set in.
+    fn fact_lines(&self, value: &str) -> Vec<(f64, String)> {
+        let own: Vec<&str> = value.split('\n').collect();
+        let over = if own.len() > 1 { 10.0 } else { 0.0 };
+        let width = FULL_WIDTH - NAMES - over;
+        let wrapped = own.into_iter().flat_map(|line| {
+            let lines = self.fonts.wrapped(line, TEXT, false, width).into_iter();
+            lines
+                .enumerate()
+                .map(move |(k, line)| (if k == 0 { 0.0 } else { over }, line))
+        });
+        wrapped.collect()
+    }
+
     fn facts_height(&self, facts: &[(String, String)]) -> f64 {
-        let lines = |text: &str, width: f64| self.fonts.wrapped(text, TEXT, false, width).len();
         let height = |(name, value): &(String, String)| {
-            let most = lines(value, FULL_WIDTH - NAMES).max(lines(name, NAMES - 8.0));
+            let names = self.fonts.wrapped(name, TEXT, false, NAMES - 8.0);
+            let most = self.fact_lines(value).len().max(names.len());
             LINE * most as f64 + 3.0
         };
         facts.iter().map(height).sum()
@@ -248,7 +262,7 @@ impl Flow<'_> {
 
     fn facts(&mut self, facts: &[(String, String)]) {
         for (name, value) in facts {
-            let lines = self.fonts.wrapped(value, TEXT, false, FULL_WIDTH - NAMES);
+            let lines = self.fact_lines(value);
             let names = self.fonts.wrapped(name, TEXT, false, NAMES - 8.0);
             self.room_for((LINE + 3.0).max(LINE * names.len() as f64));
             self.y += 1.5;
@@ -259,8 +273,8 @@ impl Flow<'_> {
                     .text(Label::new([LEFT, y], name.clone(), TEXT, MUTED));
             }
             let pages = self.pages.len();
-            for line in lines {
-                self.line_of(&line, TEXT, LINE, false, INK, LEFT + NAMES);
+            for (over, line) in lines {
+                self.line_of(&line, TEXT, LINE, false, INK, LEFT + NAMES + over);
             }
             if self.pages.len() == pages {
                 self.y = self.y.max(top + LINE * names.len() as f64);
