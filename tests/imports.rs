@@ -575,13 +575,35 @@ fn the_program_imports_into_a_session_that_it_can_read() {
     assert_eq!(answer["matched"]["by"], "name");
     assert_eq!(answer["reference"]["points"][2]["left_out"], true);
     assert_eq!(answer["reference"]["points"][0]["left_out"], false);
-    let loaded = load(&out).expect("it can be read").session;
+    let loaded = load(&out).expect("it can be read");
+    // What the program wrote itself is no news to it.
+    for finding in &loaded.findings {
+        let is_own = finding.found.contains("'name'") || finding.found.contains("'group'");
+        assert!(!is_own, "{finding}");
+    }
+    let loaded = loaded.session;
+    let kept: Vec<&str> = loaded
+        .samples
+        .unknown
+        .iter()
+        .map(|c| c.name.as_str())
+        .collect();
+    assert_eq!(kept, ["group", "name", "column 6"]);
     assert!(off_the_truth(&loaded) < 2e-4);
-    assert!(
-        loaded.note.contains("commands matched by name"),
-        "{}",
-        loaded.note
-    );
+    // Whoever signs the report reads the note, not the terminal: what was left out stands in it.
+    let lines: Vec<&str> = loaded.note.lines().collect();
+    for said in [
+        "commands matched by name",
+        "reference point 'R3' is 10.160 mm off: left out of the alignment",
+        "left out 1 measurement without a command: 'stray' (line 24)",
+        "left out 1 command without a measurement: 'A+80' (line 16)",
+    ] {
+        assert!(
+            lines.iter().any(|line| line.contains(said)),
+            "{said}: {}",
+            loaded.note
+        );
+    }
     // It is not replaced, and never is an input.
     assert_eq!(program(&all).status.code(), Some(2));
     let own = at("measured.csv");

@@ -8,7 +8,7 @@ use crate::importers::headings::Role;
 use crate::importers::session::Job;
 use crate::kinematics::JointKind;
 use crate::sessions::assemble;
-use crate::sessions::columns::{Heading, Layout, Quantity, Unit};
+use crate::sessions::columns::{Heading, Layout, Quantity, REMARKS, Unit};
 use crate::sessions::table::{Cells, Table};
 use crate::sessions::{Instrument, Session, Target, validation};
 
@@ -182,7 +182,11 @@ fn table(columns: Columns, joints: usize) -> Table {
             },
             Role::Left | Role::Axis(_) => continue,
         };
-        let mut name = plain(column.name, false);
+        let mut name = match column.role {
+            Role::Point => REMARKS[0].to_owned(),
+            Role::Group => REMARKS[1].to_owned(),
+            _ => plain(column.name, false),
+        };
         if matches!(heading, Heading::Unknown { .. }) {
             name = own_name(name, column.number, &table.names);
         }

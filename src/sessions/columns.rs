@@ -221,6 +221,7 @@ impl Layout {
                         check_joint(*quantity, *unit, kinds, place(index), findings);
                     }
                 }
+                Heading::Unknown { .. } if REMARKS.contains(&names[index].as_str()) => {}
                 Heading::Unknown { hint } => {
                     findings.push(unknown_column(place(index), &names[index], hint.as_deref()));
                 }
@@ -232,6 +233,10 @@ impl Layout {
         Self { headings, joints }
     }
 }
+
+/// What an importer calls the names of measured points and of their groups: kept for people, who
+/// find a sample again by them. Nothing reads them, and nothing is wrong with them.
+pub(crate) const REMARKS: [&str; 2] = ["name", "group"];
 
 fn unknown_column(place: Place, name: &str, hint: Option<&str>) -> Diagnostic {
     let found = format!("column {} is not known: kept and ignored", quoted(name));
