@@ -70,11 +70,14 @@ pub fn from_scenario(folder: &Path) -> Result<Files, Rejected> {
         Ok(made) => made,
         Err(error) => panic!("the scenario plays: {error}"),
     };
+    let (commands, reflectors) = (commands(&session), reflectors(&session));
     Ok(Files {
         list: vec![
             ("tracker.txt", tracker(&session)),
-            ("commands.csv", commands(&session)),
-            ("reflectors.csv", reflectors(&session)),
+            ("hurry-commands.csv", only(&commands, ",T1,0,")),
+            ("one-reflector.csv", only(&reflectors, "T1,")),
+            ("commands.csv", commands),
+            ("reflectors.csv", reflectors),
             ("base-points.csv", base_points()),
             ("robot.json", ROBOT.to_owned()),
         ],
@@ -172,6 +175,13 @@ fn reflectors(session: &Session) -> String {
         let _ = writeln!(text, "{},{},{},{}", target.name, p.x, p.y, p.z);
     }
     text
+}
+
+/// The heading and the rows with these words: what somebody in a hurry measures.
+fn only(table: &str, words: &str) -> String {
+    let lines = table.lines().enumerate();
+    let kept = lines.filter(|(k, line)| *k == 0 || line.contains(words));
+    kept.map(|(_, line)| format!("{line}\n")).collect()
 }
 
 fn base_points() -> String {

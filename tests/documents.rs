@@ -1,5 +1,5 @@
-//! The walk through a calibration (`docs/walk-through.md`): its files are what its scenario makes,
-//! and every command in it prints what stands there.
+//! The documents: every command in `README.md` and in the walk through a calibration
+//! (`docs/walk-through.md`) prints what stands there, and the walk's files are what its scenario makes.
 
 #[path = "../examples/walk_through_files/files.rs"]
 #[allow(unreachable_pub, reason = "an example uses the same module")]
@@ -28,6 +28,12 @@ fn the_files_are_what_their_scenario_makes() {
         bytes += text.len();
     }
     assert!(bytes < 60_000, "{bytes} bytes");
+    let table = fs::read_to_string(root().join("docs/walk-through.md")).expect("the document");
+    for entry in fs::read_dir(raw()).expect("the files are there") {
+        let name = entry.expect("an entry").file_name();
+        let name = name.to_string_lossy();
+        assert!(table.contains(&format!("`{name}`")), "{name} is not told");
+    }
 }
 
 /// Whether a line of the text has these parts, in their order. Runs of spaces are one.
@@ -59,7 +65,7 @@ fn words(line: &str) -> Vec<String> {
     words
 }
 
-/// The blocks of a document that show a terminal.
+/// The blocks of a document that show a terminal: with what it prints, or with commands alone.
 fn blocks(text: &str) -> Vec<Vec<String>> {
     let mut blocks = Vec::new();
     let mut lines = text.lines();
@@ -67,15 +73,22 @@ fn blocks(text: &str) -> Vec<Vec<String>> {
         if line.starts_with("```") {
             let block = lines.by_ref().take_while(|line| !line.starts_with("```"));
             let block: Vec<String> = block.map(str::to_owned).collect();
-            if block
-                .first()
-                .is_some_and(|line| line.starts_with("$ truepose"))
-            {
+            if block.iter().any(|line| line.starts_with("$ truepose")) {
                 blocks.push(block);
+            } else if block.iter().any(|line| line.starts_with("truepose import")) {
+                blocks.push(commands_alone(&block));
             }
         }
     }
     blocks
+}
+
+/// A block of commands without a prompt: remarks are left out, and a line that goes on is one.
+fn commands_alone(block: &[String]) -> Vec<String> {
+    let lines = block.iter().filter(|line| !line.starts_with('#'));
+    let text = lines.map(|line| format!("{line}\n")).collect::<String>();
+    let text = text.replace("\\\n", " ");
+    text.lines().map(|line| format!("$ {line}")).collect()
 }
 
 /// Runs one command and compares what it prints with what the document says.
@@ -88,6 +101,9 @@ fn run(folder: &Path, command: &str, expected: &[String]) {
         .expect("the program runs");
     let said = [&ran.stderr[..], &ran.stdout[..]].concat();
     let said = String::from_utf8(said).expect("it prints UTF-8");
+    let asks = expected.iter().any(|line| line.contains("expected --"));
+    let status = if asks { 2 } else { 0 };
+    assert_eq!(ran.status.code(), Some(status), "$ {command}\n{said}");
     let mut lines = said.lines().map(plain);
     for line in expected {
         let parts: Vec<String> = line.split('…').map(plain).collect();
@@ -97,51 +113,67 @@ fn run(folder: &Path, command: &str, expected: &[String]) {
     }
 }
 
-#[test]
-fn every_command_prints_what_stands_in_the_document() {
-    let folder = tempfile::tempdir().expect("a folder");
-    for entry in fs::read_dir(raw()).expect("the files are there") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_name().expect("a name");
-        fs::copy(&path, folder.path().join(name)).expect("copied");
-    }
-    // Measured in a hurry: one reflector, no load.
-    let hurry = |name: &str, from: &str, keep: fn(&str) -> bool| {
-        let text = fs::read_to_string(raw().join(from)).expect("the file is there");
-        let lines = text.lines().enumerate();
-        let kept = lines.filter(|(k, line)| *k == 0 || keep(line));
-        let kept: Vec<&str> = kept.map(|(_, line)| line).collect();
-        fs::write(folder.path().join(name), kept.join("\n") + "\n").expect("written");
-    };
-    hurry("hurry-commands.csv", "commands.csv", |line| {
-        line.contains(",T1,0,")
-    });
-    hurry("one-reflector.csv", "reflectors.csv", |line| {
-        line.starts_with("T1")
-    });
-
-    let text = fs::read_to_string(root().join("docs/walk-through.md")).expect("the document");
-    let blocks = blocks(&text);
-    assert!(blocks.len() >= 9, "{} blocks", blocks.len());
-    for block in blocks {
+/// Runs every command of a document in a folder, in their order; how many there were.
+fn play(document: &str, folder: &Path) -> usize {
+    let text = fs::read_to_string(root().join(document)).expect("the document");
+    let mut count = 0;
+    for block in blocks(&text) {
         let commands: Vec<usize> = (0..block.len())
             .filter(|&k| block[k].starts_with("$ "))
             .collect();
         for (k, &at) in commands.iter().enumerate() {
             let end = commands.get(k + 1).copied().unwrap_or(block.len());
-            run(folder.path(), &block[at][2..], &block[at + 1..end]);
+            run(folder, &block[at][2..], &block[at + 1..end]);
+            count += 1;
         }
     }
-    for name in [
+    count
+}
+
+/// Copies the files of a folder, not what is in folders below it.
+fn copy_files(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a folder");
+    for entry in fs::read_dir(from).expect("the files are there") {
+        let path = entry.expect("an entry").path();
+        if path.is_file() {
+            fs::copy(&path, to.join(path.file_name().expect("a name"))).expect("copied");
+        }
+    }
+}
+
+fn check_written(folder: &Path, names: &[&str], report: &str) {
+    for name in names {
+        assert!(folder.join(name).exists(), "{name} was written");
+    }
+    let report = fs::read(folder.join(report)).expect("the report was written");
+    assert!(report.starts_with(b"%PDF-"));
+}
+
+#[test]
+fn every_command_of_the_walk_prints_what_stands_in_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    copy_files(&raw(), folder.path());
+    let commands = play("docs/walk-through.md", folder.path());
+    assert!(commands >= 11, "{commands} commands");
+    let written = [
         "column.json",
         "column.model.json",
         "column.comp",
         "next.csv",
-    ] {
-        assert!(folder.path().join(name).exists(), "{name} was written");
-    }
-    let report = fs::read(folder.path().join("column.pdf")).expect("the report was written");
-    assert!(report.starts_with(b"%PDF-"));
+    ];
+    check_written(folder.path(), &written, "column.pdf");
+}
+
+#[test]
+fn every_command_of_the_readme_prints_what_stands_in_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    copy_files(&root().join("tests/data/imports"), folder.path());
+    let sessions = folder.path().join("sessions");
+    copy_files(&root().join("sessions"), &sessions);
+    let commands = play("README.md", folder.path());
+    assert!(commands >= 12, "{commands} commands");
+    let written = ["lamp.model.json", "lamp.csv", "a.json", "e.json"];
+    check_written(folder.path(), &written, "lamp.pdf");
 }
 
 #[test]
