@@ -177,6 +177,39 @@ fn a_file_that_vanished_is_said_and_can_be_saved_again() {
     assert!(!says(&window, "not there any more"));
 }
 
+#[test]
+fn samples_that_vanished_are_said_even_after_they_were_changed_and_can_be_saved_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = copy_of("paper-30", folder.path());
+    let samples = folder.path().join("paper-30.csv");
+    let text = fs::read_to_string(&samples).expect("the samples");
+    let mut window = window_at(Some(session), None);
+    fs::write(&samples, format!("{text}garbage\n")).expect("written");
+    seconds(&mut window, 2);
+    assert!(says(&window, "paper-30.csv was changed by another program"));
+    fs::remove_file(&samples).expect("removed");
+    seconds(&mut window, 2);
+    assert!(says(&window, "paper-30.csv is not there any more"));
+    // Reading again what is not there says so, not where a document names it.
+    press(&mut window, "Keep this");
+    keys(&mut window, Modifiers::COMMAND, Key::R);
+    seconds(&mut window, 1);
+    assert!(says(&window, "paper-30.csv is not there any more"));
+    assert!(says(&window, "saving writes it again") && !says(&window, "samples.file"));
+    press(&mut window, "Save it again");
+    assert!(samples.exists() && says(&window, "Saved"));
+    assert!(!says(&window, "not there any more"));
+
+    // What is put back as it was is no change.
+    let ours = fs::read(&samples).expect("ours");
+    fs::remove_file(&samples).expect("removed");
+    seconds(&mut window, 2);
+    assert!(says(&window, "paper-30.csv is not there any more"));
+    fs::write(&samples, ours).expect("put back");
+    seconds(&mut window, 2);
+    assert!(!says(&window, "not there any more"));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_folder_that_cannot_be_written_leaves_the_old_file_and_says_what_to_do() {

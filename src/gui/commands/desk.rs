@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::document::{Document, Question};
+use crate::gui::files;
 use crate::gui::keeping::disk::{Fate, Print};
 use crate::gui::keeping::recovery::{self, Keeper, LeftBehind};
 use crate::gui::keeping::settings::{self, Recent};
@@ -184,9 +185,20 @@ impl Workbench {
     /// Reads the session's file again. Undo brings back what was here.
     pub(super) fn reload(&mut self) {
         self.view.on_disk = None;
-        if let Some(path) = self.file().map(Path::to_path_buf) {
-            self.go(Then::Open(path));
-        }
+        let Some(place) = self.desk.places.get(&self.subject().lineage) else {
+            return;
+        };
+        let (path, files) = (place.path.clone(), place.files.clone());
+        self.desk.then = None;
+        self.view.sheet = None;
+        self.tasks
+            .open(format!("reading {}", path.display()), move |_| {
+                // What is not there cannot be read again; it can be written again.
+                match files.into_iter().find(|file| !file.path.exists()) {
+                    Some(gone) => Report::Seen(Seen::Fate(gone.path, Some(Fate::Vanished))),
+                    None => files::open(&path),
+                }
+            });
     }
 
     pub(super) fn take_seen(&mut self, seen: Seen) {
@@ -195,13 +207,15 @@ impl Workbench {
             Seen::Fate(path, fate) => {
                 let place = self.desk.places.get(&self.subject().lineage);
                 let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
-                let worse = self
-                    .view
-                    .on_disk
-                    .as_ref()
-                    .is_none_or(|shown| shown.fate == Fate::Changed);
-                if ours && worse {
-                    self.view.on_disk = Some(OnDisk { path, fate });
+                let shown = self.view.on_disk.as_ref();
+                let same = shown.is_some_and(|shown| shown.path == path);
+                let worse = shown.is_none_or(|shown| shown.fate == Fate::Changed);
+                match fate {
+                    Some(fate) if ours && (same || worse) => {
+                        self.view.on_disk = Some(OnDisk { path, fate });
+                    }
+                    None if same => self.view.on_disk = None,
+                    _ => {}
                 }
             }
             Seen::Read(print) => {

@@ -30,8 +30,8 @@ pub(crate) enum Order {
 /// What was seen.
 #[derive(Debug)]
 pub(crate) enum Seen {
-    /// A file is not what it was.
-    Fate(PathBuf, Fate),
+    /// A file is not what it was; `None`: it is again.
+    Fate(PathBuf, Option<Fate>),
     /// The followed file has grown, was rewritten, or cannot be followed any more.
     Grew(Box<Result<Growth, Rejected>>),
     /// A file that was followed, as it is now that it was read to its end.
@@ -43,7 +43,8 @@ pub(crate) enum Seen {
 /// See the module.
 #[derive(Debug, Default)]
 pub(crate) struct Watched {
-    files: Vec<Print>,
+    /// With what was said last about each.
+    files: Vec<(Print, Option<Fate>)>,
     followed: Option<Box<Growing>>,
     recent: Vec<PathBuf>,
     missing: Vec<PathBuf>,
@@ -53,16 +54,16 @@ impl Watched {
     /// Looks at something else.
     pub(crate) fn order(&mut self, order: Order) -> Option<Seen> {
         match order {
-            Order::Files(files) => self.files = files,
+            Order::Files(files) => self.files = files.into_iter().map(|f| (f, None)).collect(),
             Order::Recent(recent) => self.recent = recent,
             Order::Follow(followed) => {
                 let before = std::mem::replace(&mut self.followed, followed)?;
                 let print = Print::of(before.path())?;
                 // What was not read is a change that has to be told.
                 if before.has_read(print.length()) {
-                    let same = self.files.iter_mut().find(|f| f.path == print.path);
+                    let same = self.files.iter_mut().find(|(f, _)| f.path == print.path);
                     if let Some(file) = same {
-                        *file = print.clone();
+                        *file = (print.clone(), None);
                     }
                     return Some(Seen::Read(print));
                 }
@@ -75,18 +76,21 @@ impl Watched {
     pub(crate) fn look(&mut self) -> Vec<Seen> {
         let mut seen = Vec::new();
         let followed = self.followed.as_ref().map(|f| f.path().to_path_buf());
-        self.files.retain_mut(|print| {
+        for (print, said) in &mut self.files {
             if Some(&print.path) == followed.as_ref() {
-                return true;
+                continue;
             }
-            match print.look() {
-                None => true,
-                Some(fate) => {
-                    seen.push(Seen::Fate(print.path.clone(), fate));
-                    false
-                }
+            // A file that was changed and then taken away is gone, which asks for something else;
+            // one that was changed is not read again and again.
+            let fate = match said {
+                Some(Fate::Changed) if print.path.is_file() => *said,
+                _ => print.look(),
+            };
+            if fate != *said {
+                *said = fate;
+                seen.push(Seen::Fate(print.path.clone(), fate));
             }
-        });
+        }
         if let Some(growing) = &mut self.followed {
             match growing.look() {
                 Ok(Growth::Nothing) => {}

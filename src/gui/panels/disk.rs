@@ -21,7 +21,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         ),
         Fate::Vanished => (
             format!("{name} is not there any more"),
-            "What was read is here still: save it, or put the file back",
+            "What was read is here still: saving writes it again, or put the file back",
         ),
     };
     let frame = Frame::NONE
@@ -39,6 +39,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     match on_disk.fate {
                         Fate::Changed if ui.button("Reload").clicked() => {
                             commands.push(Command::Reload);
+                        }
+                        // The document is there, and says where its samples belong.
+                        Fate::Vanished if workbench.samples_file() == Some(&on_disk.path) => {
+                            if ui.button("Save it again").clicked() {
+                                commands.push(Command::Save);
+                            }
                         }
                         Fate::Vanished if ui.button("Save it again…").clicked() => {
                             commands.push(Command::ChooseWhereToSave);
