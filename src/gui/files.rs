@@ -325,17 +325,26 @@ pub(crate) fn choose_beside(which: Beside) -> Report {
 /// Endings of files with tables.
 const TABLES: &[&str] = &["csv", "txt", "tsv", "dat", "asc"];
 
+/// A dialog that begins in the folder where the file belongs, with its name.
+fn dialog_at(path: &Path) -> rfd::FileDialog {
+    let name = path.file_name().unwrap_or_default();
+    let dialog = rfd::FileDialog::new().set_file_name(name.to_string_lossy());
+    match path.parent().filter(|folder| folder.is_dir()) {
+        Some(folder) => dialog.set_directory(folder),
+        None => dialog,
+    }
+}
+
 /// Asks the user where to save.
-pub(crate) fn choose_to_save(name: &str) -> Report {
-    let dialog = rfd::FileDialog::new()
+pub(crate) fn choose_to_save(path: &Path) -> Report {
+    let dialog = dialog_at(path)
         .set_title("Save session")
-        .set_file_name(name)
         .add_filter("Session", &["json"]);
     Report::ChosenToSave(dialog.save_file())
 }
 
 /// Asks the user where to export to.
-pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
+pub(crate) fn choose_to_export(what: What, path: &Path) -> Report {
     let title = match what {
         What::Table => "Save table",
         What::Model => "Save model",
@@ -343,7 +352,7 @@ pub(crate) fn choose_to_export(what: What, name: &str) -> Report {
         What::Report(_) => "Save report",
         What::Picture(_) => "Save picture",
     };
-    let dialog = rfd::FileDialog::new().set_title(title).set_file_name(name);
+    let dialog = dialog_at(path).set_title(title);
     let dialog = match what {
         What::Report(_) => dialog
             .add_filter("HTML or PDF", &["html", "pdf"])

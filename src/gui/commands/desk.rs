@@ -101,6 +101,38 @@ impl Workbench {
         place.map(|place| place.path.as_path())
     }
 
+    /// The folder where new files of what is open belong: beside its own file, or beside the one
+    /// that it came from.
+    fn folder(&self) -> Option<PathBuf> {
+        let came_from = match &self.subject().origin {
+            Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
+            Origin::Recovered(path) => path.as_ref(),
+            Origin::Bundled | Origin::Simulated => None,
+        };
+        let given = self.document().given.as_ref().map(|given| &given.path);
+        let beside = self.file().or(came_from.or(given).map(PathBuf::as_path))?;
+        std::path::absolute(beside)
+            .ok()?
+            .parent()
+            .map(PathBuf::from)
+    }
+
+    /// Where a file of this name is written: nobody has to know where the program was started.
+    pub(crate) fn placed(&self, name: &Path) -> PathBuf {
+        match self.folder() {
+            Some(folder) => folder.join(name),
+            None => std::path::absolute(name).unwrap_or_else(|_| name.to_path_buf()),
+        }
+    }
+
+    /// Where the session is saved unless the user says otherwise.
+    pub(crate) fn proposed_path(&self) -> PathBuf {
+        match self.file() {
+            Some(own) => std::path::absolute(own).unwrap_or_else(|_| own.to_path_buf()),
+            None => self.placed(files::file_name_for(&self.subject().session).as_ref()),
+        }
+    }
+
     /// The file with its samples, if they are in one: it can be followed.
     pub(crate) fn samples_file(&self) -> Option<&Path> {
         let place = self.desk.places.get(&self.subject().lineage);

@@ -173,10 +173,11 @@ impl Workbench {
                 self.desk.places.insert(lineage, place);
                 self.view.on_disk = None;
                 self.watch_files();
-                self.use_recent(Recent::Used(path.clone()));
+                let whole = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
+                self.use_recent(Recent::Used(path));
                 self.view.message = Some(Message {
                     wrong: false,
-                    title: format!("Saved {}", path.display()),
+                    title: format!("Saved {}", whole.display()),
                     details: Vec::new(),
                 });
                 self.go_on();

@@ -160,9 +160,9 @@ impl Workbench {
                 );
             }
             Command::ChooseWhereToSave => {
-                let name = files::file_name_for(&self.document().subject.session);
+                let path = self.proposed_path();
                 self.tasks.start("waiting for a file name", move |_| {
-                    files::choose_to_save(&name)
+                    files::choose_to_save(&path)
                 });
             }
             Command::Say(said) => self.say(*said),
@@ -181,7 +181,7 @@ impl Workbench {
                 } else {
                     Replace::Nothing
                 };
-                self.save_to(&path, replace);
+                self.save_to(&self.placed(&path), replace);
             }
             Command::SaveDespite => {
                 if let Some(path) = self.file().map(Path::to_path_buf) {
@@ -196,9 +196,9 @@ impl Workbench {
             Command::KeepRecovery => self.keep_recovery(),
             Command::LookAtDisk => self.tasks.look_at_disk(),
             Command::ChooseWhereToExport(what) => {
-                let name = self.name_of(what);
+                let path = self.placed(self.name_of(what).as_ref());
                 self.tasks.start("waiting for a file name", move |_| {
-                    files::choose_to_export(what, &name)
+                    files::choose_to_export(what, &path)
                 });
             }
             Command::ExportTo {
@@ -207,7 +207,7 @@ impl Workbench {
                 replace,
             } => {
                 self.view.sheet = None;
-                self.export_to(what, path, replace);
+                self.export_to(what, self.placed(&path), replace);
             }
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {

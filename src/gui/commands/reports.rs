@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::gui::edit::Edit;
-use crate::gui::files;
 use crate::gui::tasks::Report;
 use crate::gui::view::{Message, Sheet};
 
@@ -67,9 +66,8 @@ impl Workbench {
                 replace: true,
             }),
             Report::ChosenToSave(None) => {
-                let name = files::file_name_for(&self.document().subject.session);
                 self.view.sheet = Some(Sheet::SavePath {
-                    path: name,
+                    path: self.proposed_path().display().to_string(),
                     replace: false,
                 });
             }
@@ -96,7 +94,8 @@ impl Workbench {
                 replace: true,
             }),
             Report::ChosenToExport(what, None) => {
-                let path = self.name_of(what);
+                let path = self.placed(self.name_of(what).as_ref());
+                let path = path.display().to_string();
                 self.view.sheet = Some(Sheet::ExportPath {
                     what,
                     path,

@@ -7,8 +7,10 @@ use crate::gui::boundaries::boundaries;
 
 use crate::gui::document::Method;
 use crate::gui::edit::Edit;
+use crate::gui::reporting::About;
 use crate::gui::setup::SetupForm;
-use crate::gui::tasks::{Runner, Tasks};
+use crate::gui::subject::{Origin, Subject};
+use crate::gui::tasks::{Runner, Tasks, What};
 use crate::gui::testing::workbench;
 use crate::gui::view::Step;
 use crate::units::rad_from_deg;
@@ -204,4 +206,30 @@ fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
     assert!(workbench.tasks.newest().is_none(), "nobody asked again");
     workbench.execute(Command::Edit(Edit::Identify));
     assert!(workbench.tasks.newest().is_some());
+}
+
+#[test]
+fn new_files_belong_beside_what_they_were_made_of() {
+    let mut workbench = workbench();
+    let folder = tempfile::tempdir().expect("a folder");
+    let tracker = folder.path().join("tracker.txt");
+    let session = workbench.subject().session.clone();
+    let imported = Subject::new(session, Vec::new(), Origin::Imported(tracker));
+    workbench.execute(Command::Edit(Edit::Open(Arc::new(imported))));
+    let proposed = workbench.proposed_path();
+    assert_eq!(proposed.parent(), Some(folder.path()));
+    // A bare name means the same folder, not the one that the program was started in.
+    workbench.execute(Command::SaveAs {
+        path: "column.json".into(),
+        replace: false,
+    });
+    workbench.receive();
+    let saved = folder.path().join("column.json");
+    assert!(saved.exists(), "{:?}", workbench.view().message);
+    assert_eq!(workbench.proposed_path(), saved);
+    let message = workbench.view().message.as_ref().expect("it is said");
+    assert!(message.title.contains(&saved.display().to_string()));
+    let report = workbench.name_of(What::Report(About::Session));
+    let report = workbench.placed(report.as_ref());
+    assert_eq!(report.parent(), Some(folder.path()));
 }

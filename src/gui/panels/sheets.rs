@@ -38,7 +38,8 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
         scroll.show(ui, |ui| match sheet {
             Sheet::SavePath { path, replace } => {
                 let says = "The samples are written beside it, as a CSV file of the same name";
-                match path_form(ui, "Save session", says, path, *replace, commands) {
+                let typed = (path.as_str(), *replace);
+                match path_form(ui, workbench, ("Save session", says), typed, commands) {
                     Typed::Done { path, replace } => {
                         commands.push(Command::SaveAs { path, replace });
                     }
@@ -52,7 +53,7 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
                 what,
                 path,
                 replace,
-            } => export(ui, *what, path, *replace, commands),
+            } => export(ui, workbench, *what, (path, *replace), commands),
             Sheet::Simulate(form) => simulation::show(ui, form, commands),
             Sheet::Unsaved(then) => unsaved::show(ui, workbench, then, commands),
             Sheet::Overwrite(path) => unsaved::overwrite(ui, path, commands),
@@ -119,10 +120,9 @@ enum Typed {
 
 fn path_form(
     ui: &mut Ui,
-    title: &str,
-    says: &str,
-    path: &str,
-    replace: bool,
+    workbench: &Workbench,
+    (title, says): (&str, &str),
+    (path, replace): (&str, bool),
     commands: &mut Vec<Command>,
 ) -> Typed {
     ui.set_width(420.0);
@@ -132,6 +132,11 @@ fn path_form(
     ui.ctx()
         .accesskit_node_builder(field.id, |node| node.set_label("Path to save to"));
     let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+    let place = workbench.placed(typed.trim().as_ref());
+    if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
+        let (folder, name) = (folder.display(), name.to_string_lossy());
+        widgets::hint(ui, format!("{name}, in the folder {folder}"));
+    }
     ui.checkbox(&mut allowed, "replace the file if it exists");
     widgets::hint(ui, says);
     let named = !typed.trim().is_empty();
@@ -151,7 +156,13 @@ fn path_form(
     }
 }
 
-fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec<Command>) {
+fn export(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    what: What,
+    typed: (&str, bool),
+    commands: &mut Vec<Command>,
+) {
     let (title, says) = match what {
         What::Table => (
             "Save table",
@@ -168,7 +179,7 @@ fn export(ui: &mut Ui, what: What, path: &str, replace: bool, commands: &mut Vec
         ),
         What::Picture(_) => ("Save picture", "A name that ends in .svg"),
     };
-    match path_form(ui, title, says, path, replace, commands) {
+    match path_form(ui, workbench, (title, says), typed, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {
             what,
             path,

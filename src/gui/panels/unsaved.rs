@@ -84,10 +84,8 @@ pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
 
 /// Opens the sheet on which a path to save to is typed.
 pub(super) fn typed_path(workbench: &Workbench) -> Command {
-    let path = workbench.file().map(|path| path.display().to_string());
-    let name = || crate::gui::files::file_name_for(&workbench.subject().session);
     Command::Sheet(Some(Sheet::SavePath {
-        path: path.unwrap_or_else(name),
+        path: workbench.proposed_path().display().to_string(),
         replace: false,
     }))
 }
