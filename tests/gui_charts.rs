@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use egui::pos2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use support::{Window, press, says, there, window};
+use support::{Window, copied, press, says, there, window};
 use truepose::gui::{App, Runner};
 
 /// A chart and what it is called once it is shown.
@@ -82,21 +82,6 @@ fn click(window: &mut Window, at: egui::Pos2) {
     window.run_steps(6);
 }
 
-fn copied(window: &mut Window, label: &str) -> Vec<Vec<String>> {
-    window.get_by_label(label).click();
-    for _ in 0..8 {
-        window.step();
-        let commands = &window.output().platform_output.commands;
-        for command in commands {
-            if let egui::OutputCommand::CopyText(text) = command {
-                let cells = |line: &str| line.split('\t').map(str::to_owned).collect();
-                return text.lines().map(cells).collect();
-            }
-        }
-    }
-    panic!("nothing was copied");
-}
-
 const ONE_JOINT: &str = r#""robot": { "name": "axis",
  "joints": [ { "name": "pan", "kind": "revolute", "axis": [0,0,1], "point_mm": [0,0,0] } ],
  "tool": { "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] } }"#;
@@ -125,6 +110,11 @@ fn every_chart_is_chosen_by_name_and_its_samples_are_named_and_chosen() {
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     press(&mut window, "Samples");
+    let rows = copied(&mut window, "Copy table of samples");
+    assert_eq!(rows.len(), 1 + 208, "a heading and every sample");
+    assert_eq!((&*rows[0][1], &*rows[0][7]), ("q1, deg", "after, mm"));
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()));
+    assert!(rows[1..].iter().all(|row| row[7].parse::<f64>().is_ok()));
     for (name, label) in SAMPLES {
         chart(&mut window, name);
         let found = find_sample(&mut window, label);

@@ -11,7 +11,7 @@ mod support;
 use std::path::{Path, PathBuf};
 
 use egui_kittest::kittest::Queryable;
-use support::{Window, press, says, status, window_of};
+use support::{Window, copied, press, says, status, window_of};
 use truepose::gui::Runner;
 use truepose::sessions::Replacing;
 use truepose::simulation::format_v1::parse_scenario;
@@ -69,6 +69,7 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     window.get_by_label("Backlash");
     assert!(says(&window, "Noise alone would look like this in"));
     assert!(says(&window, "over the next name"));
+    tables_can_be_copied(&mut window);
     let identified = gap_mm(&window);
     assert!(identified > 2.0 * FLOOR_MM, "{identified}");
 
@@ -101,6 +102,26 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     assert!(says(&window, "dashed: moving negative"));
 }
 
+/// Every table of the search goes into a spreadsheet as it is.
+fn tables_can_be_copied(window: &mut Window) {
+    let found = copied(window, "Copy table of found effects");
+    assert_eq!((found.len(), &*found[0][0]), (2, "effect"));
+    assert_eq!((&*found[1][0], &*found[1][2]), ("Backlash", "width"));
+    let width: f64 = found[1][3].parse().expect("a number");
+    assert!((width - 0.1).abs() < 0.02, "{width}");
+    window.run_steps(2);
+    window.get_by_label("Copied table of found effects");
+
+    let folded = window.get_by_label_contains("What would have been seen");
+    folded.scroll_to_me();
+    folded.click();
+    window.run_steps(12);
+    support::into_sight(window, "Copy table of detection limits");
+    let limits = copied(window, "Copy table of detection limits");
+    assert!(limits.len() > 5, "{limits:?}");
+    assert!(limits.iter().all(|row| row.len() == limits[0].len()));
+}
+
 #[test]
 fn poses_that_decide_are_saved_as_a_measuring_list() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -113,6 +134,13 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
     assert!(says(&window, "tracking lag") && says(&window, "backlash"));
     window.get_by_label("Measure these poses next");
     window.get_by_label("Save measuring list…");
+    assert!(
+        !says(&window, "next_poses"),
+        "no names of files' keys on the screen"
+    );
+    support::into_sight(&mut window, "Copy table of poses");
+    let poses = copied(&mut window, "Copy table of poses");
+    assert_eq!(poses[0][0], "q1, deg");
     let list = folder.path().join("next.csv");
     window.state_mut().type_list_path(&list);
     window.run_steps(4);
@@ -125,6 +153,7 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
     let angles: Vec<f64> = angles
         .map(|a| a.expect("a cell").expect("an angle"))
         .collect();
+    assert_eq!(angles.len() + 1, poses.len(), "as many as on the list");
     assert!(!angles.is_empty() && angles.iter().all(|a| a.abs() <= 150.0));
 }
 

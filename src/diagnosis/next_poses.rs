@@ -37,6 +37,21 @@ pub struct NextPose {
     pub why: String,
 }
 
+impl NextPose {
+    /// Whether it is measured under the same conditions as another.
+    pub fn repeats(&self, other: &Self) -> bool {
+        let but_why = Self {
+            why: String::new(),
+            ..self.clone()
+        };
+        let other = Self {
+            why: String::new(),
+            ..other.clone()
+        };
+        but_why == other
+    }
+}
+
 /// Poses that are proposed at most.
 pub(super) const MOST: usize = 24;
 /// One condition is proposed at most so often.
@@ -125,11 +140,17 @@ pub(super) fn separate(
     };
     let why = why(rivals);
     let session = prepared.problem.session;
-    order
+    let poses = order
         .into_iter()
-        .flat_map(|k| poses_of(&offer.choices[k], session, &offer, &why))
-        .take(most)
-        .collect()
+        .flat_map(|k| poses_of(&offer.choices[k], session, &offer, &why));
+    let mut poses: Vec<NextPose> = poses.take(most).collect();
+    for k in 0..poses.len() {
+        let (before, rest) = poses.split_at_mut(k);
+        if before.iter().any(|earlier| rest[0].repeats(earlier)) {
+            rest[0].why += "; measured a second time, as once is not enough over the noise";
+        }
+    }
+    poses
 }
 
 /// The session's reflectors, and where there is but one, those with each place for another.
@@ -251,7 +272,10 @@ pub(super) fn separate_by(rival: &Rival, poses: &[NextPose]) -> String {
     } else {
         format!(" with {}", conditions.join(", "))
     };
-    format!("measure the {} poses of next_poses{with}", poses.len())
+    match poses.len() {
+        1 => format!("measure the proposed pose{with}"),
+        many => format!("measure the {many} proposed poses{with}"),
+    }
 }
 
 fn why(rivals: &[&Rival]) -> String {

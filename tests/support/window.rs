@@ -51,9 +51,25 @@ pub fn press(window: &mut Window, label: &str) {
     window.run_steps(4);
 }
 
-fn into_sight(window: &mut Window, label: &str) {
+pub fn into_sight(window: &mut Window, label: &str) {
     window.get_by_label(label).scroll_to_me();
     window.run_steps(6);
+}
+
+/// What a button copies: rows of cells.
+pub fn copied(window: &mut Window, label: &str) -> Vec<Vec<String>> {
+    window.get_by_label(label).click();
+    for _ in 0..8 {
+        window.step();
+        let commands = &window.output().platform_output.commands;
+        for command in commands {
+            if let egui::OutputCommand::CopyText(text) = command {
+                let cells = |line: &str| line.split('\t').map(str::to_owned).collect();
+                return text.lines().map(cells).collect();
+            }
+        }
+    }
+    panic!("nothing was copied");
 }
 
 pub fn says(window: &Window, part: &str) -> bool {

@@ -5,6 +5,7 @@ use egui::{Align, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::panels::copies;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
 
@@ -28,6 +29,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .flatten();
     let scroll = last != view.selected;
     ui.data_mut(|data| data.insert_temp(id, view.selected));
+    copies::button(ui, "samples", || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(52.0, 96.0).floor();

@@ -4,6 +4,7 @@ use egui::{CollapsingHeader, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Sight};
 use crate::effects::find;
+use crate::gui::panels::copies;
 use crate::gui::panels::results::named;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::significant;
@@ -29,6 +30,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
             });
             widgets::hint(ui, sizes.collect::<Vec<_>>().join(", "));
         }
+        copies::button(ui, "detection limits", || copies::limits(d));
     });
 }
 

@@ -17,7 +17,7 @@ use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::significant;
 use crate::gui::widgets::{self};
 
-use crate::gui::panels::unexplained;
+use crate::gui::panels::{copies, unexplained};
 
 /// Shows the right-hand side of the step.
 pub(in crate::gui::panels) fn show(
@@ -45,6 +45,9 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
             card::show(ui, workbench, d, found, commands);
             curve_link(ui, workbench, index, commands);
         });
+    }
+    if !d.found.is_empty() {
+        copies::button(ui, "found effects", || copies::found(d));
     }
     equivalent(ui, d);
     unexplained::card(ui, workbench, d, commands);

@@ -4,6 +4,7 @@ use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::next_poses::NextPose;
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::panels::copies;
 use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
@@ -32,7 +33,7 @@ pub(super) fn show(
                 ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
             }
             ui.end_row();
-            for pose in poses.iter().take(MOST) {
+            for (k, pose) in poses.iter().take(MOST).enumerate() {
                 let q = pose.q.iter().zip(&robot.joints);
                 let q = q.map(|(q, joint)| match joint.kind {
                     JointKind::Revolute => format!("{}°", trimmed(deg_from_rad(*q), 2)),
@@ -47,22 +48,57 @@ pub(super) fn show(
                 };
                 ui.label(pose.dir.iter().map(side).collect::<Vec<_>>().join(" "));
                 ui.label(pose.target.as_deref().unwrap_or(""));
-                ui.label(conditions(pose, robot.joints[0].kind));
+                let again = poses[..k].iter().any(|earlier| pose.repeats(earlier));
+                ui.label(conditions(pose, robot.joints[0].kind, again));
                 ui.end_row();
             }
         });
+    for line in new_reflectors(poses) {
+        widgets::hint(ui, line);
+    }
+    let shown = &poses[..poses.len().min(MOST)];
+    if (1..shown.len()).any(|k| shown[..k].iter().any(|earlier| shown[k].repeats(earlier))) {
+        let says = "Second time: the same pose again, after another one, as once is not enough over \
+                    the noise";
+        widgets::hint(ui, says);
+    }
+    if poses.len() > MOST {
+        let more = poses.len() - MOST;
+        widgets::hint(ui, format!("and {more} more, in the measuring list"));
+    }
+    copies::button(ui, "poses", || copies::poses(poses, robot));
     if widgets::secondary(ui, "Save measuring list…").clicked() {
         commands.push(Command::ChooseWhereToExport(What::Poses));
     }
 }
 
-fn conditions(pose: &NextPose, kind: JointKind) -> String {
+/// Where each reflector sits that the session does not have.
+fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for pose in poses {
+        let (Some(name), Some(at)) = (&pose.target, pose.target_mm) else {
+            continue;
+        };
+        let [x, y, z] = at.map(|mm| trimmed(mm, 2));
+        let line = format!(
+            "{name} is a new reflector: mount it at ({x}, {y}, {z}) mm in the tool frame, and survey \
+             where it really is"
+        );
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+fn conditions(pose: &NextPose, kind: JointKind, again: bool) -> String {
     let speed = pose.speed.iter().flatten().map(|v| match kind {
         JointKind::Revolute => format!("{}°/s", trimmed(deg_from_rad(*v), 2)),
         JointKind::Prismatic => format!("{} mm/s", trimmed(*v, 2)),
     });
     let load = pose.load_kg.map(|kg| format!("{} kg", trimmed(kg, 2)));
     let warm = pose.temperature_c.map(|t| format!("{} °C", trimmed(t, 1)));
-    let all: Vec<String> = speed.chain(load).chain(warm).collect();
+    let again = again.then(|| "second time".to_owned());
+    let all: Vec<String> = speed.chain(load).chain(warm).chain(again).collect();
     all.join(", ")
 }
