@@ -18,6 +18,18 @@ const MOST_SAMPLES: f64 = 1e6;
 /// Seconds from one pose to the next.
 const SECONDS_PER_POSE: f64 = 6.0;
 
+/// What the fields are called.
+pub(crate) mod field {
+    pub(crate) const RADIUS: &str = "nominal radius";
+    pub(crate) const OFFSET: &str = "zero offset";
+    pub(crate) const LENGTH: &str = "length error";
+    pub(crate) const TOLERANCE: &str = "tolerance";
+    pub(crate) const FROM: &str = "from";
+    pub(crate) const TO: &str = "to";
+    pub(crate) const STEP: &str = "step";
+    pub(crate) const NOISE: &str = "noise";
+}
+
 /// An effect with the values that are filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Chosen {
@@ -108,48 +120,95 @@ impl Form {
 
     /// What is wrong with the numbers; `None` where they can be simulated.
     pub(crate) fn problem(&self) -> Option<String> {
-        let numbers = [
-            self.radius_mm,
-            self.from_deg,
-            self.to_deg,
-            self.step_deg,
-            self.offset_deg,
-            self.length_error_mm,
-            self.noise_mm,
-            self.tolerance_mm,
-        ];
-        if !numbers.iter().all(|v| v.is_finite()) {
-            return Some("every field needs a number".to_owned());
-        }
-        if self.radius_mm <= 0.0 {
-            return Some("the radius has to be above 0 mm".to_owned());
-        }
-        if self.from_deg >= self.to_deg {
-            return Some("the sweep has to run from the smaller to the larger angle".to_owned());
-        }
-        if self.step_deg <= 0.0 {
-            return Some("the step has to be above 0°".to_owned());
-        }
-        if (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES {
-            return Some("that is more than a million poses; take a larger step".to_owned());
-        }
-        if self.noise_mm < 0.0 || self.tolerance_mm < 0.0 {
-            return Some("noise and tolerance cannot be below 0".to_owned());
-        }
-        self.terms().err()
+        self.problems().into_iter().next().map(|(_, says)| says)
     }
 
-    fn terms(&self) -> Result<Vec<Term>, String> {
+    /// Everything that is wrong with the numbers, each with the field or the effect that it is about.
+    pub(crate) fn problems(&self) -> Vec<(&'static str, String)> {
+        let fields = [
+            (field::RADIUS, self.radius_mm),
+            (field::OFFSET, self.offset_deg),
+            (field::LENGTH, self.length_error_mm),
+            (field::TOLERANCE, self.tolerance_mm),
+            (field::FROM, self.from_deg),
+            (field::TO, self.to_deg),
+            (field::STEP, self.step_deg),
+            (field::NOISE, self.noise_mm),
+        ];
+        let infinite = fields.iter().filter(|(_, value)| !value.is_finite());
+        let mut problems: Vec<_> = infinite
+            .map(|(name, _)| (*name, "this field needs a number".to_owned()))
+            .collect();
+        let mut check = |wrong: bool, name: &'static str, says: &str| {
+            if wrong && problems.iter().all(|(other, _)| *other != name) {
+                problems.push((name, says.to_owned()));
+            }
+        };
+        check(
+            self.radius_mm <= 0.0,
+            field::RADIUS,
+            "the radius has to be above 0 mm",
+        );
+        check(
+            self.tolerance_mm < 0.0,
+            field::TOLERANCE,
+            "the tolerance cannot be below 0",
+        );
+        check(
+            self.from_deg >= self.to_deg,
+            field::TO,
+            "the sweep has to run from the smaller to the larger angle",
+        );
+        check(
+            self.step_deg <= 0.0,
+            field::STEP,
+            "the step has to be above 0°",
+        );
+        check(
+            (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES,
+            field::STEP,
+            "that is more than a million poses; take a larger step",
+        );
+        check(
+            self.noise_mm < 0.0,
+            field::NOISE,
+            "the noise cannot be below 0",
+        );
+        for chosen in &self.effects {
+            let infinite = chosen
+                .parameters
+                .iter()
+                .any(|(_, value)| !value.is_finite());
+            check(infinite, chosen.id, "every field needs a number");
+        }
+        for term in self.parts() {
+            let place = match term.0 {
+                "joint-zero-offset" => field::OFFSET,
+                "link-length" => field::LENGTH,
+                id => id,
+            };
+            if let Err(says) = term.1 {
+                check(true, place, &says);
+            }
+        }
+        problems
+    }
+
+    /// The effects by their names, as terms or why they are none.
+    fn parts(&self) -> impl Iterator<Item = (&'static str, Result<Term, String>)> {
         let own = [
             ("joint-zero-offset", vec![("offset_deg", self.offset_deg)]),
             ("link-length", vec![("delta_mm", self.length_error_mm)]),
         ];
         let chosen = self.effects.iter().map(|c| (c.id, c.parameters.clone()));
-        let all = own.into_iter().chain(chosen);
-        all.map(|(id, parameters)| {
-            Term::from_parameters(id, 1, &parameters, 1).map_err(|e| e.to_string())
+        own.into_iter().chain(chosen).map(|(id, parameters)| {
+            let term = Term::from_parameters(id, 1, &parameters, 1);
+            (id, term.map_err(|e| e.to_string()))
         })
-        .collect()
+    }
+
+    fn terms(&self) -> Result<Vec<Term>, String> {
+        self.parts().map(|(_, term)| term).collect()
     }
 
     /// The session; `watch` hears which part is done, and may break it off.
@@ -273,5 +332,26 @@ mod tests {
             ..Form::default()
         };
         assert!(form.problem().expect("no step").contains("step"));
+    }
+
+    #[test]
+    fn every_wrong_number_is_named_at_its_field() {
+        let mut form = Form {
+            radius_mm: -10.0,
+            from_deg: 200.0,
+            step_deg: 0.0,
+            noise_mm: f64::NAN,
+            ..Form::default()
+        };
+        let names = |form: &Form| -> Vec<&str> { form.problems().iter().map(|p| p.0).collect() };
+        assert_eq!(
+            names(&form),
+            [field::NOISE, field::RADIUS, field::TO, field::STEP]
+        );
+        form = Form::default();
+        let mut backlash = Chosen::new("backlash").expect("it is in the catalogue");
+        backlash.parameters[0].1 = f64::NAN;
+        form.effects.push(backlash);
+        assert_eq!(names(&form), ["backlash"]);
     }
 }

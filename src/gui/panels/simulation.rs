@@ -3,7 +3,7 @@
 use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
 
 use crate::gui::commands::Command;
-use crate::gui::simulate::{Chosen, Form};
+use crate::gui::simulate::{Chosen, Form, field};
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
@@ -18,29 +18,48 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
          identification should find",
     );
     let mut filled = form.clone();
+    let wrong = form.problems();
     ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;
     ui.columns(2, |columns| {
         for column in columns.iter_mut() {
             column.spacing_mut().item_spacing.x = space::ROW;
         }
-        robot(&mut columns[0], &mut filled);
-        measurement(&mut columns[1], &mut filled);
+        robot(&mut columns[0], &mut filled, &wrong);
+        measurement(&mut columns[1], &mut filled, &wrong);
     });
     ui.spacing_mut().item_spacing.x = space::ROW;
-    effects(ui, &mut filled);
-    let problem = filled.problem();
-    if let Some(problem) = &problem {
-        let color = Palette::of(ui).outside;
-        ui.label(RichText::new(problem).color(color));
+    effects(ui, &mut filled, &wrong);
+    if !wrong.is_empty() {
+        widgets::hint(
+            ui,
+            "What stands in colour above has to be another number first",
+        );
     }
-    if super::sheets::buttons(ui, "Simulate", problem.is_none(), commands) {
+    let ready = filled.problem().is_none();
+    if super::sheets::buttons(ui, "Simulate", ready, commands) {
         commands.push(Command::Simulate(filled));
     } else if filled != *form {
         commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
     }
 }
 
-fn robot(ui: &mut Ui, form: &mut Form) {
+/// What is wrong, each with the field that it is about.
+type Wrong = [(&'static str, String)];
+
+/// Says what is wrong with a field, below it.
+fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
+    for (_, says) in wrong.iter().filter(|(place, _)| *place == name) {
+        widgets::wrong(ui, says);
+    }
+}
+
+/// A field with what is wrong with it.
+fn number(ui: &mut Ui, wrong: &Wrong, name: &str, value: DragValue<'_>) {
+    widgets::number(ui, name, value);
+    fault(ui, wrong, name);
+}
+
+fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     widgets::section(ui, "Robot");
     let mm = |value| {
         DragValue::new(value)
@@ -54,29 +73,29 @@ fn robot(ui: &mut Ui, form: &mut Form) {
             .max_decimals(4)
             .suffix("°")
     };
-    widgets::number(ui, "nominal radius", mm(&mut form.radius_mm));
-    widgets::number(ui, "zero offset", deg(&mut form.offset_deg));
-    widgets::number(ui, "length error", mm(&mut form.length_error_mm));
+    number(ui, wrong, field::RADIUS, mm(&mut form.radius_mm));
+    number(ui, wrong, field::OFFSET, deg(&mut form.offset_deg));
+    number(ui, wrong, field::LENGTH, mm(&mut form.length_error_mm));
     widgets::section(ui, "Tolerance");
-    widgets::number(ui, "tolerance", mm(&mut form.tolerance_mm));
+    number(ui, wrong, field::TOLERANCE, mm(&mut form.tolerance_mm));
 }
 
-fn measurement(ui: &mut Ui, form: &mut Form) {
+fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     widgets::section(ui, "Sweep");
     let deg = |value| DragValue::new(value).speed(0.5).max_decimals(3).suffix("°");
-    widgets::number(ui, "from", deg(&mut form.from_deg));
-    widgets::number(ui, "to", deg(&mut form.to_deg));
-    widgets::number(ui, "step", deg(&mut form.step_deg));
+    number(ui, wrong, field::FROM, deg(&mut form.from_deg));
+    number(ui, wrong, field::TO, deg(&mut form.to_deg));
+    number(ui, wrong, field::STEP, deg(&mut form.step_deg));
     ui.add(Checkbox::new(&mut form.both_ways, "there and back"));
     widgets::section(ui, "Instrument");
     let noise = DragValue::new(&mut form.noise_mm)
         .speed(0.002)
         .max_decimals(4);
-    widgets::number(ui, "noise", noise.suffix(" mm"));
+    number(ui, wrong, field::NOISE, noise.suffix(" mm"));
     widgets::number(ui, "seed", DragValue::new(&mut form.seed));
 }
 
-fn effects(ui: &mut Ui, form: &mut Form) {
+fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     widgets::section(ui, "Other effects");
     let mut gone = None;
     ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
@@ -94,6 +113,7 @@ fn effects(ui: &mut Ui, form: &mut Form) {
                     gone = Some(index);
                 }
             });
+            fault(ui, wrong, chosen.id);
         }
     });
     if let Some(index) = gone {
