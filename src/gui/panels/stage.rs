@@ -61,7 +61,8 @@ fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let color = if message.wrong {
         palette.outside
     } else {
-        palette.within
+        // Neither praise nor blame: what was done, or that nothing was.
+        palette.text
     };
     let frame = Frame::NONE
         .fill(palette.inset)
