@@ -22,6 +22,9 @@ pub(crate) use trial::{Trial, in_the_sheets_words};
 /// A file that is longer, in bytes, is not read into memory.
 const LONGEST: u64 = 1 << 30;
 
+/// What is said until the file was looked at with everything that was said.
+pub(crate) const LOOKING: &str = "Looking at the file…";
+
 /// What a person said.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Said {
@@ -198,35 +201,49 @@ impl Foreign {
     }
 
     /// What stands in the way of an import, in words; `None`: nothing.
-    pub(crate) fn missing(&self) -> Option<&'static str> {
+    pub(crate) fn missing(&self) -> Option<String> {
+        let says = match self.hindrance()? {
+            // The reason itself: where it stands in full may be out of sight.
+            (says, Some(reason)) => format!("{says}: {reason}"),
+            (says, None) => says.to_owned(),
+        };
+        Some(says)
+    }
+
+    /// What stands in the way, and the first reason that was found.
+    fn hindrance(&self) -> Option<(&'static str, Option<String>)> {
         let inspection = &self.seen.inspection;
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
+        let so = |says: &'static str| Some((says, None));
         if !self.is_up_to_date() {
-            return Some("Looking at the file…");
+            return so(LOOKING);
         }
         if !inspection.questions.is_empty() {
-            return Some("Answer what is asked above first");
+            return so("Answer what is asked above first");
         }
-        if inspection.findings.iter().any(is_wrong) {
-            return Some("The file cannot be read like this; what is wrong stands above");
+        if let Some(wrong) = inspection.findings.iter().find(|finding| is_wrong(finding)) {
+            let reason = in_the_sheets_words(&wrong.to_string());
+            return Some(("The file cannot be read like this", Some(reason)));
         }
         if self.asks_for_confirmation() {
-            return Some("Look at the columns above, and confirm them");
+            return so("Look at the columns above, and confirm them");
         }
         if self.said.name.trim().is_empty() {
-            return Some("Give the session a name");
+            return so("Give the session a name");
         }
         match (&self.said.robot, &self.seen.robot) {
-            (RobotFrom::Open, _) => return Some("Say whose robot was measured"),
-            (_, None) => return Some("Say which file the robot is in"),
-            (_, Some(Err(_))) => {
-                return Some("The robot cannot be read like this; what is wrong stands above");
+            (RobotFrom::Open, _) => return so("Say whose robot was measured"),
+            (_, None) => return so("Say which file the robot is in"),
+            (_, Some(Err(because))) => {
+                let reason = because.first().cloned();
+                return Some(("The robot cannot be read like this", reason));
             }
             (_, Some(Ok(_))) => {}
         }
         match &self.seen.trial {
             Some(Ok(_)) => None,
-            _ => Some("What stands in the way is said above"),
+            Some(Err(because)) => Some(("In the way", because.first().cloned())),
+            None => so(LOOKING),
         }
     }
 

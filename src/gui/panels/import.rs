@@ -8,18 +8,21 @@ mod file;
 mod result;
 mod robot;
 
-use egui::{RichText, ScrollArea, TextEdit, Ui};
+use egui::text::LayoutJob;
+use egui::{Align, FontId, Layout, RichText, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::diagnostic::Severity;
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::foreign::{Beside, Foreign, in_the_sheets_words};
+use crate::gui::foreign::{Beside, Foreign, LOOKING, in_the_sheets_words};
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::widgets;
 
 /// Width of the sheet, points.
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
-const AROUND: f32 = 210.0;
+const AROUND: f32 = 228.0;
+/// Two lines of what stands in the way, points.
+const HINDRANCE: f32 = 34.0;
 
 /// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: &mut Vec<Command>) {
@@ -46,16 +49,29 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     let missing = if next == now.said {
         now.missing()
     } else {
-        Some("Looking at the file…")
+        Some(LOOKING.to_owned())
     };
-    if let Some(missing) = missing {
-        widgets::hint(ui, missing);
-    }
+    hindrance(ui, missing.as_deref());
     if super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands) {
         commands.push(Command::Import);
     } else if next != now.said {
         commands.push(Command::Say(Box::new(next)));
     }
+}
+
+/// What stands in the way, in two lines that are always there: what is above keeps its place.
+fn hindrance(ui: &mut Ui, missing: Option<&str>) {
+    let room = vec2(ui.available_width(), HINDRANCE);
+    ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
+        ui.set_min_height(HINDRANCE);
+        let Some(missing) = missing else { return };
+        let font = FontId::proportional(size::NOTE);
+        let muted = Palette::of(ui).muted;
+        let mut job = LayoutJob::simple(missing.to_owned(), font, muted, room.x);
+        job.wrap.max_rows = 2;
+        let label = ui.label(job);
+        label.on_hover_text(missing);
+    });
 }
 
 /// What is wrong with the file, and what somebody should know.

@@ -11,6 +11,18 @@ const MOST: usize = 8;
 
 /// Shows it, once there is nothing left to ask.
 pub(super) fn show(ui: &mut Ui, now: &Foreign) {
+    // As high as it ever was for this file: the fields above keep their place while it changes.
+    let id = ui.scope_id().with(("highest result", &now.path));
+    let highest: f32 = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
+    let shown = ui.scope(|ui| {
+        ui.set_min_height(highest);
+        contents(ui, now);
+    });
+    let height = shown.response.rect.height().max(highest);
+    ui.data_mut(|data| data.insert_temp(id, height));
+}
+
+fn contents(ui: &mut Ui, now: &Foreign) {
     match &now.seen.trial {
         None => {}
         Some(Ok(trial)) => {
