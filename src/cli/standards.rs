@@ -84,9 +84,11 @@ fn series_in_words(axis: &AxisTest, series: &Series, text: &mut String) {
     let [up, down] = series.before.fewest_runs();
     let _ = writeln!(
         text,
-        "  {}: {} positions, each approached {up} times or more from below and {down} from above",
+        "  {}: {} positions, each approached {} from below and {} from above",
         series.fixed.in_words(axis),
-        series.before.positions.len()
+        series.before.positions.len(),
+        standards::at_least(up),
+        standards::at_least(down),
     );
     let head = if series.after.is_some() {
         "  corrected"

@@ -233,13 +233,13 @@ fn unexplained_part(calibration: &Calibration, joint: usize) -> Vec<String> {
     let curves = own.filter_map(Term::curve);
     let says = curves.map(|curve| {
         let (unit, outer): (&str, fn(f64) -> f64) = if slides {
-            ("mm", |v| v)
+            (" mm", |v| v)
         } else {
-            ("deg", deg_from_rad)
+            ("°", deg_from_rad)
         };
         format!(
-            "up to {:.6} {unit} of it is an unexplained smooth correction, measured from {:.3} to \
-             {:.3} {unit}: no effect of the catalogue explains it, and outside that range its end \
+            "up to {:.4}{unit} of it is an unexplained smooth correction, measured from {:.2} to \
+             {:.2}{unit}: no effect of the catalogue explains it, and outside that range its end \
              values are held",
             outer(curve.largest()[0]),
             outer(curve.knots().from),

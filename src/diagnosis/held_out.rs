@@ -21,6 +21,7 @@ pub(super) struct Folds {
 }
 
 const FOLDS: usize = 5;
+const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
 /// Below this number of samples every sector is left out in turn.
 const FEW: usize = 60;
 /// Below this number of samples nothing is said about unseen ones.
@@ -58,11 +59,11 @@ impl Folds {
         let joint = widest.map_or(1, |j| j + 1);
         let how = if n < FEW {
             format!(
-                "{sectors} sectors of joint {joint}, each left out in turn and predicted by a fit without it"
+                "each of {sectors} parts of the range of joint {joint} predicted by a fit that has not seen it"
             )
         } else {
             format!(
-                "cross-fitted: {count} sets of sectors of joint {joint} ({sectors} sectors in all), each predicted by a fit without it, orders and times scanned afresh"
+                "each fifth of the positions of joint {joint} (spread over its range) predicted by a fit that has not seen it"
             )
         };
         Self { fold, count, how }

@@ -58,6 +58,7 @@ mod leftover;
 mod linear;
 mod mending;
 mod offer;
+mod place;
 mod prepare;
 mod search;
 mod shapes;

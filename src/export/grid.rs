@@ -38,11 +38,11 @@ pub(super) fn choose(
     let ascends = sheet.places.windows(2).all(|pair| pair[0] < pair[1]);
     if !ascends {
         return Err(ExportError::Refused(format!(
-            "a step of {} {} is finer than the positions of {}, which are whole multiples of {}",
+            "a step of {}{unit} is finer than the positions of {}, which are whole multiples of {}{unit}",
             sheet.step.unwrap_or(0.0),
-            sheet.unit(),
-            rules.format,
+            rules.title(),
             rules.resolution.unwrap_or(0.0),
+            unit = sheet.kind.sign(),
         )));
     }
     if let Some(wrong) = sheet
@@ -64,13 +64,14 @@ fn asked(job: &Job, rules: &Rules, step: f64) -> Result<Sheet, ExportError> {
     if entries > rules.most_entries {
         let [from, to] = [table.commanded_outer[0], table.commanded_outer[entries - 1]];
         return Err(ExportError::Refused(format!(
-            "a step of {step} {unit} makes {entries} entries, and {} takes at most {} ({}); a step \
-             of {:.6} {unit} or more fits, or none: then the entries are chosen",
-            rules.format,
+            "a step of {step}{unit} makes {entries} entries, and {} takes at most {} ({}); a step \
+             of {}{unit} or more fits, or none: then the entries are chosen",
+            rules.title(),
             rules.most_entries,
             rules.limit_because,
-            (to - from) / (rules.most_entries - 1) as f64,
-            unit = table.unit(),
+            // Rounded up, so that it does fit.
+            ((to - from) / (rules.most_entries - 1) as f64 * 1e3).ceil() / 1e3,
+            unit = table.kind.sign(),
         )));
     }
     Ok(Sheet::new(&table, rules))
@@ -114,11 +115,11 @@ pub(super) fn directions(
     if apart < rules.resolution.unwrap_or(0.0) {
         return Ok(None);
     }
-    let unit = exact.table.unit();
+    let unit = exact.table.kind.sign();
     let says = format!(
-        "the corrections of the two directions differ by up to {apart:.6} {unit} (backlash), and \
+        "the corrections of the two directions differ by up to {apart:.4}{unit} (backlash), and \
          {} holds one for both: their mean leaves {leaves:.4} mm",
-        rules.format
+        rules.title()
     );
     if leaves <= allowance.mm {
         return Ok(Some(says));

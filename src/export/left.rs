@@ -249,13 +249,13 @@ impl Left {
             )
         } else {
             format!(
-                "{added}, more than {} ({:.5} mm): {} takes at most {} entries in steps of {} {}",
+                "{added}, more than {} ({:.5} mm): {} takes at most {} entries in steps of {}{}",
                 may.is,
                 may.mm,
-                rules.format,
+                rules.title(),
                 rules.most_entries,
                 rules.resolution.unwrap_or(0.0),
-                sheet.unit(),
+                sheet.kind.sign(),
             )
         }
     }

@@ -101,6 +101,11 @@ pub struct Rules {
 }
 
 impl Rules {
+    /// What the format is called among people.
+    pub fn title(&self) -> &'static str {
+        super::find(self.format).map_or(self.format, |format| format.title)
+    }
+
     /// Unit of the file's numbers.
     pub fn unit(&self, kind: JointKind) -> &'static str {
         match kind {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::standards::axis::AxisTest;
 use crate::standards::pose::{Largest, PoseTest};
-use crate::standards::{Positioning, standards};
+use crate::standards::{Positioning, at_least, standards};
 
 use super::outcome::Outcome;
 use super::units::{plain_number, significant};
@@ -103,9 +103,11 @@ fn of_axis(axis: &AxisTest) -> Group {
     };
     let [up, down] = series.before.fewest_runs();
     group.says = format!(
-        "{}; {} positions, {up} times or more from below, {down} from above",
+        "{}; {} positions, {} from below, {} from above",
         series.fixed.in_words(axis),
-        series.before.positions.len()
+        series.before.positions.len(),
+        at_least(up),
+        at_least(down)
     );
     let after = series.after.as_ref().map(Positioning::rows);
     let rows = series.before.rows().into_iter().enumerate();
@@ -122,7 +124,7 @@ fn of_axis(axis: &AxisTest) -> Group {
     let others = axis.series.len() - 1 + axis.more;
     if others > 0 {
         group.missing.push(format!(
-            "{others} more series under other conditions; truepose standards --json lists them"
+            "{others} more series under other conditions, which are not shown here"
         ));
     }
     group

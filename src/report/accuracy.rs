@@ -2,7 +2,7 @@
 
 use crate::standards::axis::AxisTest;
 use crate::standards::pose::{Largest, PoseTest};
-use crate::standards::{Positioning, Standards};
+use crate::standards::{Positioning, Standards, at_least};
 
 use super::document::{Block, Section, Table, clean};
 use super::numbers::{plain, short};
@@ -51,9 +51,11 @@ fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
     };
     let [up, down] = series.before.fewest_runs();
     blocks.push(Block::Text(format!(
-        "{}; {} positions, each approached {up} times or more from below and {down} from above; figures in {unit}",
+        "{}; {} positions, each approached {} from below and {} from above; figures in {unit}",
         clean(&series.fixed.in_words(axis)),
-        series.before.positions.len()
+        series.before.positions.len(),
+        at_least(up),
+        at_least(down),
     )));
     let mut table = Table::new(&["Symbol", "Figure", ">As measured", ">Corrected commands"]);
     let digits = if axis.unit == "mm" { 4 } else { 1 };
@@ -78,8 +80,8 @@ fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
     let others = axis.series.len() - 1 + axis.more;
     if others > 0 {
         remarks.push(format!(
-            "the session holds {others} more series of this joint under other conditions; \
-             `truepose standards --json` lists them"
+            "the session holds {others} more series of this joint under other conditions; the \
+             program's command for the standards lists them"
         ));
     }
     if !remarks.is_empty() {

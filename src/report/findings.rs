@@ -1,7 +1,6 @@
 //! What a diagnosis found, what it leaves open, and what it could not see.
 
 use crate::diagnosis::Found;
-use crate::diagnosis::anonymous::Where;
 use crate::effects;
 
 use super::accuracy::sides;
@@ -66,7 +65,7 @@ impl Told<'_> {
                 fact("Evidence", clean(&d.unexplained.says)),
             ];
             if let Some(place) = &d.unexplained.place {
-                facts.push(fact("Where", clean(&place_in_words(place))));
+                facts.push(fact("Where", clean(&place.says())));
             }
             if !d.unexplained.resembles.is_empty() {
                 let names = d
@@ -235,16 +234,4 @@ fn sentence(text: &str) -> String {
     chars.next().map_or_else(String::new, |first| {
         first.to_uppercase().collect::<String>() + chars.as_str()
     })
-}
-
-fn place_in_words(place: &Where) -> String {
-    match place {
-        Where::Range { variable, from, to } => {
-            format!("{variable} from {} to {}", short(*from), short(*to))
-        }
-        Where::Cycles {
-            variable,
-            cycles_per_turn,
-        } => format!("{} cycles per turn of {variable}", short(*cycles_per_turn)),
-    }
 }

@@ -113,7 +113,7 @@ pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> O
         };
         blocks.push(Block::Heading(clean(&table.name)));
         blocks.push(Block::Facts(vec![
-            ("Format".to_owned(), clean(&table.format)),
+            ("Format".to_owned(), format_in_words(&table.format)),
             ("Joint".to_owned(), clean(&table.joint)),
             ("Origin".to_owned(), belongs.to_owned()),
             ("SHA-256 of the file".to_owned(), table.hash.clone()),
@@ -124,6 +124,11 @@ pub(super) fn tables(extras: &Extras, samples_hash: &str, model_hash: &str) -> O
         title: "Tables for the controller".to_owned(),
         blocks,
     })
+}
+
+/// What a table's format is called among people, where its sidecar names a known one.
+fn format_in_words(id: &str) -> String {
+    crate::export::find(id).map_or_else(|| clean(id), |format| format.title.to_owned())
 }
 
 /// Room for two signatures.

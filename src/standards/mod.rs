@@ -90,6 +90,16 @@ pub fn standards(
     })
 }
 
+/// At least so many times, in words.
+pub fn at_least(times: usize) -> String {
+    match times {
+        0 => "never".to_owned(),
+        1 => "once or more".to_owned(),
+        2 => "twice or more".to_owned(),
+        many => format!("{many} times or more"),
+    }
+}
+
 fn moving(session: &Session) -> bool {
     let speeds = session.samples.speed.iter().flatten().flatten();
     speeds.into_iter().any(|v| *v != 0.0 && !v.is_nan())

@@ -29,6 +29,7 @@ fn tables(ui: &mut Ui, made: &Made) {
     if made.groups.iter().any(|group| !group.rows.is_empty()) {
         copies::button(ui, "figures", || as_text(made));
     }
+    let mut explained = "";
     for group in &made.groups {
         widgets::section(ui, &format!("{}, {}", group.title, group.standard));
         if !group.says.is_empty() {
@@ -36,6 +37,10 @@ fn tables(ui: &mut Ui, made: &Made) {
         }
         if !group.rows.is_empty() {
             table(ui, group);
+            if group.standard != explained {
+                widgets::hint(ui, legend(group));
+                explained = group.standard;
+            }
         }
         for line in &group.missing {
             widgets::hint(ui, format!("missing: {line}"));
@@ -44,6 +49,19 @@ fn tables(ui: &mut Ui, made: &Made) {
     for line in &made.notes {
         widgets::hint(ui, line);
     }
+}
+
+/// What the symbols of a table are called; what each means in full is said at the symbol.
+fn legend(group: &Group) -> String {
+    let sides = |symbol: &str| symbol.ends_with(['↑', '↓']);
+    let rows = group.rows.iter().filter(|row| !sides(row.symbol));
+    let mut names: Vec<String> = rows
+        .map(|row| format!("{} {}", row.symbol, row.name))
+        .collect();
+    if group.rows.iter().any(|row| sides(row.symbol)) {
+        names.push("↑ from below, ↓ from above".to_owned());
+    }
+    names.join(" · ")
 }
 
 fn table(ui: &mut Ui, group: &Group) {

@@ -2,7 +2,6 @@
 
 use egui::{RichText, Ui};
 
-use crate::diagnosis::anonymous::Where;
 use crate::diagnosis::{Correction, Diagnosis};
 use crate::effects::Term;
 use crate::gui::commands::{Command, Workbench};
@@ -27,23 +26,8 @@ pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: 
         let text = RichText::new("Unexplained").font(strong(size::HEADING));
         ui.label(text.color(warning));
         widgets::fact(ui, "what is left", workbench.units().length(left.rms_mm));
-        let place = match &left.place {
-            None => None,
-            Some(Where::Range { variable, from, to }) => Some(format!(
-                "{variable} {} … {}",
-                trimmed(*from, 2),
-                trimmed(*to, 2)
-            )),
-            Some(Where::Cycles {
-                variable,
-                cycles_per_turn,
-            }) => Some(format!(
-                "{} per turn of {variable}",
-                trimmed(*cycles_per_turn, 2)
-            )),
-        };
-        if let Some(place) = place {
-            widgets::fact(ui, "where", place);
+        if let Some(place) = &left.place {
+            widgets::fact(ui, "where", place.says());
         }
         widgets::hint(ui, &left.says);
         if !left.resembles.is_empty() {

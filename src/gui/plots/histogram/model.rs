@@ -21,7 +21,7 @@ const MOST: f64 = 60.0;
 /// Bins end so many quartile ranges beyond the quartiles.
 const FAR: f64 = 10.0;
 /// The rule, in words.
-pub(crate) const RULE: &str = "bins by Freedman and Diaconis";
+pub(crate) const RULE: &str = "bars as wide as the spread of the samples asks for";
 
 /// Equal bins side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
