@@ -112,9 +112,10 @@ fn tables_can_be_copied(window: &mut Window) {
     window.run_steps(2);
     window.get_by_label("Copied table of found effects");
 
-    let folded = window.get_by_label_contains("What would have been seen");
-    folded.scroll_to_me();
-    folded.click();
+    let folded = "What would have been seen";
+    window.get_by_label_contains(folded).scroll_to_me();
+    window.run_steps(6);
+    window.get_by_label_contains(folded).click();
     window.run_steps(12);
     support::into_sight(window, "Copy table of detection limits");
     let limits = copied(window, "Copy table of detection limits");
