@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use truepose::diagnosis::{DiagnoseError, Options, diagnose};
 use truepose::model::Calibration;
+use truepose::model::format_v1::model_hash;
 use truepose::report::svg::svg_file;
 use truepose::report::{Extras, Report, ReportError, html, pdf, plots, stages};
 use truepose::sessions::{Session, load, parse};
@@ -199,6 +200,35 @@ fn the_same_session_gives_the_same_bytes_and_both_formats_hold_the_numbers() {
             assert!(in_words, "{expected} in the PDF");
         }
     }
+}
+
+#[test]
+fn a_report_is_of_the_model_that_is_in_use_and_says_in_what_it_is_another() {
+    let (session, options, extras) = (lamp(), Options::default(), Extras::default());
+    let found = diagnose(&session, &options, &|_| true).unwrap();
+    let all = found.calibration(&session);
+    let of = |model: Option<&Calibration>| {
+        html(&Report::of_diagnosis(&session, &found, model, &options, &extras).unwrap())
+    };
+    assert_eq!(of(Some(&all)), of(None), "what was found is in use");
+    let model = all
+        .model
+        .without(|term| term.effect.about().id == "backlash");
+    let less = Calibration {
+        model,
+        covariance: None,
+        ..all
+    };
+    let page = of(Some(&less));
+    for said in [
+        "the model in use is another one: without Backlash",
+        "with the model in use, without Backlash",
+        "Gap to the model in use",
+        &model_hash(&less),
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains(&model_hash(&found.calibration(&session))));
 }
 
 #[test]

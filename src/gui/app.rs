@@ -288,6 +288,12 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
     }
+
+    /// Where plots were moved to, how far lists were scrolled: that belongs to one session at one
+    /// time. What outlives the window is kept in `keeping`.
+    fn persist_egui_memory(&self) -> bool {
+        false
+    }
 }
 
 #[cfg(test)]

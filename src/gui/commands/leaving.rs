@@ -53,7 +53,7 @@ impl Workbench {
         let document = self.document();
         let example = self.subject().lineage == self.first.lineage
             || self.subject().origin == Origin::Bundled;
-        let asked = document.question().filter(|_| document.given.is_none());
+        let asked = self.question().filter(|_| document.given.is_none());
         Losses {
             session: self.unsaved(),
             model: !example
@@ -193,6 +193,6 @@ impl Workbench {
 
     /// The model stands in a file.
     pub(super) fn model_is_on_file(&mut self) {
-        self.desk.model_on_file = self.document().question();
+        self.desk.model_on_file = self.question();
     }
 }

@@ -31,7 +31,7 @@ pub(crate) use dividing::Adapted;
 use desk::Desk;
 
 use crate::gui::backdrop::Backdrop;
-use crate::gui::document::{Document, Question};
+use crate::gui::document::{Document, ExportChoice, Question};
 use crate::gui::edit::Edit;
 use crate::gui::figures::Figures;
 use crate::gui::files::{self, Replace};
@@ -65,6 +65,8 @@ pub(crate) struct Workbench {
     backdrop: Option<Arc<Backdrop>>,
     /// Files that were exported from this session, the newest last.
     exported: Vec<PathBuf>,
+    /// The name under which this export was saved last.
+    saved_as: Option<(ExportChoice, String)>,
     figures: Option<Figures>,
     tasks: Tasks,
 }
@@ -87,6 +89,7 @@ impl Workbench {
             preview: None,
             backdrop: None,
             exported: Vec::new(),
+            saved_as: None,
             figures: None,
             tasks,
         };
@@ -313,6 +316,7 @@ impl Workbench {
         }
         if before.lineage != self.subject().lineage {
             self.exported.clear();
+            self.saved_as = None;
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fitted += 1;
