@@ -137,7 +137,12 @@ pub struct SystemFace {
 impl fmt::Debug for SystemFace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, index, .. } = self;
-        write!(f, "{name} #{index} of {:?}, {} bytes", self.path, self.data.len())
+        write!(
+            f,
+            "{name} #{index} of {:?}, {} bytes",
+            self.path,
+            self.data.len()
+        )
     }
 }
 
@@ -243,7 +248,10 @@ impl Library {
                 continue;
             }
             let place = FAMILIES.iter().position(|(family, _)| named(&[family]));
-            let noto = info.families.iter().any(|(f, _)| f.starts_with("Noto Sans"));
+            let noto = info
+                .families
+                .iter()
+                .any(|(f, _)| f.starts_with("Noto Sans"));
             let class = match place {
                 Some(_) => 0,
                 None if noto => 1,
@@ -297,7 +305,9 @@ impl Library {
     }
 
     fn read(&self, info: &FaceInfo) -> Option<SystemFace> {
-        let data = self.faces().with_face_data(info.id, |data, _| data.to_vec())?;
+        let data = self
+            .faces()
+            .with_face_data(info.id, |data, _| data.to_vec())?;
         Some(SystemFace {
             name: info.post_script_name.clone(),
             path: path(info).map(Path::to_path_buf),

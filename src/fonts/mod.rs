@@ -30,6 +30,11 @@
 //! Source of the tables that are read: `OpenType` 1.9, `cmap`, `OS/2`, `name`.
 
 mod library;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+#[path = "../../tests/support/tiny_font.rs"]
+pub(crate) mod tiny_font;
 
 use std::collections::BTreeSet;
 
@@ -96,7 +101,7 @@ pub fn cannot_be_shown(unshown: &BTreeSet<char>) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+mod words {
     use super::*;
 
     #[test]
@@ -104,7 +109,15 @@ mod tests {
         for c in ['中', '한', 'ア', '\u{3000}', 'ก', '😀', 'a'] {
             assert!(is_worth_a_font(c), "{c:?}");
         }
-        for c in ['\n', '\u{200D}', '\u{FE0F}', '\u{E000}', '\u{FFFF}', '\u{1FFFE}', '\u{FEFF}'] {
+        for c in [
+            '\n',
+            '\u{200D}',
+            '\u{FE0F}',
+            '\u{E000}',
+            '\u{FFFF}',
+            '\u{1FFFE}',
+            '\u{FEFF}',
+        ] {
             assert!(!is_worth_a_font(c), "{c:?}");
         }
     }
@@ -118,7 +131,10 @@ mod tests {
              Sans CJK, and start the program again"
         );
         let many = says("中国机器人");
-        assert!(many.contains("U+4EBA") && many.contains("and 2 more characters"), "{many}");
+        assert!(
+            many.contains("U+4EBA") && many.contains("and 2 more characters"),
+            "{many}"
+        );
         assert!(says("中国机器").contains("and 1 more character;"));
         assert!(!says("ก").contains("CJK"));
     }

@@ -208,8 +208,7 @@ impl Writer {
             Embedded::TrueType(_) => CidFontType::Type2,
             Embedded::Cff(_) => CidFontType::Type0,
         });
-        out.base_font(base)
-            .system_info(system);
+        out.base_font(base).system_info(system);
         out.font_descriptor(descriptor).default_width(0.0);
         // Of outlines after Adobe the number is a CID already.
         if let Embedded::TrueType(_) = embedded {
