@@ -47,8 +47,16 @@ impl App {
             workbench.execute(Command::OpenFile(path));
         }
         Self {
-            workbench,
             alphabet: Some(Alphabet::asked_by(ctx)),
+            ..Self::on(workbench)
+        }
+    }
+
+    /// On a workbench that is there already.
+    pub(crate) fn on(workbench: Workbench) -> Self {
+        Self {
+            workbench,
+            alphabet: None,
             shown: Preferences::default(),
             title: String::new(),
             recovery_due: None,
@@ -314,18 +322,6 @@ impl eframe::App for App {
 
 #[cfg(test)]
 impl App {
-    /// On a workbench that is there already.
-    pub(crate) fn on(workbench: Workbench) -> Self {
-        Self {
-            workbench,
-            alphabet: None,
-            shown: Preferences::default(),
-            title: String::new(),
-            recovery_due: None,
-            look_due: 0.0,
-        }
-    }
-
     /// The workbench.
     pub(crate) fn bench(&mut self) -> &mut Workbench {
         &mut self.workbench
