@@ -35,6 +35,7 @@
 
 pub mod atomic;
 pub mod diagnostic;
+pub mod fonts;
 pub mod lanes;
 pub mod sincos;
 pub mod units;

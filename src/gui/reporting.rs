@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnosis::diagnose;
+use crate::fonts::{self, Library};
 use crate::report::exported::sidecar_of;
 use crate::report::{self, ExportedTable, Extras};
 
@@ -106,7 +107,15 @@ fn make(
     };
     let bytes = match kind {
         Kind::Html => report::html(&report).into_bytes(),
-        Kind::Pdf => report::pdf(&report).map_err(|e| e.to_string())?,
+        Kind::Pdf => {
+            let written = report::pdf_with(&report, &Library::system());
+            let written = written.map_err(|e| e.to_string())?;
+            if !written.unshown.is_empty() {
+                let says = fonts::cannot_be_shown(&written.unshown);
+                details.push(format!("Some letters stand in it as codes: {says}"));
+            }
+            written.bytes
+        }
     };
     files::write_one(path, replace, &bytes, watch)
 }

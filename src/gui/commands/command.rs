@@ -1,5 +1,6 @@
 //! The list of everything that can be done.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
@@ -98,6 +99,10 @@ pub(crate) enum Command {
     Search,
     /// Make a session by simulation.
     Simulate(Form),
+    /// Find a font for characters that are shown.
+    FindLetters(BTreeSet<char>),
+    /// It was read which characters cannot be shown.
+    DismissLetters,
     /// Drop the task that is under way.
     Cancel,
     /// Drop the search that is under way.

@@ -12,6 +12,7 @@ mod exports;
 mod follow;
 mod imports;
 mod leaving;
+mod letters;
 mod papers;
 mod recovering;
 mod reports;
@@ -36,6 +37,7 @@ use crate::gui::edit::Edit;
 use crate::gui::figures::Figures;
 use crate::gui::files::{self, Replace};
 use crate::gui::keeping::settings::Recent;
+use crate::gui::letters::Letters;
 use crate::gui::outcome::Outcome;
 use crate::gui::preview::Preview;
 use crate::gui::search::Search;
@@ -68,6 +70,7 @@ pub(crate) struct Workbench {
     /// The name under which this export was saved last.
     saved_as: Option<(ExportChoice, String)>,
     figures: Option<Figures>,
+    letters: Letters,
     tasks: Tasks,
 }
 
@@ -91,6 +94,7 @@ impl Workbench {
             exported: Vec::new(),
             saved_as: None,
             figures: None,
+            letters: Letters::default(),
             tasks,
         };
         workbench.remember_on_file(Arc::clone(workbench.history.present()));
@@ -219,6 +223,8 @@ impl Workbench {
                     self.ask_then(Then::Simulate(form));
                 }
             }
+            Command::FindLetters(wanted) => self.find_letters(wanted),
+            Command::DismissLetters => self.dismiss_letters(),
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),

@@ -103,6 +103,7 @@ impl Workbench {
                     replace: false,
                 });
             }
+            Report::Lettered(found) => self.letters.take(*found),
             Report::Written(message) => self.take_written(message),
             Report::Figured(figures) => {
                 self.figures = Some(*figures);

@@ -27,7 +27,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         return;
     }
     let Some(diagnosis) = workbench.diagnosis() else {
-        return before(ui, workbench);
+        before(ui, workbench);
+        // Restored after a kill, or the samples are others: what was added stays in the model.
+        return switches(ui, workbench, commands);
     };
     let units = workbench.units();
     widgets::section(ui, "Gap");

@@ -3,6 +3,7 @@
 use egui::{Align, Layout, RichText, Spinner, Ui};
 
 use crate::diagnosis::FloorFrom;
+use crate::fonts;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::tokens::{Palette, size};
@@ -75,6 +76,13 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
         let says = format!("following the file · {came} new");
         ui.label(small(says).color(palette.accent));
+    } else if !workbench.letters().unshown.is_empty() {
+        if ui.small_button("Understood").clicked() {
+            commands.push(Command::DismissLetters);
+        }
+        let says = fonts::cannot_be_shown(&workbench.letters().unshown);
+        let says = small(says).color(palette.warning);
+        ui.add(egui::Label::new(says).truncate());
     }
 }
 

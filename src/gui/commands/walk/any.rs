@@ -364,7 +364,10 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         ),
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
-        75..=77 | 148..=150 => Command::Dismiss,
+        75..=77 | 148 => Command::Dismiss,
+        149 => Command::DismissLetters,
+        // Private ones: no walk depends on the fonts of the machine.
+        150 => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
         151 => Command::Fit,
         _ => {
             // A session beside which models and regions make sense again.
