@@ -36,6 +36,7 @@
 pub mod atomic;
 pub mod diagnostic;
 pub mod lanes;
+pub mod progress;
 pub mod sincos;
 pub mod units;
 pub mod wide;
