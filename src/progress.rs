@@ -148,7 +148,8 @@ impl<'p> Part<'p> {
         Ok(())
     }
 
-    /// For what is given a watch of its own.
+    /// For work that is given a watch of its own.
+    #[cfg(feature = "gui")]
     pub(crate) fn watch(self) -> impl Fn(f64) -> ControlFlow<()> {
         move |share| match self.reached(share) {
             Ok(()) => ControlFlow::Continue(()),
@@ -164,7 +165,9 @@ pub(crate) mod testing {
     use super::*;
 
     /// Every share that the work tells, if it is let go to the end.
-    pub(crate) fn told<T>(work: impl FnOnce(&dyn Fn(f64) -> ControlFlow<()>) -> T) -> (Vec<f64>, T) {
+    pub(crate) fn told<T>(
+        work: impl FnOnce(&dyn Fn(f64) -> ControlFlow<()>) -> T,
+    ) -> (Vec<f64>, T) {
         let shares = Cell::new(Vec::new());
         let done = work(&|share| {
             let mut all = shares.take();

@@ -37,6 +37,8 @@ mod text;
 mod tracker;
 mod tum;
 mod units;
+#[cfg(test)]
+mod watched;
 
 pub use clock::ClockOffset;
 pub use decimals::Decimal;
@@ -136,7 +138,9 @@ fn read(bytes: &[u8], reading: &Reading, part: Part<'_>) -> (Inspection, Option<
         }
     };
     found.encoding = encoding;
-    let kind = reading.kind.unwrap_or_else(|| proposed(&text, reading, part));
+    let kind = reading
+        .kind
+        .unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(kind);
     let mut case = Case {
         text: &text,

@@ -131,11 +131,7 @@ pub fn import_watched(
     Ok(imported)
 }
 
-fn import_in(
-    bytes: &[u8],
-    settings: &Settings<'_>,
-    part: Part<'_>,
-) -> Result<Imported, ReadError> {
+fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Imported, ReadError> {
     let reading = suited(&settings.reading, settings.robot)?;
     let (inspection, columns) = read(bytes, &reading, part.part(0.0, 0.7));
     part.reached(0.7)?;

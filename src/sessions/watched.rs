@@ -80,7 +80,13 @@ fn what_is_read_tells_how_far_it_is_and_can_be_cancelled_wherever_it_does() {
 fn a_document_that_is_wrong_is_refused_as_if_nobody_watched() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wrong.json");
-    for text in ["", "{", "[1, 2", HEAD, "{\"format\":\"truepose-session/1\"}"] {
+    for text in [
+        "",
+        "{",
+        "[1, 2",
+        HEAD,
+        "{\"format\":\"truepose-session/1\"}",
+    ] {
         fs::write(&path, text).unwrap();
         let (shares, watched) = told(|watch| load_watched(&path, watch));
         let Err(ReadError::Rejected(watched)) = watched else {

@@ -97,7 +97,9 @@ impl<'a> Parser<'a> {
             return Ok(());
         }
         self.tell_at = self.at + AT_ONCE;
-        let told = self.part.map(|part| part.counted(self.at, self.bytes.len()));
+        let told = self
+            .part
+            .map(|part| part.counted(self.at, self.bytes.len()));
         told.unwrap_or(Ok(())).map_err(Stop::Cancelled)
     }
 
