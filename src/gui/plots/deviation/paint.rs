@@ -179,9 +179,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mu
     let palette = Palette::of(ui);
     let view = workbench.view();
     let shown = Shown::of(workbench, over);
-    let wide = f64::from(ui.available_width());
-    let whole = shown.extent.x.map(|x| shown.axes.scale.shown(x));
-    let many = matches!(shown.in_sight(whole, wide), Some(Many::Columns(_)));
+    let many = shown.envelope;
+    let many = many.is_some_and(|envelope| layout::are_many(envelope, shown.extent.x));
     strip::show(
         ui,
         &shown.note(many),
@@ -394,7 +393,7 @@ pub(crate) fn sketch(workbench: &Workbench, over: Over) -> Option<Sketch> {
         None => of_dots(&shown.series.dots, &mut inks),
         Some(Many::Samples(samples)) => of_dots(&shown.dots(&samples), &mut inks),
         Some(Many::Columns(columns)) => {
-            for column in columns {
+            for column in columns.iter() {
                 let bar = |mm: [f64; 2], stands, filled| {
                     let [from, to] = [0, 1].map(|k| [axes.scale.shown(column.x[k]), value(mm[k])]);
                     Ink::Bar(from, to, stands, filled)
