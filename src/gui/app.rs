@@ -41,6 +41,11 @@ impl App {
         if let Some(path) = path {
             workbench.execute(Command::OpenFile(path));
         }
+        Self::on(workbench)
+    }
+
+    /// On a workbench that is there already.
+    pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
             shown: Preferences::default(),
@@ -287,17 +292,6 @@ impl eframe::App for App {
 
 #[cfg(test)]
 impl App {
-    /// On a workbench that is there already.
-    pub(crate) fn on(workbench: Workbench) -> Self {
-        Self {
-            workbench,
-            shown: Preferences::default(),
-            title: String::new(),
-            recovery_due: None,
-            look_due: 0.0,
-        }
-    }
-
     /// The workbench.
     pub(crate) fn bench(&mut self) -> &mut Workbench {
         &mut self.workbench

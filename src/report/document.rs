@@ -87,15 +87,26 @@ impl Table {
     }
 }
 
-/// Longest text of a user that a report repeats.
+/// Longest name of a user that a report repeats, characters.
 const LONGEST: usize = 400;
+/// Longest note: where the samples came from is part of what is signed.
+const LONGEST_NOTE: usize = 8000;
 
 /// A user's text as it can be shown: control characters and those that turn the direction of what
 /// follows are written as codes, so that a name cannot make a report read differently than it is.
 pub fn clean(text: &str) -> String {
+    clean_to(text, LONGEST)
+}
+
+/// The same for a note, which may be long.
+pub fn clean_note(text: &str) -> String {
+    clean_to(text, LONGEST_NOTE)
+}
+
+fn clean_to(text: &str, longest: usize) -> String {
     let mut shown = String::with_capacity(text.len());
     for (k, c) in text.chars().enumerate() {
-        if k == LONGEST {
+        if k == longest {
             shown.push('…');
             break;
         }
@@ -122,6 +133,8 @@ mod tests {
     fn a_name_cannot_turn_the_text_after_it() {
         assert_eq!(clean("a\u{202e}b\u{0}c\nd"), "a[U+202E]b[U+0000]c d");
         assert_eq!(clean(&"x".repeat(5000)).chars().count(), LONGEST + 1);
+        assert_eq!(clean_note(&"x".repeat(5000)), "x".repeat(5000));
+        assert!(clean_note(&"x".repeat(50_000)).ends_with("x…"));
         assert_eq!(clean("Prüfung Ось 检"), "Prüfung Ось 检");
     }
 }

@@ -12,7 +12,7 @@ use crate::sessions::{Session, hash_of_samples};
 use crate::standards::standards;
 
 use super::accuracy;
-use super::document::{Block, Figure, Report, Section, Table, clean};
+use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::numbers::{mm, plain, short};
 use super::parts::{
     fact, foot, gap, instrument, or_unnamed, parameters, robot_facts, signatures, tables, tolerance,
@@ -172,7 +172,7 @@ impl Told<'_> {
         let s = self.given;
         let mut facts = vec![fact("Session", or_unnamed(&s.name))];
         if !s.note.trim().is_empty() {
-            facts.push(fact("Note", clean(&s.note)));
+            facts.push(fact("Note", clean_note(&s.note)));
         }
         facts.extend(robot_facts(self.robot(), &self.found.measured));
         facts.push(fact("Instrument", instrument(&s.instrument)));

@@ -9,14 +9,17 @@
 //! - Model: `cloud` (the samples as they are uploaded), `heat` (the error over the plane),
 //!   `nearest` (which sample is under the pointer).
 //! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
-//! - Paint: `gpu` with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws
-//!   the heat map where there is nothing but egui.
+//! - Paint: `gpu` (what egui calls back), `drawer` (what stays on the graphics processor) and `pipelines`
+//!   with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws the heat
+//!   map where there is nothing but egui.
 
 mod cloud;
+mod drawer;
 mod frame;
 mod gpu;
 mod heat;
 mod nearest;
+mod pipelines;
 mod shapes;
 #[cfg(test)]
 mod tests;

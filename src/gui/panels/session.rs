@@ -2,7 +2,7 @@
 
 use egui::{DragValue, RichText, TextEdit, Ui};
 
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::simulate::Form;
@@ -167,27 +167,35 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if findings.is_empty() {
         return;
     }
-    let palette = Palette::of(ui);
     widgets::section(ui, &format!("Found while reading: {}", findings.len()));
-    for finding in findings.iter().take(MOST) {
-        let (mark, color) = match finding.severity {
-            Severity::Note => ("note", palette.muted),
-            Severity::Warning => ("warning", palette.warning),
-            Severity::Error => ("error", palette.outside),
-        };
-        ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-            let text = RichText::new(finding.to_string()).size(size::SMALL);
-            if finding.samples.is_empty() {
-                ui.label(text);
-            } else if ui.link(text).on_hover_text("Show these samples").clicked() {
-                commands.push(Command::Mark(finding.samples.clone()));
-            }
-        });
-    }
+    ui.scope(|ui| {
+        // Rows are as high as their text, the first of a finding too.
+        ui.spacing_mut().interact_size.y = 0.0;
+        for finding in findings.iter().take(MOST) {
+            finding_line(ui, finding, commands);
+        }
+    });
     if findings.len() > MOST {
         widgets::hint(ui, format!("and {} more", findings.len() - MOST));
     }
+}
+
+fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let (mark, color) = match finding.severity {
+        Severity::Note => ("note", palette.muted),
+        Severity::Warning => ("warning", palette.warning),
+        Severity::Error => ("error", palette.outside),
+    };
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
+        let text = RichText::new(finding.to_string()).size(size::SMALL);
+        if finding.samples.is_empty() {
+            ui.label(text);
+        } else if ui.link(text).on_hover_text("Show these samples").clicked() {
+            commands.push(Command::Mark(finding.samples.clone()));
+        }
+    });
 }
 
 /// A path can always be typed: not every system has a dialog.

@@ -6,6 +6,8 @@ mod envelope;
 mod layout;
 mod model;
 mod paint;
+mod paper;
 
 pub(crate) use envelope::Envelope;
-pub(crate) use paint::{numbers, show, sketch};
+pub(crate) use paint::show;
+pub(crate) use paper::{numbers, sketch};

@@ -5,12 +5,12 @@ use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::over::{Over, Scale, Variable};
-use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
+use crate::gui::plots::sketch::Sketch;
 use crate::gui::plots::strip::{self, Entry, Sign};
 use crate::gui::plots::{Drawing, figure, marks, thinned, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::Palette;
-use crate::gui::units::{Units, plain_number};
+use crate::gui::units::Units;
 
 use super::columns;
 use super::envelope::Envelope;
@@ -25,8 +25,8 @@ const MOST_NEAR: usize = 400;
 /// The chart's axes in the user's units.
 #[derive(Clone)]
 pub(super) struct Axes {
-    units: Units,
-    scale: Scale,
+    pub(super) units: Units,
+    pub(super) scale: Scale,
 }
 
 impl Axes {
@@ -34,7 +34,7 @@ impl Axes {
         PlotPoint::new(self.scale.shown(x), self.units.length_value(mm))
     }
 
-    fn corners(&self, extent: &Extent) -> [[f64; 2]; 2] {
+    pub(super) fn corners(&self, extent: &Extent) -> [[f64; 2]; 2] {
         [0, 1].map(|k| {
             let corner = self.at(extent.x[k], extent.mm[k]);
             [corner.x, corner.y]
@@ -43,19 +43,19 @@ impl Axes {
 }
 
 /// What the chart shows at present, and where.
-struct Shown<'a> {
-    workbench: &'a Workbench,
-    over: Over,
-    series: Series,
-    envelope: Option<&'a Envelope>,
-    only_after: bool,
-    extent: Extent,
-    band: Option<[f64; 2]>,
-    axes: Axes,
+pub(super) struct Shown<'a> {
+    pub(super) workbench: &'a Workbench,
+    pub(super) over: Over,
+    pub(super) series: Series,
+    pub(super) envelope: Option<&'a Envelope>,
+    pub(super) only_after: bool,
+    pub(super) extent: Extent,
+    pub(super) band: Option<[f64; 2]>,
+    pub(super) axes: Axes,
 }
 
 impl<'a> Shown<'a> {
-    fn of(workbench: &'a Workbench, over: Over) -> Self {
+    pub(super) fn of(workbench: &'a Workbench, over: Over) -> Self {
         let view = workbench.view();
         let units = workbench.units();
         let series = Series::of(workbench, over);
@@ -78,36 +78,36 @@ impl<'a> Shown<'a> {
     }
 
     /// What stands below, with the unit.
-    fn across(&self) -> String {
+    pub(super) fn across(&self) -> String {
         let label = self.over.label(self.workbench.subject());
         format!("{label}, {}", self.axes.scale.unit)
     }
 
-    fn upwards(&self) -> String {
+    pub(super) fn upwards(&self) -> String {
         let name = self.workbench.view().component.name();
         format!("{name}, {}", self.axes.units.length_name())
     }
 
-    fn dots(&self, samples: &[usize]) -> Vec<Dot> {
+    pub(super) fn dots(&self, samples: &[usize]) -> Vec<Dot> {
         let dot = |sample: &usize| Dot::of(self.workbench, self.over, *sample);
         samples.iter().map(dot).collect()
     }
 
     /// What is drawn of many samples between two places of the chart; `None` where all are drawn.
-    fn in_sight(&self, shown: [f64; 2], points: f64) -> Option<Many> {
+    pub(super) fn in_sight(&self, shown: [f64; 2], points: f64) -> Option<Many> {
         let x = shown.map(|x| self.axes.scale.inner(x));
         let envelope = self.envelope?;
         Some(layout::in_sight(envelope, x, points))
     }
 
-    fn in_frame(&self, transform: &PlotTransform) -> Option<Many> {
+    pub(super) fn in_frame(&self, transform: &PlotTransform) -> Option<Many> {
         let bounds = transform.bounds();
         let shown = [bounds.min()[0], bounds.max()[0]];
         self.in_sight(shown, f64::from(transform.frame().width()))
     }
 
     /// What has to be said.
-    fn note(&self, many: bool) -> String {
+    pub(super) fn note(&self, many: bool) -> String {
         let mut notes = Vec::new();
         let joints = &self.workbench.subject().session.robot.joints;
         let component = self.workbench.view().component;
@@ -135,7 +135,7 @@ impl<'a> Shown<'a> {
     }
 
     /// What is seen, in words.
-    fn says(&self) -> String {
+    pub(super) fn says(&self) -> String {
         let units = self.axes.units;
         let all = layout::whole(&self.series, self.envelope);
         let between = |mm: [f64; 2]| format!("{} to {}", units.length(mm[0]), units.length(mm[1]));
@@ -163,7 +163,7 @@ impl<'a> Shown<'a> {
 }
 
 /// Whether no sample has a place along the chart. Of many the background knows.
-fn is_missing(workbench: &Workbench, over: Over) -> bool {
+pub(super) fn is_missing(workbench: &Workbench, over: Over) -> bool {
     match workbench.envelope() {
         Some(envelope) => envelope.placed() == 0,
         None => over.is_missing(workbench.subject()),
@@ -347,103 +347,4 @@ fn entries(shown: &Shown, many: bool, palette: &Palette) -> Vec<Entry> {
         entries.push(Entry::new("tolerance", band));
     }
     entries
-}
-
-/// Width of a saved picture's plot, points: so many columns are drawn of many samples.
-const PAPER: f64 = 430.0;
-
-/// The chart to be saved; `None` where there is nothing to show.
-pub(crate) fn sketch(workbench: &Workbench, over: Over) -> Option<Sketch> {
-    if is_missing(workbench, over) {
-        return None;
-    }
-    let shown = Shown::of(workbench, over);
-    let axes = &shown.axes;
-    let bounds = axes.corners(&shown.extent);
-    let value = |mm: f64| axes.units.length_value(mm);
-    let mut inks = Vec::new();
-    inks.extend(
-        shown
-            .band
-            .map(|b| Ink::Band(b.map(value), Stands::Tolerance)),
-    );
-    for at in &shown.series.boundaries_rad {
-        let x = axes.scale.shown(*at);
-        let line = vec![[x, bounds[0][1]], [x, bounds[1][1]]];
-        inks.push(Ink::Line(line, Stands::Reference, 0.6, true));
-    }
-    let zero = vec![[bounds[0][0], 0.0], [bounds[1][0], 0.0]];
-    inks.push(Ink::Line(zero, Stands::Reference, 0.7, false));
-    let in_sight = shown.in_sight([bounds[0][0], bounds[1][0]], PAPER);
-    let identified = workbench.answer().is_some();
-    let of_dots = |dots: &[Dot], inks: &mut Vec<Ink>| {
-        let mark = |dot: &Dot, mm: f64| Mark {
-            at: [axes.scale.shown(dot.x), value(mm)],
-            side: dot.side,
-        };
-        if !shown.only_after {
-            let before = dots.iter().map(|d| mark(d, d.before_mm)).collect();
-            inks.push(Ink::Marks(before, Stands::Before, false));
-        }
-        let after = dots.iter().filter_map(|d| Some(mark(d, d.after_mm?)));
-        inks.push(Ink::Marks(after.collect(), Stands::After, true));
-    };
-    let many = matches!(in_sight, Some(Many::Columns(_)));
-    match in_sight {
-        None => of_dots(&shown.series.dots, &mut inks),
-        Some(Many::Samples(samples)) => of_dots(&shown.dots(&samples), &mut inks),
-        Some(Many::Columns(columns)) => {
-            for column in columns.iter() {
-                let bar = |mm: [f64; 2], stands, filled| {
-                    let [from, to] = [0, 1].map(|k| [axes.scale.shown(column.x[k]), value(mm[k])]);
-                    Ink::Bar(from, to, stands, filled)
-                };
-                let before = column.before_mm.filter(|_| !shown.only_after);
-                inks.extend(before.map(|mm| bar(mm, Stands::Before, false)));
-                inks.extend(column.after_mm.map(|mm| bar(mm, Stands::After, true)));
-            }
-        }
-    }
-    let mut legend = Vec::new();
-    if !shown.only_after {
-        legend.push(("As measured".to_owned(), Stands::Before, false));
-    }
-    if identified {
-        legend.push(("Against the model".to_owned(), Stands::After, true));
-    }
-    let name = workbench.view().component.name();
-    let label = over.label(workbench.subject());
-    Some(Sketch {
-        title: format!("{name} deviation over {label}"),
-        across: shown.across(),
-        upwards: shown.upwards(),
-        bounds,
-        degrees: axes.scale.degrees,
-        ticks: Vec::new(),
-        inks,
-        legend,
-        note: shown.note(many),
-    })
-}
-
-/// Every sample of the chart as a table: inner units, in measuring order.
-pub(crate) fn numbers(workbench: &Workbench, over: Over) -> String {
-    let subject = workbench.subject();
-    let component = workbench.view().component.name();
-    let along = over.heading(subject);
-    let mut text =
-        format!("sample\t{along}\tside\t{component} before, mm\t{component} after, mm\n");
-    for sample in subject.overview.usable.iter().map(|s| *s as usize) {
-        let dot = Dot::of(workbench, over, sample);
-        let cells = [
-            (sample + 1).to_string(),
-            plain_number(over.cell(subject, dot.x)),
-            plain_number(dot.side),
-            plain_number(dot.before_mm),
-            dot.after_mm.map_or_else(String::new, plain_number),
-        ];
-        text += &cells.join("\t");
-        text.push('\n');
-    }
-    text
 }

@@ -156,15 +156,13 @@ pub(super) fn emphasis(
     sample: usize,
     palette: &Palette,
 ) {
-    let subject = workbench.subject();
-    if !subject.usable[sample] {
+    let Some([x, y]) = in_plane(workbench, sample) else {
         return;
-    }
-    let measured = subject.measured(sample);
+    };
     let [right, up] = workbench.view().plane.axes();
     // Its vector over all others, whatever their colour.
     let e = shown(workbench, sample);
-    let from = [measured[right] - e[right], measured[up] - e[up]];
+    let from = [x - e[right], y - e[up]];
     let m = scene.magnification;
     let to = [from[0] + m * e[right], from[1] + m * e[up]];
     let (from, to) = (screen(transform, from), screen(transform, to));
@@ -186,14 +184,17 @@ pub(super) fn ring(
     sample: usize,
     palette: &Palette,
 ) {
-    let subject = workbench.subject();
-    if !subject.usable[sample] {
-        return;
+    if let Some(at) = in_plane(workbench, sample) {
+        let at = screen(transform, at);
+        shapes.push(marks::ring(at, 9.0, Stroke::new(2.5, palette.accent)));
     }
-    let measured = subject.measured(sample);
-    let at = workbench.view().plane.axes().map(|axis| measured[axis]);
-    let at = screen(transform, at);
-    shapes.push(marks::ring(at, 9.0, Stroke::new(2.5, palette.accent)));
+}
+
+/// Where a sample was measured, in the plane that is looked at, mm; none if it is not usable.
+fn in_plane(workbench: &Workbench, sample: usize) -> Option<[f64; 2]> {
+    let subject = workbench.subject();
+    let measured = subject.usable[sample].then(|| subject.measured(sample))?;
+    Some(workbench.view().plane.axes().map(|axis| measured[axis]))
 }
 
 pub(super) fn names_of_regions(

@@ -149,12 +149,11 @@ fn arrows(room: Rect, palette: &Palette) -> Vec<Shape> {
 
 #[cfg(test)]
 mod tests {
-    use egui::Color32;
-
     use super::*;
     use crate::gui::commands::Command;
     use crate::gui::testing::workbench;
     use crate::gui::tokens::{DARK, LIGHT, STOPS};
+    use crate::gui::vision::{Sight, apart, lightness};
 
     #[test]
     fn every_colour_that_says_something_has_a_scale() {
@@ -184,98 +183,23 @@ mod tests {
         assert!(scales(&workbench, &scene).is_empty());
     }
 
-    /// A colour in linear light.
-    fn linear(color: Color32) -> [f64; 3] {
-        [color.r(), color.g(), color.b()].map(|byte| {
-            let c = f64::from(byte) / 255.0;
-            if c <= 0.04045 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
-        })
-    }
-
-    /// CIE L*a*b* of linear light, white D65 (CIE 15:2004).
-    fn lab([r, g, b]: [f64; 3]) -> [f64; 3] {
-        let xyz = [
-            (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505,
-            0.2126 * r + 0.7152 * g + 0.0722 * b,
-            (0.0193 * r + 0.1192 * g + 0.9505 * b) / 1.089,
-        ];
-        let [x, y, z] = xyz.map(|t: f64| {
-            if t > 0.008856 {
-                t.cbrt()
-            } else {
-                7.787 * t + 16.0 / 116.0
-            }
-        });
-        [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
-    }
-
-    /// How dichromats see linear light (Machado, Oliveira & Fernandes 2009, severity 1).
-    const SEEN: [(&str, [[f64; 3]; 3]); 4] = [
-        (
-            "trichromat",
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        ),
-        (
-            "protanopia",
-            [
-                [0.152286, 1.052583, -0.204868],
-                [0.114503, 0.786281, 0.099216],
-                [-0.003882, -0.048116, 1.051998],
-            ],
-        ),
-        (
-            "deuteranopia",
-            [
-                [0.367322, 0.860646, -0.227968],
-                [0.280085, 0.672501, 0.047413],
-                [-0.011820, 0.042940, 0.968881],
-            ],
-        ),
-        (
-            "tritanopia",
-            [
-                [1.255528, -0.076749, -0.178779],
-                [-0.078411, 0.930809, 0.147602],
-                [0.004733, 0.691367, 0.303900],
-            ],
-        ),
-    ];
-
-    fn seen(color: Color32, matrix: &[[f64; 3]; 3]) -> [f64; 3] {
-        let light = linear(color);
-        lab(matrix.map(|row| {
-            (0..3)
-                .map(|k| row[k] * light[k])
-                .sum::<f64>()
-                .clamp(0.0, 1.0)
-        }))
-    }
-
-    fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
-        (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
-    }
-
     const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
 
     #[test]
     fn a_sequential_scale_gets_steadily_darker_or_lighter_for_everybody() {
         for (theme, palette) in THEMES {
-            for (who, matrix) in &SEEN {
+            for sight in Sight::ALL {
                 let lightness: Vec<f64> = (0..=20_u8)
                     .map(|k| scale_at(Colouring::Deviation, &palette, f32::from(k) / 20.0))
-                    .map(|color| seen(color, matrix)[0])
+                    .map(|color| lightness(color, sight))
                     .collect();
                 let way = (lightness[20] - lightness[0]).signum();
                 for pair in lightness.windows(2) {
                     let step = way * (pair[1] - pair[0]);
-                    assert!(step > 0.4, "{theme}, {who}: {lightness:?}");
+                    assert!(step > 0.4, "{theme}, {sight:?}: {lightness:?}");
                 }
                 let all = (lightness[20] - lightness[0]).abs();
-                assert!(all > 35.0, "{theme}, {who}: {all}");
+                assert!(all > 35.0, "{theme}, {sight:?}: {all}");
             }
         }
     }
@@ -285,7 +209,7 @@ mod tests {
         // About 2.3 is just noticeable (Mahy et al. 1994).
         const NOTICEABLE: f64 = 4.6;
         for (theme, palette) in THEMES {
-            for (who, matrix) in &SEEN {
+            for sight in Sight::ALL {
                 for (colouring, around) in
                     [(Colouring::Deviation, false), (Colouring::Direction, true)]
                 {
@@ -293,12 +217,12 @@ mod tests {
                     for k in 0..steps {
                         let at = |k: usize| {
                             let part = k as f32 / steps as f32;
-                            seen(scale_at(colouring, &palette, part), matrix)
+                            scale_at(colouring, &palette, part)
                         };
-                        let found = apart(at(k), at(k + 1));
+                        let found = apart(at(k), at(k + 1), sight);
                         assert!(
                             found > NOTICEABLE,
-                            "{theme}, {who}, {colouring:?} {k}: {found}"
+                            "{theme}, {sight:?}, {colouring:?} {k}: {found}"
                         );
                     }
                 }
@@ -309,14 +233,14 @@ mod tests {
     #[test]
     fn opposite_directions_can_be_told_apart_by_everybody() {
         for (theme, palette) in THEMES {
-            for (who, matrix) in &SEEN {
+            for sight in Sight::ALL {
                 for k in 0..STOPS / 2 {
                     let at = |k: usize| {
                         let part = k as f32 / STOPS as f32;
-                        seen(scale_at(Colouring::Direction, &palette, part), matrix)
+                        scale_at(Colouring::Direction, &palette, part)
                     };
-                    let found = apart(at(k), at(k + STOPS / 2));
-                    assert!(found > 20.0, "{theme}, {who}, {k}: {found}");
+                    let found = apart(at(k), at(k + STOPS / 2), sight);
+                    assert!(found > 20.0, "{theme}, {sight:?}, {k}: {found}");
                 }
             }
         }

@@ -1,0 +1,54 @@
+//! What would have been seen, and what could not be.
+
+use egui::{CollapsingHeader, RichText, Ui};
+
+use crate::diagnosis::{Diagnosis, Sight};
+use crate::effects::find;
+use crate::gui::panels::results::named;
+use crate::gui::tokens::{Palette, size};
+use crate::gui::units::significant;
+use crate::gui::widgets::{self};
+
+pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
+    if d.not_found.is_empty() {
+        return;
+    }
+    let text = format!("What would have been seen: {} effects", d.not_found.len());
+    folded(ui, text, |ui| {
+        for limit in &d.not_found {
+            ui.label(find(limit.effect).map_or(limit.effect, |e| e.about().title));
+            let sizes = limit.sizes.iter().map(|(name, size)| {
+                let (name, unit) = named(name);
+                match Sight::of(*size) {
+                    Sight::Above(size) => {
+                        format!("{name} above {} {unit} (95 %)", significant(size, 2))
+                    }
+                    Sight::AtAnySize => format!("{name} of any size: there is no noise"),
+                    Sight::AtNoSize => format!("{name} at no size, by these poses"),
+                }
+            });
+            widgets::hint(ui, sizes.collect::<Vec<_>>().join(", "));
+        }
+    });
+}
+
+pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
+    if d.not_testable.is_empty() {
+        return;
+    }
+    let text = format!("Not testable: {} effects", d.not_testable.len());
+    folded(ui, text, |ui| {
+        for one in &d.not_testable {
+            ui.label(find(one.effect).map_or(one.effect, |e| e.about().title));
+            widgets::hint(ui, &one.because);
+        }
+    });
+}
+
+fn folded(ui: &mut Ui, text: String, contents: impl FnOnce(&mut Ui)) {
+    let muted = Palette::of(ui).muted;
+    let title = RichText::new(text.clone()).size(size::SMALL).color(muted);
+    CollapsingHeader::new(title)
+        .id_salt(text)
+        .show(ui, contents);
+}

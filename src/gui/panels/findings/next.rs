@@ -1,0 +1,68 @@
+//! What to measure next.
+
+use egui::{Grid, RichText, Ui};
+
+use crate::diagnosis::next_poses::NextPose;
+use crate::gui::commands::{Command, Workbench};
+use crate::gui::tasks::What;
+use crate::gui::tokens::{Palette, size};
+use crate::gui::units::trimmed;
+use crate::gui::widgets::{self};
+use crate::kinematics::JointKind;
+use crate::units::deg_from_rad;
+
+use super::title;
+
+pub(super) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    poses: &[NextPose],
+    commands: &mut Vec<Command>,
+) {
+    const MOST: usize = 24;
+    let palette = Palette::of(ui);
+    let robot = &workbench.subject().session.robot;
+    title(ui, "Measure these poses next");
+    Grid::new("next poses")
+        .num_columns(4)
+        .spacing([14.0, 4.0])
+        .min_col_width(0.0)
+        .show(ui, |ui| {
+            for head in ["pose", "from", "reflector", "conditions"] {
+                ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
+            }
+            ui.end_row();
+            for pose in poses.iter().take(MOST) {
+                let q = pose.q.iter().zip(&robot.joints);
+                let q = q.map(|(q, joint)| match joint.kind {
+                    JointKind::Revolute => format!("{}°", trimmed(deg_from_rad(*q), 2)),
+                    JointKind::Prismatic => format!("{} mm", trimmed(*q, 2)),
+                });
+                ui.label(q.collect::<Vec<_>>().join(" "))
+                    .on_hover_text(&pose.why);
+                let side = |d: &f64| match *d {
+                    d if d > 0.0 => "+",
+                    d if d < 0.0 => "−",
+                    _ => "any",
+                };
+                ui.label(pose.dir.iter().map(side).collect::<Vec<_>>().join(" "));
+                ui.label(pose.target.as_deref().unwrap_or(""));
+                ui.label(conditions(pose, robot.joints[0].kind));
+                ui.end_row();
+            }
+        });
+    if widgets::secondary(ui, "Save measuring list…").clicked() {
+        commands.push(Command::ChooseWhereToExport(What::Poses));
+    }
+}
+
+fn conditions(pose: &NextPose, kind: JointKind) -> String {
+    let speed = pose.speed.iter().flatten().map(|v| match kind {
+        JointKind::Revolute => format!("{}°/s", trimmed(deg_from_rad(*v), 2)),
+        JointKind::Prismatic => format!("{} mm/s", trimmed(*v, 2)),
+    });
+    let load = pose.load_kg.map(|kg| format!("{} kg", trimmed(kg, 2)));
+    let warm = pose.temperature_c.map(|t| format!("{} °C", trimmed(t, 1)));
+    let all: Vec<String> = speed.chain(load).chain(warm).collect();
+    all.join(", ")
+}

@@ -1,0 +1,77 @@
+//! The other menus: edit, view, help.
+
+use egui::Ui;
+
+use crate::gui::panels::shortcuts::{self, Action};
+use crate::gui::view::{AngleUnit, LengthUnit, Plane, Step};
+
+use super::items::Menu;
+use super::results_says;
+
+pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
+    let workbench = menu.workbench;
+    ui.set_min_width(240.0);
+    let undo = workbench.undoes();
+    let redo = workbench.redoes();
+    let with = |verb: &str, what: Option<&str>| {
+        what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"))
+    };
+    menu.item(ui, &with("Undo", undo), Action::Undo, undo.is_some());
+    menu.item(ui, &with("Redo", redo), Action::Redo, redo.is_some());
+    ui.separator();
+    let measured = !workbench.subject().is_empty();
+    menu.item(ui, "Identify", Action::Identify, measured);
+    menu.item(ui, "Search for what is missing", Action::Search, measured);
+    let running = workbench.tasks().newest().is_some();
+    menu.item(ui, "Cancel what is running", Action::Cancel, running);
+    ui.separator();
+    menu.item(ui, "Preferences…", Action::Preferences, true);
+}
+
+pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
+    let workbench = menu.workbench;
+    ui.set_min_width(260.0);
+    for step in Step::ALL {
+        let on = workbench.view().step == step;
+        menu.choice(ui, on, step.name(), Action::Step(step));
+    }
+    ui.separator();
+    for (plane, name) in [
+        (Plane::Xy, "Workspace from above"),
+        (Plane::Xz, "Workspace from the side"),
+        (Plane::Yz, "Workspace from the front"),
+    ] {
+        let on = workbench.view().plane == plane && !workbench.view().polar();
+        menu.choice(ui, on, name, Action::Look(plane));
+    }
+    let (on, name) = (workbench.view().polar(), "Deviation around the angle");
+    menu.choice(ui, on, name, Action::LookAround);
+    menu.item(ui, "Show everything in the plots", Action::Fit, true);
+    ui.separator();
+    let open = shortcuts::room(ui.ctx(), workbench).results();
+    menu.item(ui, results_says(open), Action::Results, true);
+    ui.separator();
+    let preferences = &workbench.view().preferences;
+    let length = match preferences.length {
+        LengthUnit::Millimetre => "Lengths in µm",
+        LengthUnit::Micrometre => "Lengths in inches",
+        LengthUnit::Inch => "Lengths in mm",
+    };
+    menu.item(ui, length, Action::NextLength, true);
+    let angle = match preferences.angle {
+        AngleUnit::Degree => "Angles in radians",
+        AngleUnit::Radian => "Angles in degrees",
+    };
+    menu.item(ui, angle, Action::NextAngle, true);
+    let dark = ui.visuals().dark_mode;
+    let other = if dark { "Light" } else { "Dark" };
+    menu.item(ui, other, Action::OtherTheme, true);
+    egui::gui_zoom::zoom_menu_buttons(ui);
+}
+
+pub(super) fn help(ui: &mut Ui, menu: &mut Menu<'_>) {
+    ui.set_min_width(240.0);
+    menu.item(ui, "What the words mean", Action::Words, true);
+    menu.item(ui, "Keyboard shortcuts", Action::Keys, true);
+    menu.item(ui, "About truepose", Action::About, true);
+}

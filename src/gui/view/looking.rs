@@ -1,0 +1,143 @@
+//! From where the workspace is looked at, what its colours say, and in which units.
+
+use serde::{Deserialize, Serialize};
+
+/// The plane that the workspace is looked at in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Plane {
+    /// From above.
+    #[default]
+    Xy,
+    /// From the side.
+    Xz,
+    /// From the front.
+    Yz,
+}
+
+impl Plane {
+    /// All of them.
+    pub(crate) const ALL: [Self; 3] = [Self::Xy, Self::Xz, Self::Yz];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Xy => "x y",
+            Self::Xz => "x z",
+            Self::Yz => "y z",
+        }
+    }
+
+    /// The axes that it shows: to the right, and up.
+    pub(crate) fn axes(self) -> [usize; 2] {
+        match self {
+            Self::Xy => [0, 1],
+            Self::Xz => [0, 2],
+            Self::Yz => [1, 2],
+        }
+    }
+
+    /// The axis that it looks along.
+    pub(crate) fn normal(self) -> usize {
+        match self {
+            Self::Xy => 2,
+            Self::Xz => 1,
+            Self::Yz => 0,
+        }
+    }
+}
+
+/// What the upper plot shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Aspect {
+    /// Where the robot was, in a plane.
+    #[default]
+    Plane,
+    /// The deviation around the joint's angle.
+    Around,
+}
+
+/// What the colour of an error vector says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Colouring {
+    /// Before or after.
+    #[default]
+    State,
+    /// The deviation's length.
+    Deviation,
+    /// Where it points to.
+    Direction,
+    /// The load.
+    Load,
+    /// The temperature.
+    Temperature,
+    /// The time.
+    Time,
+}
+
+impl Colouring {
+    /// All of them.
+    pub(crate) const ALL: [Self; 6] = [
+        Self::State,
+        Self::Deviation,
+        Self::Direction,
+        Self::Load,
+        Self::Temperature,
+        Self::Time,
+    ];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::State => "before and after",
+            Self::Deviation => "deviation",
+            Self::Direction => "direction",
+            Self::Load => "load",
+            Self::Temperature => "temperature",
+            Self::Time => "time",
+        }
+    }
+
+    /// The condition that it shows, in the order of [`crate::gui::layers::Cloud`].
+    pub(crate) fn condition(self) -> Option<usize> {
+        match self {
+            Self::Load => Some(0),
+            Self::Temperature => Some(1),
+            Self::Time => Some(2),
+            Self::State | Self::Deviation | Self::Direction => None,
+        }
+    }
+}
+
+/// What draws whatever there is once for each sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Canvas {
+    /// Shapes of egui, thinned where there are many: nothing else is there.
+    #[default]
+    Shapes,
+    /// The graphics processor, at most so many samples.
+    Layers(usize),
+}
+
+/// Unit of lengths on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum LengthUnit {
+    /// Millimetres.
+    #[default]
+    Millimetre,
+    /// Micrometres.
+    Micrometre,
+    /// Inches.
+    Inch,
+}
+
+/// Unit of angles on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum AngleUnit {
+    /// Degrees.
+    #[default]
+    Degree,
+    /// Radians.
+    Radian,
+}

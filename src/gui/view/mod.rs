@@ -1,0 +1,189 @@
+//! How the window looks at the document. Nothing here changes what is saved, and nothing here can
+//! be undone.
+
+mod chart;
+mod looking;
+mod sheet;
+
+pub(crate) use chart::Chart;
+pub(crate) use looking::{AngleUnit, Aspect, Canvas, Colouring, LengthUnit, Plane};
+pub(crate) use sheet::{Sheet, Then};
+
+use std::path::PathBuf;
+
+use crate::gui::keeping::disk::Fate;
+use crate::gui::placing::Typed;
+use crate::gui::preferences::Preferences;
+use crate::gui::setup::SetupForm;
+use crate::gui::subject::Component;
+
+/// The steps of the work, in order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub(crate) enum Step {
+    /// What was measured.
+    #[default]
+    Session,
+    /// Where the joint gets corrections of its own.
+    Regions,
+    /// What the robot really is.
+    Identify,
+    /// What is missing.
+    Gap,
+    /// What the controller needs.
+    Export,
+}
+
+impl Step {
+    /// All steps that exist.
+    pub(crate) const ALL: [Self; 5] = [
+        Self::Session,
+        Self::Regions,
+        Self::Identify,
+        Self::Gap,
+        Self::Export,
+    ];
+
+    /// Its name.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Session => "Session",
+            Self::Regions => "Regions",
+            Self::Identify => "Identify",
+            Self::Gap => "Find the gap",
+            Self::Export => "Export",
+        }
+    }
+
+    /// The step after it.
+    pub(crate) fn next(self) -> Option<Self> {
+        let here = Self::ALL.iter().position(|step| *step == self)?;
+        Self::ALL.get(here + 1).copied()
+    }
+}
+
+/// What the right-hand side shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Side {
+    /// What was identified.
+    #[default]
+    Results,
+    /// Sample by sample.
+    Samples,
+}
+
+/// A file that is open and is not on the disk as it was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct OnDisk {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// What became of it.
+    pub(crate) fate: Fate,
+}
+
+/// Something that the user has to know.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Message {
+    /// Whether something went wrong.
+    pub(crate) wrong: bool,
+    /// In one line.
+    pub(crate) title: String,
+    /// What exactly, and what to do next; one line each.
+    pub(crate) details: Vec<String>,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ViewState {
+    /// The chosen step.
+    pub(crate) step: Step,
+    /// The plane of the workspace plot.
+    pub(crate) plane: Plane,
+    /// Whether that plane is shown, or the deviation around the joint's angle.
+    pub(crate) aspect: Aspect,
+    /// How much longer than real error vectors are drawn; `None`: so that they are readable.
+    pub(crate) magnification: Option<f64>,
+    /// From 0, before, to 1, after.
+    pub(crate) blend: f32,
+    /// What the colour of error vectors says.
+    pub(crate) colouring: Colouring,
+    /// Whether the heat map is shown.
+    pub(crate) heat: bool,
+    /// What draws them.
+    pub(crate) canvas: Canvas,
+    /// The component in the deviation chart.
+    pub(crate) component: Component,
+    /// Whether the chart leaves out the deviation before, so that what is left can be seen.
+    pub(crate) only_after: bool,
+    /// The sample under the pointer, wherever that is.
+    pub(crate) hovered: Option<usize>,
+    /// The chosen sample.
+    pub(crate) selected: Option<usize>,
+    /// Samples that a finding is about, in ascending order.
+    pub(crate) marked: Vec<usize>,
+    /// What the right-hand side shows.
+    pub(crate) side: Side,
+    /// What is charted; `None`: what suits the step.
+    pub(crate) chart: Option<Chart>,
+    /// The joint that charts are about, counted from 0.
+    pub(crate) joint: usize,
+    /// The found effect whose curve is charted, by its place in the answer.
+    pub(crate) effect: usize,
+    /// Whether the right-hand side is open; `None`: where there is room for it.
+    pub(crate) results: Option<bool>,
+    /// Units, digits, colours, size of text.
+    pub(crate) preferences: Preferences,
+    /// Robot and instrument as they are being typed, while that makes no robot.
+    pub(crate) setup: Option<Box<SetupForm>>,
+    /// What is typed for boundaries of regions and could not be taken over, or not yet.
+    pub(crate) typed: Vec<Typed>,
+    /// An open file that is not what it was.
+    pub(crate) on_disk: Option<OnDisk>,
+    /// The sheet over the window.
+    pub(crate) sheet: Option<Sheet>,
+    /// Whether the window may close although something is not saved.
+    pub(crate) leaving: bool,
+    /// What the user has to know.
+    pub(crate) message: Option<Message>,
+    /// Counts up when the plots are to show everything again.
+    pub(crate) fitted: u64,
+}
+
+impl ViewState {
+    /// Whether the deviation around the joint's angle is shown.
+    pub(crate) fn polar(&self) -> bool {
+        self.aspect == Aspect::Around
+    }
+}
+
+impl Default for ViewState {
+    fn default() -> Self {
+        Self {
+            step: Step::default(),
+            plane: Plane::default(),
+            aspect: Aspect::default(),
+            magnification: None,
+            blend: 1.0,
+            colouring: Colouring::default(),
+            heat: false,
+            canvas: Canvas::default(),
+            component: Component::default(),
+            only_after: false,
+            hovered: None,
+            selected: None,
+            marked: Vec::new(),
+            side: Side::default(),
+            chart: None,
+            joint: 0,
+            effect: 0,
+            results: None,
+            preferences: Preferences::default(),
+            setup: None,
+            typed: Vec::new(),
+            on_disk: None,
+            sheet: None,
+            leaving: false,
+            message: None,
+            fitted: 0,
+        }
+    }
+}

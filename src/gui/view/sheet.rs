@@ -1,0 +1,59 @@
+//! Sheets over the window, and what waits for their answer.
+
+use std::path::PathBuf;
+
+use crate::gui::foreign::Foreign;
+use crate::gui::simulate::Form;
+use crate::gui::tasks::What;
+
+/// A sheet over the window.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Sheet {
+    /// A path to save to, as it is typed.
+    SavePath {
+        /// The path.
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A path to export to, as it is typed.
+    ExportPath {
+        /// What is exported.
+        what: What,
+        /// The path.
+        path: String,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// A simulation, as it is filled in.
+    Simulate(Form),
+    /// The keyboard.
+    Shortcuts,
+    /// What is lost if this is done now.
+    Unsaved(Then),
+    /// This file is not what it was when it was read: whether to replace it all the same.
+    Overwrite(PathBuf),
+    /// What windows that are gone have left behind.
+    Recover,
+    /// A file that an instrument wrote.
+    Import(Box<Foreign>),
+    /// Units, digits, colours, size of text.
+    Preferences,
+    /// What the words mean.
+    Words,
+    /// What this program is.
+    About,
+}
+
+/// What is done next, when nothing is in the way any more.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Then {
+    /// Close the window.
+    Leave,
+    /// Open this file.
+    Open(PathBuf),
+    /// Open this example.
+    Example(usize),
+    /// Make a session.
+    Simulate(Form),
+}

@@ -1,0 +1,95 @@
+//! The units of such a table.
+
+use super::parts::Part;
+use crate::importers::case::Case;
+use crate::importers::grid::Grid;
+use crate::importers::headings::words_and_unit;
+use crate::importers::settings::About;
+use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
+use crate::sessions::columns::Unit;
+use crate::sessions::number::quoted;
+
+/// Units of targets and of what was measured.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Units {
+    pub(super) target: Unit,
+    pub(super) measured: Unit,
+}
+
+pub(super) fn units_of(
+    case: &mut Case<'_>,
+    grid: &Grid<'_>,
+    headings: &[String],
+    parts: &[Part],
+) -> Option<Units> {
+    let suits = |unit: &Unit| match unit {
+        Unit::Length(_) => case.reading.slides,
+        Unit::Angle(_) => !case.reading.slides,
+        Unit::Fixed => false,
+    };
+    let in_heading = |index: usize| match words_and_unit(&headings.get(index)?.to_lowercase()).1? {
+        Word::Unit(unit) => Some(unit),
+        _ => None,
+    };
+    let mut target = None;
+    let mut measured = None;
+    let mut strange = None;
+    for (index, part) in parts.iter().enumerate() {
+        let unit = in_heading(index);
+        if let Some(unit) = unit.filter(|unit| !suits(unit))
+            && !matches!(part, Part::Other | Part::Direction | Part::Run)
+        {
+            strange = Some((index, unit));
+        }
+        match part {
+            Part::Target => target = unit,
+            Part::Position | Part::Deviation | Part::Of { .. } => measured = measured.or(unit),
+            Part::Direction | Part::Run | Part::Other => {}
+        }
+    }
+    if let Some((index, _)) = strange {
+        let (kind, expected) = if case.reading.slides {
+            ("an angle for a sliding joint", "a length")
+        } else {
+            ("a length for a joint that turns", "an angle")
+        };
+        case.refuse(format!("{}: {kind}", quoted(&headings[index])), expected);
+        return None;
+    }
+    let in_preamble = grid.preamble.iter().find_map(|line| {
+        let words = line.iter().flat_map(|cell| cell.split([' ', ':', '=']));
+        let mut words = words.skip_while(|word| !word.to_lowercase().starts_with("unit"));
+        words.next()?;
+        words.take(3).find_map(|word| match units::word(word)? {
+            Word::Unit(unit) => Some(unit),
+            _ => None,
+        })
+    });
+    let given = if case.reading.slides {
+        case.reading.unit.map(LengthUnit::unit)
+    } else {
+        case.reading.angle_unit.map(AngleUnit::unit)
+    };
+    // What holds for the targets holds for the positions, but for deviations nothing follows.
+    let default = given.or(in_preamble.filter(suits));
+    let target_unit = target.or(default);
+    let is_deviation = parts.contains(&Part::Deviation);
+    let inherited = if is_deviation { None } else { target };
+    let measured_unit = measured.or(default).or(inherited);
+    let (Some(target), Some(measured)) = (target_unit, measured_unit) else {
+        let (about, answers): (_, &[&str]) = if case.reading.slides {
+            (About::Unit, &["mm", "m", "in"])
+        } else {
+            (About::AngleUnit, &["deg", "rad"])
+        };
+        let says = "the unit of the targets or of the positions is not said";
+        case.ask(about, says, answers);
+        return None;
+    };
+    let from = match default {
+        Some(_) => "as was said",
+        None => "from the headings",
+    };
+    from.clone_into(&mut case.found.unit);
+    Some(Units { target, measured })
+}

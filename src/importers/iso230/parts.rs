@@ -1,0 +1,191 @@
+//! What the columns of such a table are.
+
+use crate::importers::case::{Case, direction};
+use crate::importers::grid::Grid;
+use crate::importers::headings::words_and_unit;
+use crate::importers::settings::About;
+use crate::sessions::number::quoted;
+
+/// What a column of the table is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Part {
+    Target,
+    Direction,
+    Run,
+    /// Measured, in a long table.
+    Position,
+    /// Measured less target, in a long table.
+    Deviation,
+    /// Measured in this run, with this direction.
+    Of {
+        run: u64,
+        dir: f64,
+    },
+    Other,
+}
+
+/// The headings; a second line of headings above is joined in: runs above directions.
+pub(super) fn headings(grid: &Grid<'_>) -> Vec<String> {
+    let Some((_, names)) = &grid.header else {
+        return vec![String::new(); grid.width];
+    };
+    let mut names: Vec<String> = names.clone();
+    names.resize(grid.width, String::new());
+    let has_run = names
+        .iter()
+        .any(|name| name.chars().any(|c| c.is_ascii_digit()));
+    let above = grid.preamble.last().filter(|above| {
+        above.len() + 1 >= names.len() && above.iter().filter(|cell| !cell.is_empty()).count() > 1
+    });
+    if let (false, Some(above)) = (has_run, above) {
+        let mut last = "";
+        for (name, above) in names.iter_mut().zip(above) {
+            if !above.is_empty() {
+                last = above;
+            }
+            format!("{last} {name}").trim().clone_into(name);
+        }
+    }
+    names
+}
+
+/// What each column is.
+pub(super) fn parts(
+    case: &mut Case<'_>,
+    grid: &Grid<'_>,
+    headings: &[String],
+) -> Option<Vec<Part>> {
+    let given = &case.reading.columns;
+    let parts: Vec<Part> = if !given.is_empty() {
+        let mut parts: Vec<Part> = given.iter().map(|word| part_of(word)).collect();
+        parts.resize(grid.width, Part::Other);
+        parts
+    } else if grid.header.is_some() {
+        let mut seen: Vec<f64> = Vec::new();
+        let mut parts: Vec<Part> = headings.iter().map(|heading| part_of(heading)).collect();
+        // Without a number the columns of one direction are counted.
+        for part in &mut parts {
+            if let Part::Of { run, dir } = part {
+                seen.push(*dir);
+                if *run == 0 {
+                    *run = seen.iter().filter(|other| *other == dir).count() as u64;
+                }
+            }
+        }
+        parts
+    } else if grid.width == 4 {
+        case.note("no header: the columns are taken as target, direction, run, position");
+        vec![Part::Target, Part::Direction, Part::Run, Part::Position]
+    } else {
+        let says = format!("{} columns and no header", grid.width);
+        case.ask(About::Columns, says, &["target,direction,run,position"]);
+        return None;
+    };
+    let count = |wanted: fn(&Part) -> bool| parts.iter().filter(|part| wanted(part)).count();
+    let targets = count(|part| *part == Part::Target);
+    let long = count(|part| matches!(part, Part::Position | Part::Deviation));
+    let wide = count(|part| matches!(part, Part::Of { .. }));
+    if targets != 1 || (long == 0 && wide == 0) || long > 1 || (long > 0 && wide > 0) {
+        let names: Vec<String> = headings.iter().map(|heading| quoted(heading)).collect();
+        let says = format!(
+            "{targets} columns of targets and {} of positions among {}",
+            long + wide,
+            names.join(", ")
+        );
+        let long = "target,direction,run,position";
+        let wide = "target,\"run 1 +\",\"run 1 -\"";
+        case.ask(About::Columns, says, &[long, wide]);
+        return None;
+    }
+    Some(parts)
+}
+
+fn part_of(heading: &str) -> Part {
+    let plain = heading.trim().to_lowercase();
+    let (words, _) = words_and_unit(&plain);
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    // A heading of one run says its number, its direction, or both.
+    if let Some(dir) = direction_in(&plain) {
+        let digits: String = plain
+            .chars()
+            .skip_while(|c| !c.is_ascii_digit())
+            .take_while(char::is_ascii_digit)
+            .take(6)
+            .collect();
+        return Part::Of {
+            run: digits.parse().unwrap_or(0),
+            dir,
+        };
+    }
+    if has(&["deviation", "dev", "error", "err", "abweichung", "fehler"]) {
+        Part::Deviation
+    } else if has(&["direction", "dir", "richtung", "approach"]) {
+        Part::Direction
+    } else if has(&["run", "cycle", "lauf", "zyklus", "repeat"]) {
+        Part::Run
+    } else if has(&[
+        "target",
+        "nominal",
+        "soll",
+        "sollposition",
+        "commanded",
+        "setpoint",
+    ]) {
+        Part::Target
+    } else if has(&[
+        "position",
+        "actual",
+        "measured",
+        "ist",
+        "istposition",
+        "reading",
+    ]) {
+        Part::Position
+    } else {
+        Part::Other
+    }
+}
+
+/// The direction that a heading such as `Run 1 +`, `2↓` or `R3 fwd` names.
+fn direction_in(heading: &str) -> Option<f64> {
+    let name = heading.split(['[', '(']).next().unwrap_or_default().trim();
+    let numbered = name.chars().any(|c| c.is_ascii_digit());
+    let words = name.split([' ', '_', '-', ',', ';', '.']);
+    let by_word = words
+        .filter(|word| word.chars().any(char::is_alphabetic) && word.chars().count() > 1)
+        .find_map(direction);
+    let last = name.chars().last();
+    let by_sign = last
+        .filter(|c| !c.is_alphanumeric())
+        .and_then(|c| direction(&c.to_string()));
+    // `position -` says nothing; `1 -` and `run -` do.
+    let is_run = numbered || name.contains("run") || name.chars().count() == 1;
+    by_word.or_else(|| by_sign.filter(|_| is_run))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_of_runs_name_run_and_direction() {
+        let of = |run, dir| Part::Of { run, dir };
+        for (heading, part) in [
+            ("Run 1 +", of(1, 1.0)),
+            ("Run 12 - [deg]", of(12, -1.0)),
+            ("2↓", of(2, -1.0)),
+            ("R3 fwd", of(3, 1.0)),
+            ("run1-backward", of(1, -1.0)),
+            ("+", of(0, 1.0)),
+            ("Lauf 2 vor", of(2, 1.0)),
+            ("Target [deg]", Part::Target),
+            ("Position (°)", Part::Position),
+            ("Deviation [arcsec]", Part::Deviation),
+            ("Direction", Part::Direction),
+            ("Cycle", Part::Run),
+            ("Remark", Part::Other),
+        ] {
+            assert_eq!(part_of(heading), part, "{heading}");
+        }
+    }
+}
