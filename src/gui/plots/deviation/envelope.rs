@@ -328,7 +328,10 @@ mod tests {
 
     #[test]
     fn an_envelope_of_nothing_is_empty() {
-        let envelope = Envelope { tracks: Vec::new() };
+        let envelope = Envelope {
+            tracks: Vec::new(),
+            last: Last::default(),
+        };
         assert_eq!(envelope.extent(), None);
         assert!(envelope.columns([0.0, 1.0], 10).is_empty());
         assert!(envelope.columns([0.0, 0.0], 10).is_empty());
