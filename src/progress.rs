@@ -21,7 +21,7 @@ pub struct Cancelled;
 impl Cancelled {
     /// Whether this is why reading or writing ended.
     pub(crate) fn is_behind(error: &io::Error) -> bool {
-        error.get_ref().is_some_and(|inner| inner.is::<Self>())
+        matches!(error.get_ref(), Some(inner) if inner.is::<Self>())
     }
 }
 
@@ -96,7 +96,7 @@ pub(crate) struct Part<'p> {
     to: f64,
 }
 
-impl<'p> Part<'p> {
+impl Part<'_> {
     /// The part of this part between two shares of it.
     pub(crate) fn part(self, from: f64, to: f64) -> Self {
         let at = |share: f64| self.from + share * (self.to - self.from);

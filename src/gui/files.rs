@@ -522,7 +522,7 @@ mod tests {
             let progress = Progress::new(watch);
             looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
         };
-        let (shares, subject) = told(&through);
+        let (shares, subject) = told(through);
         assert_grows(&shares);
         assert_eq!(subject.map(|s| s.len()).ok(), Some(30));
         for number in 0..shares.len() {

@@ -188,7 +188,7 @@ impl<'a> Grid<'a> {
     ) {
         let mut rows = self.body.clone();
         if let Some(part) = self.part {
-            rows = rows.as_pass_of(part);
+            rows = rows.in_pass_of(part);
         }
         let mut row = Row::default();
         loop {

@@ -336,7 +336,7 @@ fn frames(
     let mut occluded = vec![0usize; chosen.len()];
     let mut first_occluded = None;
     let place = case.place.clone();
-    let mut rows = rows.as_pass_of(case.part);
+    let mut rows = rows.in_pass_of(case.part);
     let mut row = Row::default();
     loop {
         match rows.next(&mut row) {

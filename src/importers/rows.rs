@@ -105,7 +105,7 @@ impl<'a> Rows<'a> {
 
     /// Goes through what is left as the next pass of this part of the work: tells how far it is,
     /// and is at its end where it was cancelled.
-    pub(crate) fn as_pass_of(mut self, part: Part<'a>) -> Self {
+    pub(crate) fn in_pass_of(mut self, part: Part<'a>) -> Self {
         self.pass = Some(part.next_pass());
         self.tell_at = self.at;
         self

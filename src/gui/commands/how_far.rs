@@ -13,7 +13,7 @@ use super::{Command, Workbench};
 use crate::gui::files;
 use crate::gui::foreign::Foreign;
 use crate::gui::panels::{sheets, status};
-use crate::gui::tasks::{Report, Watch};
+use crate::gui::tasks::{Report, Running, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Sheet, Then};
 use crate::progress::Progress;
@@ -108,7 +108,7 @@ fn halfway(
 }
 
 fn bar() -> Shown {
-    Shown::new(|ui, bench, commands| status::show(ui, bench, commands))
+    Shown::new(status::show)
 }
 
 /// A session in a folder of its own.
@@ -144,7 +144,7 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     let bar = bar();
     let says = bar.says(&bench);
     assert!(says.iter().any(|s| s == "reading session.json"), "{says:?}");
-    let share = bench.tasks().newest().and_then(|task| task.progress());
+    let share = bench.tasks().newest().and_then(Running::progress);
     assert_eq!(share, Some(0.3));
     bar.press(&mut bench, "Cancel");
     assert!(!bar.says(&bench).iter().any(|s| s == "Cancel"));
@@ -269,7 +269,7 @@ fn looking_at_a_measured_file_can_be_cancelled_wherever_it_tells_how_far_it_is()
         let progress = Progress::new(watch);
         Foreign::of(&path, progress.whole()).expect("it is none of the program's own")
     };
-    let (shares, foreign) = told(&of);
+    let (shares, foreign) = told(of);
     foreign.expect("it is a table");
     assert_grows(&shares);
     for number in 0..shares.len() {
