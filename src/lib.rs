@@ -37,6 +37,7 @@ pub mod atomic;
 pub mod diagnostic;
 pub mod fonts;
 pub mod lanes;
+pub mod progress;
 pub mod sincos;
 pub mod units;
 pub mod wide;

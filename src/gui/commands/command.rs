@@ -107,6 +107,8 @@ pub(crate) enum Command {
     Cancel,
     /// Drop the search that is under way.
     StopSearch,
+    /// Stops looking at a foreign file; saying something looks again.
+    StopLooking,
     /// Show this step.
     GoTo(Step),
     /// Look at the workspace in this plane.

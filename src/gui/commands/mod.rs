@@ -10,6 +10,8 @@ mod desk;
 mod dividing;
 mod exports;
 mod follow;
+#[cfg(test)]
+mod how_far;
 mod imports;
 mod leaving;
 mod letters;
@@ -228,6 +230,7 @@ impl Workbench {
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),
+            Command::StopLooking => self.tasks.cancel_look(),
             Command::Cancel => {
                 // What was to be done after it is not wanted any more either.
                 self.stay();
@@ -293,6 +296,9 @@ impl Workbench {
                 ) {
                     // Whoever closes the question wants neither.
                     self.stay();
+                }
+                if matches!((&self.view.sheet, &sheet), (Some(Sheet::Import(_)), None)) {
+                    self.tasks.cancel_look();
                 }
                 self.view.sheet = sheet;
             }

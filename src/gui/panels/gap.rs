@@ -103,9 +103,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
     ui.add(bar.desired_height(8.0).fill(palette.accent));
-    // The search tells how far it is; nobody else would wake the window for it.
-    ui.ctx()
-        .request_repaint_after(std::time::Duration::from_millis(100));
+    widgets::look_again_soon(ui);
 }
 
 /// What was found so far; a later step may exchange it for something likelier.
