@@ -224,11 +224,11 @@ impl Workbench {
         self.desk.then = None;
         self.view.sheet = None;
         self.tasks
-            .open(format!("reading {}", path.display()), move |_| {
+            .open(format!("reading {}", path.display()), move |watch| {
                 // What is not there cannot be read again; it can be written again.
                 match files.into_iter().find(|file| !file.path.exists()) {
                     Some(gone) => Report::Seen(Seen::Fate(gone.path, Some(Fate::Vanished))),
-                    None => files::open(&path),
+                    None => files::open(&path, watch),
                 }
             });
     }

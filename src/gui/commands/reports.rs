@@ -102,6 +102,7 @@ impl Workbench {
                     replace: false,
                 });
             }
+            Report::Lettered(found) => self.letters.take(*found),
             Report::Written(message) => self.take_written(message),
             Report::Figured(figures) => {
                 self.figures = Some(*figures);
@@ -120,8 +121,10 @@ impl Workbench {
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
+                self.remember_name(&path);
                 self.exported.retain(|other| *other != path);
                 self.exported.push(path);
+                self.keep_preparing();
                 self.go_on();
             }
             Report::Broken => {

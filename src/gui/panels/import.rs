@@ -9,11 +9,12 @@ mod result;
 mod robot;
 
 use egui::text::LayoutJob;
-use egui::{Align, FontId, Layout, RichText, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Align, FontId, Layout, ProgressBar, RichText, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::diagnostic::Severity;
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::foreign::{Beside, Foreign, LOOKING, in_the_sheets_words};
+use crate::gui::foreign::{Beside, Foreign, LOOKING, Said, in_the_sheets_words};
+use crate::gui::tasks::Running;
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::widgets;
 
@@ -21,8 +22,8 @@ use crate::gui::widgets;
 const WIDTH: f32 = 780.0;
 /// What stands around the part that scrolls, points.
 const AROUND: f32 = 228.0;
-/// Two lines of what stands in the way, points.
-const HINDRANCE: f32 = 34.0;
+/// Two lines of what is in the way, points.
+const FOOT: f32 = 34.0;
 
 /// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: &mut Vec<Command>) {
@@ -51,7 +52,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     } else {
         Some(LOOKING.to_owned())
     };
-    hindrance(ui, missing.as_deref());
+    // Always as high: what is above keeps its place.
+    let room = vec2(ui.available_width(), FOOT);
+    ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
+        ui.set_min_height(FOOT);
+        foot(ui, workbench, (now, &next), missing.as_deref(), commands);
+    });
     if super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands) {
         commands.push(Command::Import);
     } else if next != now.said {
@@ -59,19 +65,45 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     }
 }
 
-/// What stands in the way, in two lines that are always there: what is above keeps its place.
-fn hindrance(ui: &mut Ui, missing: Option<&str>) {
-    let room = vec2(ui.available_width(), HINDRANCE);
-    ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
-        ui.set_min_height(HINDRANCE);
-        let Some(missing) = missing else { return };
+/// Where the look at the file stands, or what is in the way of the import.
+fn foot(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (now, next): (&Foreign, &Said),
+    missing: Option<&str>,
+    commands: &mut Vec<Command>,
+) {
+    if let Some(running) = workbench.tasks().looking() {
+        looking(ui, running, commands);
+    } else if *next == now.said && !now.is_up_to_date() {
+        ui.horizontal(|ui| {
+            widgets::hint(ui, "Looking at the file was cancelled");
+            if ui.button("Look again").clicked() {
+                commands.push(Command::Say(Box::new(next.clone())));
+            }
+        });
+    } else if let Some(missing) = missing {
         let font = FontId::proportional(size::NOTE);
         let muted = Palette::of(ui).muted;
-        let mut job = LayoutJob::simple(missing.to_owned(), font, muted, room.x);
+        let mut job = LayoutJob::simple(missing.to_owned(), font, muted, ui.available_width());
         job.wrap.max_rows = 2;
-        let label = ui.label(job);
-        label.on_hover_text(missing);
+        ui.label(job).on_hover_text(missing);
+    }
+}
+
+/// How far looking at the file is.
+fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        widgets::hint(ui, LOOKING);
+        if let Some(part) = running.progress() {
+            let bar = ProgressBar::new(part).desired_width(120.0);
+            ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
+        }
+        if ui.small_button("Stop looking").clicked() {
+            commands.push(Command::StopLooking);
+        }
     });
+    widgets::look_again_soon(ui);
 }
 
 /// What is wrong with the file, and what somebody should know.
