@@ -79,6 +79,8 @@ impl Workbench {
             }
             Report::Searched(search) => {
                 self.searched = Some(Arc::new(*search));
+                // What is in the model may be just what was found, with the search's values.
+                self.keep_asking();
                 self.keep_drawing();
             }
             Report::Adapted(adapted) => self.take_adapted(*adapted),
