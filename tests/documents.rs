@@ -86,8 +86,8 @@ fn blocks(text: &str) -> Vec<Vec<String>> {
 /// A block of commands without a prompt: remarks are left out, and a line that goes on is one.
 fn commands_alone(block: &[String]) -> Vec<String> {
     let lines = block.iter().filter(|line| !line.starts_with('#'));
-    let text = lines.map(|line| format!("{line}\n")).collect::<String>();
-    let text = text.replace("\\\n", " ");
+    let lines: Vec<&str> = lines.map(String::as_str).collect();
+    let text = lines.join("\n").replace("\\\n", " ");
     text.lines().map(|line| format!("$ {line}")).collect()
 }
 

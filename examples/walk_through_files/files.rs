@@ -181,7 +181,8 @@ fn reflectors(session: &Session) -> String {
 fn only(table: &str, words: &str) -> String {
     let lines = table.lines().enumerate();
     let kept = lines.filter(|(k, line)| *k == 0 || line.contains(words));
-    kept.map(|(_, line)| format!("{line}\n")).collect()
+    let kept: Vec<&str> = kept.map(|(_, line)| line).collect();
+    kept.join("\n") + "\n"
 }
 
 fn base_points() -> String {

@@ -1,5 +1,7 @@
 //! An open file that is not what it was: said above the plots until somebody decides.
 
+use std::path::Path;
+
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, Ui};
 
 use crate::gui::commands::{Command, Workbench};
@@ -40,16 +42,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                         Fate::Changed if ui.button("Reload").clicked() => {
                             commands.push(Command::Reload);
                         }
-                        // The document is there, and says where its samples belong.
-                        Fate::Vanished if workbench.samples_file() == Some(&on_disk.path) => {
-                            if ui.button("Save it again").clicked() {
-                                commands.push(Command::Save);
-                            }
-                        }
-                        Fate::Vanished if ui.button("Save it again…").clicked() => {
-                            commands.push(Command::ChooseWhereToSave);
-                        }
-                        _ => {}
+                        Fate::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+                        Fate::Changed => {}
                     }
                     ui.with_layout(Layout::top_down(Align::Min), |ui| {
                         ui.spacing_mut().item_spacing.y = 3.0;
@@ -60,4 +54,17 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 });
             });
         });
+}
+
+/// Offers to write what is gone. Where it is the samples the document still says where they belong;
+/// where it is the document somebody has to.
+fn save_again(ui: &mut Ui, workbench: &Workbench, gone: &Path, commands: &mut Vec<Command>) {
+    let (says, command) = if workbench.samples_file() == Some(gone) {
+        ("Save it again", Command::Save)
+    } else {
+        ("Save it again…", Command::ChooseWhereToSave)
+    };
+    if ui.button(says).clicked() {
+        commands.push(command);
+    }
 }
