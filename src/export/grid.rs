@@ -117,7 +117,7 @@ pub(super) fn directions(
     }
     let unit = exact.table.kind.sign();
     let says = format!(
-        "the corrections of the two directions differ by up to {apart:.4}{unit} (backlash), and \
+        "the corrections of the two directions differ by up to {apart:.5}{unit} (backlash), and \
          {} holds one for both: their mean leaves {leaves:.4} mm",
         rules.title()
     );

@@ -30,7 +30,7 @@ const RULES: Rules = Rules {
     limit_because: "MD38000 MM_ENC_COMP_MAX_POINTS",
     directions: Directions::One {
         instead: "enter the backlash in MD32450 BACKLASH and export a model without it, or take a \
-                  format with two columns (linuxcnc, twincat-cnc, csv)",
+                  format with two columns (LinuxCNC, TwinCAT CNC, CSV)",
     },
     repeats: true,
     interpolation: "linear between two points",

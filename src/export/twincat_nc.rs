@@ -32,7 +32,7 @@ const RULES: Rules = Rules {
     limit_because: "it has no limit but the memory",
     directions: Directions::One {
         instead: "let the axis' own backlash compensation take it and export a model without \
-                  backlash, or take a format with two columns (linuxcnc, twincat-cnc, csv)",
+                  backlash, or take a format with two columns (LinuxCNC, TwinCAT CNC, CSV)",
     },
     repeats: true,
     interpolation: "linear between two elements",
