@@ -23,7 +23,7 @@ use crate::gui::simulate::Form;
 use crate::gui::subject::{Component, Subject};
 use crate::gui::tasks::What;
 use crate::gui::view::{
-    AngleUnit, Canvas, Chart, Colouring, LengthUnit, Plane, Sheet, Side, Step, Then,
+    AngleUnit, Canvas, Chart, Colouring, LengthUnit, Part, Plane, Sheet, Side, Step, Then,
 };
 use crate::kinematics::JointKind;
 use crate::units::rad_from_deg;
@@ -365,7 +365,12 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
         75..=77 | 148..=150 => Command::Dismiss,
-        151 => Command::Fit,
+        151 => match random.random_range(0..4) {
+            3 => Command::Part(pick(random, &[Part::Workspace, Part::Chart])),
+            0 => Command::Fit,
+            1 => Command::FitWorkspace,
+            _ => Command::FitChart,
+        },
         _ => {
             // A session beside which models and regions make sense again.
             let files = [Arc::clone(workbench.subject())];
