@@ -21,13 +21,17 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = workbench.view();
-    // A sample that was chosen elsewhere is brought into sight once.
+    // A sample that is chosen or pointed at elsewhere is brought into sight once; under the pointer
+    // nothing moves.
+    let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
+    let elsewhere = view.hovered.filter(|_| !here);
+    let wanted = elsewhere.or(view.selected);
     let id = ui.scope_id().with("shown sample");
     let last = ui
         .data_mut(|data| data.get_temp::<Option<usize>>(id))
         .flatten();
-    let scroll = last != view.selected;
-    ui.data_mut(|data| data.insert_temp(id, view.selected));
+    let scroll = last != wanted && !here;
+    ui.data_mut(|data| data.insert_temp(id, wanted));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(52.0, 96.0).floor();
@@ -42,8 +46,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .columns(Column::exact(wide), 3)
         .column(Column::exact(MARK))
         .auto_shrink([false, false]);
-    if let Some(row) = view.selected.filter(|_| scroll) {
-        table = table.scroll_to_row(row, Some(Align::Center));
+    if let Some(row) = wanted.filter(|_| scroll) {
+        // What is only pointed at moves the table no farther than it must.
+        let align = elsewhere.is_none().then_some(Align::Center);
+        table = table.scroll_to_row(row, align).animate_scrolling(false);
     }
     let length = units.length_name();
     let angle = if subject.turns() {
