@@ -7,8 +7,8 @@ mod support;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
-use egui_kittest::kittest::Queryable;
-use support::{STEPS, Window, bundled, export_to, gaps, press, status, window, window_of};
+use egui_kittest::kittest::{NodeT, Queryable};
+use support::{STEPS, Window, bundled, export_to, gaps, press, status, there, window, window_of};
 use truepose::gui::Runner;
 
 #[test]
@@ -209,7 +209,7 @@ fn every_menu_and_every_sheet_opens_and_closes() {
         window.run_steps(4);
     }
     for (item, says) in [
-        ("Keyboard shortcuts", "show everything in the plots"),
+        ("Keyboard and mouse", "show everything in the plots"),
         (
             "About truepose",
             "Everything in this window can be done in the terminal too",
@@ -237,4 +237,50 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
         window.query_by_label_contains("card of sample").is_some()
     });
     assert!(named, "no sample was named on the whole radius");
+    // Its row is in sight, wherever it is in the table.
+    let cards = window.query_all_by_label_contains("card of sample ");
+    let said = cards
+        .filter_map(|node| node.accesskit_node().label())
+        .next();
+    let said = said.expect("a card has a label");
+    let number = said.trim_start_matches("card of sample ");
+    let (number, _) = number
+        .split_once(':')
+        .expect("a card begins with its sample");
+    let number: usize = number.parse().expect("a number");
+    assert!(number > 30, "sample {number} is in sight anyway");
+    let row = window.get_by_label(&format!("row {number}, number")).rect();
+    assert!(window.ctx.content_rect().contains_rect(row), "{row}");
+    // In the table itself nothing moves under the pointer.
+    for _ in 0..3 {
+        window.hover_at(row.center());
+        window.run_steps(3);
+        let now = window.get_by_label(&format!("row {number}, number")).rect();
+        assert_eq!(now, row);
+    }
+}
+
+#[test]
+fn with_one_menu_open_the_pointer_and_a_click_open_the_others() {
+    let mut window = window(None);
+    let shown = |window: &Window| {
+        let items = ["Quit", "Preferences…", "Usual size", "About truepose"];
+        items.map(|item| there(window, item))
+    };
+    press(&mut window, "File");
+    assert_eq!(shown(&window), [true, false, false, false]);
+    for (k, menu) in [(1, "Edit"), (2, "View"), (3, "Help"), (0, "File")] {
+        let mut wanted = [false; 4];
+        wanted[k] = true;
+        window.get_by_label(menu).hover();
+        window.run_steps(3);
+        assert_eq!(shown(&window), wanted, "the pointer on {menu}");
+        // A click that comes with the pointer opens it as well.
+        let other = if menu == "View" { "File" } else { "View" };
+        wanted = [false; 4];
+        wanted[if other == "View" { 2 } else { 0 }] = true;
+        window.get_by_label(other).click();
+        window.run_steps(4);
+        assert_eq!(shown(&window), wanted, "{other} clicked after {menu}");
+    }
 }

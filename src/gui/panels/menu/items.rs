@@ -1,6 +1,7 @@
 //! What a menu is made of: words with their keys.
 
-use egui::{Button, Response, Role, Ui, WidgetInfo};
+use egui::containers::menu::MenuButton;
+use egui::{Button, Id, Popup, Response, Role, Ui, WidgetInfo};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::panels::shortcuts::{self, Action};
@@ -35,6 +36,40 @@ impl Menu<'_> {
             ui.close();
         }
     }
+}
+
+/// Which menu was open in the frame before, and which the pointer has opened.
+#[derive(Debug, Clone, Copy, Default)]
+struct Open {
+    now: Option<Id>,
+    by_pointer: Option<Id>,
+}
+
+/// A header of the bar. While one menu is open the pointer opens the others, and a click that comes
+/// with the pointer does not close again what the pointer has just opened.
+pub(super) fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
+    let key = Id::unique("open menu");
+    let before: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let mut open = before;
+    let (response, shown) = MenuButton::new(name).ui(ui, contents);
+    let id = Popup::default_response_id(&response);
+    let another = before.now.is_some_and(|now| now != id);
+    let clicked = response.clicked();
+    let opened_here = before.by_pointer == Some(id);
+    if opened_here && !response.hovered() {
+        open.by_pointer = None;
+    }
+    if response.hovered() && another || clicked && opened_here {
+        Popup::open_id(ui.ctx(), id);
+        ui.ctx().request_repaint();
+        open.now = Some(id);
+        open.by_pointer = (!clicked).then_some(id);
+    } else if shown.is_some() {
+        open.now = Some(id);
+    } else if before.now == Some(id) {
+        open = Open::default();
+    }
+    ui.data_mut(|data| data.insert_temp(key, open));
 }
 
 /// An item goes by its text alone, without its keys.

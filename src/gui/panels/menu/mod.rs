@@ -13,7 +13,7 @@ use crate::gui::widgets;
 
 use super::shortcuts;
 
-use items::Menu;
+use items::{Menu, header};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -45,10 +45,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     workbench,
                     commands,
                 };
-                ui.menu_button("File", |ui| file::show(ui, menu));
-                ui.menu_button("Edit", |ui| lists::edit(ui, menu));
-                ui.menu_button("View", |ui| lists::view(ui, menu));
-                ui.menu_button("Help", |ui| lists::help(ui, menu));
+                header(ui, "File", |ui| file::show(ui, menu));
+                header(ui, "Edit", |ui| lists::edit(ui, menu));
+                header(ui, "View", |ui| lists::view(ui, menu));
+                header(ui, "Help", |ui| lists::help(ui, menu));
             });
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
