@@ -275,6 +275,10 @@ fn with_one_menu_open_the_pointer_and_a_click_open_the_others() {
         window.get_by_label(menu).hover();
         window.run_steps(3);
         assert_eq!(shown(&window), wanted, "the pointer on {menu}");
+        // Whoever clicks what the pointer has just opened wants it open.
+        window.get_by_label(menu).click();
+        window.run_steps(4);
+        assert_eq!(shown(&window), wanted, "{menu} clicked");
         // A click that comes with the pointer opens it as well.
         let other = if menu == "View" { "File" } else { "View" };
         wanted = [false; 4];

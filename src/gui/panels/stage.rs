@@ -13,10 +13,12 @@ use super::{charts, disk};
 
 /// The least height of the chart with its bar, and of the workspace with its own, points: as much
 /// of a window as the user pulls, or makes smaller afterwards, both can be read.
-const LOWEST: f32 = 248.0;
+const LOWEST: f32 = 254.0;
 const WORKSPACE: f32 = 300.0;
 /// What the user has to know takes this part of the middle at most; what is longer scrolls.
 const NOTICES: f32 = 0.3;
+/// The chart's share of the middle until somebody pulls it.
+const SHARE: f32 = 0.34;
 /// The chart's panel.
 const CHART: &str = "deviation";
 
@@ -34,7 +36,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     keep_share(ui, left);
     Panel::bottom(CHART)
         .resizable(true)
-        .default_size((0.34 * left).max(LOWEST))
+        .default_size((SHARE * left).max(LOWEST))
         .size_range(LOWEST..=(left - WORKSPACE).max(LOWEST))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
@@ -69,16 +71,40 @@ fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// laptop would be a strip on a large screen.
 fn keep_share(ui: &Ui, height: f32) {
     let id = ui.scope_id().with(CHART);
-    let before: Option<f32> = ui.data_mut(|data| data.get_temp(id));
-    ui.data_mut(|data| data.insert_temp(id, height));
-    let (Some(before), Some(mut state)) = (before, PanelState::load(ui.ctx(), id)) else {
+    let Some(mut state) = PanelState::load(ui.ctx(), id) else {
         return;
     };
-    if before > 0.0 && before != height {
-        let share = state.outer_rect.height() * height / before;
-        state.outer_rect.set_height(share);
+    let now = state.outer_rect.height();
+    let kept: Option<Share> = ui.data_mut(|data| data.get_temp(id));
+    let mut kept = kept.unwrap_or(Share {
+        of: height,
+        share: SHARE,
+        chart: None,
+    });
+    if kept.of == height {
+        // What is not as it was left was pulled.
+        if kept.chart.is_some_and(|before| (before - now).abs() > 0.5) {
+            kept.share = now / height;
+        }
+        kept.chart = Some(now);
+    } else {
+        state.outer_rect.set_height(kept.share * height);
         ui.data_mut(|data| data.insert_persisted(id, state));
+        kept.of = height;
+        kept.chart = None;
     }
+    ui.data_mut(|data| data.insert_temp(id, kept));
+}
+
+/// The chart's share of the middle as it was wanted, whatever there was room for since.
+#[derive(Clone, Copy)]
+struct Share {
+    /// Height of the middle, points.
+    of: f32,
+    /// The share.
+    share: f32,
+    /// Height of the chart in the frame before; `None` where it has just been set.
+    chart: Option<f32>,
 }
 
 /// What the user has to know: never so much that the plots have no room.

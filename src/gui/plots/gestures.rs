@@ -4,7 +4,7 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use egui::{Context, RichText, Stroke, Ui, Vec2, vec2};
+use egui::{Context, Rect, Response, RichText, Stroke, Ui, Vec2, vec2};
 use egui_plot::{Plot, PlotResponse, PlotUi};
 
 use crate::gui::commands::Command;
@@ -21,7 +21,7 @@ pub(crate) const GESTURES: [(&str, &str); 5] = [
 ];
 
 /// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.
-const SCROLL: f32 = 200.0;
+const SCROLL: f32 = 300.0;
 /// The smallest and the largest span that can be gone to, in what the axes show.
 const SPANS: [f64; 2] = [1e-9, 1e9];
 
@@ -41,14 +41,29 @@ pub(crate) fn show<'a>(
     plot: Plot<'a>,
     add: impl FnOnce(&mut PlotUi<'a>) + 'a,
 ) -> PlotResponse<()> {
-    plot.show(ui, |plot| {
+    let shown = plot.show(ui, |plot| {
         add(plot);
         let closer = closer(plot.ctx());
         let reached = plot.response().contains_pointer();
         if reached && closer != Vec2::splat(1.0) && sound(plot, closer) {
             plot.zoom_bounds_around_hovered(closer);
         }
-    })
+    });
+    settle(&shown.response);
+    shown
+}
+
+/// Axes are laid out with the room that they took in the frame before: whatever the plot's size
+/// was, there is another frame until it stays.
+fn settle(response: &Response) {
+    let id = response.id.with("settled");
+    let before: Option<Rect> = response.ctx.data(|data| data.get_temp(id));
+    if before != Some(response.rect) {
+        response
+            .ctx
+            .data_mut(|data| data.insert_temp(id, response.rect));
+        response.ctx.request_repaint();
+    }
 }
 
 /// How much closer the wheel goes in this frame, along the axis below and upwards.

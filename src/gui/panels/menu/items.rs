@@ -43,6 +43,8 @@ impl Menu<'_> {
 struct Open {
     now: Option<Id>,
     by_pointer: Option<Id>,
+    /// When that was clicked, in the window's seconds: a frame may be laid out twice.
+    clicked_at: Option<f64>,
 }
 
 /// A header of the bar. While one menu is open the pointer opens the others, and a click that comes
@@ -55,7 +57,9 @@ pub(super) fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
     let id = Popup::default_response_id(&response);
     let another = before.now.is_some_and(|now| now != id);
     let clicked = response.clicked();
-    let opened_here = before.by_pointer == Some(id);
+    let time = ui.input(|input| input.time);
+    let first = before.clicked_at.is_none_or(|at| at == time);
+    let opened_here = before.by_pointer == Some(id) && first;
     if opened_here && !response.hovered() {
         open.by_pointer = None;
     }
@@ -63,7 +67,8 @@ pub(super) fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
         Popup::open_id(ui.ctx(), id);
         ui.ctx().request_repaint();
         open.now = Some(id);
-        open.by_pointer = (!clicked).then_some(id);
+        open.by_pointer = Some(id);
+        open.clicked_at = clicked.then_some(time);
     } else if shown.is_some() {
         open.now = Some(id);
     } else if before.now == Some(id) {

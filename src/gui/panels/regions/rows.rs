@@ -83,8 +83,8 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
     ];
     ui.horizontal(|ui| {
         for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
-            // The head of numbers ends where they end.
-            let layout = if k == 0 {
+            // The head of the samples ends where their numbers end.
+            let layout = if k < 3 {
                 Layout::left_to_right(Align::Center)
             } else {
                 Layout::right_to_left(Align::Center)

@@ -157,7 +157,7 @@ pub(super) fn show(
         if !low {
             marks(ui);
         }
-        scales::show(ui, scene, workbench, palette);
+        scales::show(ui, scene, workbench, low, palette);
         if low {
             folded(ui, marks);
         }
@@ -169,11 +169,11 @@ pub(super) fn show(
 }
 
 /// A plot that would be lower than this has its marks explained behind a button, points.
-const LOW: f32 = 330.0;
+pub(super) const LOW: f32 = 330.0;
 
 /// A word that shows what the marks mean when it is pressed.
 fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
-    let word = RichText::new("what marks mean").size(size::SMALL);
+    let word = RichText::new("legend").size(size::SMALL);
     let word = ui.add(Link::new(word));
     Popup::menu(&word)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)

@@ -55,8 +55,18 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let names = ["x", "y", "z"];
     let [right, up] = view.plane.axes();
     let units = workbench.units();
-    let name = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
-    let hints = |side, k: usize| axis(side, name(k), &palette, move |mm| units.length_value(mm));
+    // In a low plot the axis below goes without its name, which the bar says as well.
+    let low = ui.available_height() < legend::LOW;
+    let name = move |side, axis: usize| {
+        if low && side == Axis::X {
+            return String::new();
+        }
+        format!("{}, {}", names[axis], units.length_name())
+    };
+    let hints = |side, k: usize| {
+        let name = name(side, k);
+        axis(side, name, &palette, move |mm| units.length_value(mm))
+    };
     let measured = !workbench.subject().is_empty();
     let editing = view.step == Step::Regions && measured;
     let regions = &workbench.document().regions;

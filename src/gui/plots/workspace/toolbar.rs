@@ -37,6 +37,7 @@ pub(crate) fn show(
     let view = workbench.view();
     let measured = !workbench.subject().is_empty();
     let drawn = measured && !view.polar();
+    let around = measured && view.polar();
     let blends = drawn && workbench.answer().is_some();
     let room = ui.available_size();
     let roomy = room.x > ROOMY && beside.is_none();
@@ -68,7 +69,7 @@ pub(crate) fn show(
             Some(None) => commands.push(Command::LookAround),
             None => {}
         }
-        if measured && view.polar() {
+        if around && fold == Fold::Open {
             component(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -81,11 +82,8 @@ pub(crate) fn show(
                 picture(ui, plot, commands);
             }
             gestures::fit(ui, "Fit to view", Command::FitWorkspace, commands);
-            if measured && view.polar() && workbench.answer().is_some() {
-                let shown = [(false, "both"), (true, "only after")];
-                if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
-                    commands.push(Command::OnlyAfter(only));
-                }
+            if around && fold == Fold::Open {
+                which(ui, workbench, commands);
             }
             if drawn && fold == Fold::Tight {
                 folded(ui, "drawn", "How it is drawn", |ui| {
@@ -98,6 +96,12 @@ pub(crate) fn show(
             }
         });
     });
+    if around && fold != Fold::Open {
+        widgets::row(ui, |ui| {
+            component(ui, workbench, commands);
+            which(ui, workbench, commands);
+        });
+    }
     if !drawn {
         return;
     }
@@ -194,6 +198,17 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     });
 }
 
+/// Whether the polar view shows the deviation before as well, where there is another.
+fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        return;
+    }
+    let shown = [(false, "both"), (true, "only after")];
+    if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
+        commands.push(Command::OnlyAfter(only));
+    }
+}
+
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut blend = workbench.view().blend;
@@ -257,17 +272,15 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     let (before, left) = (subject.overview.readable, after.readable);
     let now = magnification_of(workbench.view(), subject);
-    caption(ui, "scale for");
+    let says = "how long vectors are drawn and where the colours of lengths end: so that the \
+                deviations before can be read, or those that are left after";
+    caption(ui, "scale for").on_hover_text(says);
     let options = [(Some(before), "before"), (Some(left), "after")];
-    let chosen = ui.scope(|ui| widgets::segmented(ui, &options, Some(now)));
-    match chosen.inner {
+    match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
         Some(factor) => commands.push(Command::Magnify(factor)),
         None => {}
     }
-    let says = "how long vectors are drawn and where the colours of lengths end: so that the \
-                deviations before can be read, or those that are left after";
-    chosen.response.on_hover_text(says);
 }
 
 /// Whether the error between the samples is shown.
