@@ -13,6 +13,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
+use crate::progress::Cancelled;
+
 /// Why an output was not written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
@@ -33,6 +35,9 @@ pub enum WriteError {
     /// Two outputs of one command are the same file.
     #[error("{}: is the name of two outputs; choose another name", .0.display())]
     SameName(PathBuf),
+    /// Whoever watches asked to stop before the file had its name.
+    #[error("{}: cancelled", .0.display())]
+    Cancelled(PathBuf),
     /// The system says no.
     #[error("{}: {source}", path.display())]
     Io {
@@ -46,7 +51,7 @@ pub enum WriteError {
 impl WriteError {
     /// Whether the arguments are wrong (rather than the disk, say).
     pub fn is_refusal(&self) -> bool {
-        !matches!(self, Self::Io { .. })
+        !matches!(self, Self::Io { .. } | Self::Cancelled(_))
     }
 }
 
@@ -78,7 +83,8 @@ pub fn refuse_one_file_for_two(first: &Path, second: &Path) -> Result<(), WriteE
 /// Writes a file whole or not at all; an existing one is replaced only with `force`.
 ///
 /// # Errors
-/// See [`WriteError`]; an error of `write` is passed on, and the old file, if any, stays.
+/// See [`WriteError`]; an error of `write` is passed on, and the old file, if any, stays. So does it
+/// where `write` ends with [`Cancelled`].
 pub fn write_atomically(
     path: &Path,
     force: bool,
@@ -103,9 +109,14 @@ impl Prepared {
         force: bool,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<Self, WriteError> {
-        let failed = |source| WriteError::Io {
-            path: named.to_path_buf(),
-            source,
+        let failed = |source| {
+            if Cancelled::is_behind(&source) {
+                return WriteError::Cancelled(named.to_path_buf());
+            }
+            WriteError::Io {
+                path: named.to_path_buf(),
+                source,
+            }
         };
         let path = standing_at(named, force)?;
         let mut builder = Builder::new();

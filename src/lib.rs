@@ -35,7 +35,9 @@
 
 pub mod atomic;
 pub mod diagnostic;
+pub mod fonts;
 pub mod lanes;
+pub mod progress;
 pub mod sincos;
 pub mod units;
 pub mod wide;

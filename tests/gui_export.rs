@@ -88,6 +88,23 @@ fn a_format_for_one_direction_says_that_backlash_has_no_place_in_it() {
 }
 
 #[test]
+fn what_to_enter_in_the_controller_names_the_file_that_was_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window_of(TALL, None, Runner::AtOnce);
+    at_export(&mut window);
+    press(&mut window, "LinuxCNC COMP_FILE");
+    let enter = |window: &Window, name: &str| {
+        let line = format!("COMP_FILE = {name},");
+        window.query_all_by_label_contains(&line).count()
+    };
+    assert_eq!(enter(&window, "lamp-commissioning-joint-1.comp"), 1);
+    export_to(&mut window, &folder.path().join("axis 1.comp"));
+    window.run_steps(4);
+    assert_eq!(enter(&window, "axis 1.comp"), 1);
+    window.get_by_label("axis 1.comp");
+}
+
+#[test]
 fn an_own_step_is_taken_or_refused_with_the_limit() {
     let mut window = window_of(TALL, None, Runner::AtOnce);
     at_export(&mut window);

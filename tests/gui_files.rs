@@ -10,7 +10,10 @@ use std::fs;
 
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
-use support::{Window, choose, copy_of, keys, open, press, says, seconds, there, window_at};
+use support::{
+    Window, choose, copy_of, keys, open, press, says, seconds, status, there, type_tolerance,
+    window_at,
+};
 
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
@@ -262,6 +265,39 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
 }
 
 #[test]
+fn what_was_found_comes_back_after_a_kill_although_the_session_is_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let home = folder.path().join("home");
+    let session = copy_of("lamp-commissioning", folder.path());
+    let mut window = window_at(Some(session.clone()), Some(&home));
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    let name = window.get_all_by_label_contains("to the model").next();
+    name.expect("all are added at once").click();
+    window.run_steps(2);
+    let added = status(&window);
+    assert!(added.contains('→'), "{added}");
+    seconds(&mut window, 4);
+    // Killed; the session's own file was never touched.
+    drop(window);
+    let mut window = window_at(Some(session), Some(&home));
+    assert!(says(&window, "Not saved when the program ended"));
+    press(&mut window, "Restore");
+    let after = |line: &str| {
+        let gaps = line.split(" mm").next().unwrap_or_default();
+        let last = gaps.rsplit(' ').next().unwrap_or_default();
+        last.parse::<f64>().expect("a number")
+    };
+    let restored = status(&window);
+    assert!(
+        (after(&restored) - after(&added)).abs() < 1e-3,
+        "{added}, {restored}"
+    );
+    press(&mut window, "4 Find the gap");
+    assert!(says(&window, "use backlash"), "it can be switched off");
+}
+
+#[test]
 fn a_damaged_recovery_file_is_said_and_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     let home = folder.path().join("home");
@@ -298,7 +334,7 @@ fn what_is_saved_leaves_no_recovery_file() {
     let home = folder.path().join("home");
     let session = copy_of("paper-30", folder.path());
     let mut window = window_at(Some(session), Some(&home));
-    divide(&mut window);
+    type_tolerance(&mut window, "3");
     seconds(&mut window, 4);
     keys(&mut window, Modifiers::COMMAND, Key::S);
     seconds(&mut window, 4);

@@ -6,10 +6,8 @@
 #[allow(dead_code, reason = "every test file uses a part of it")]
 mod support;
 
-use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
-use support::{bundled, gaps, keys, open, press, says, status, there, window};
+use support::{bundled, gaps, keys, open, press, says, status, there, type_tolerance, window};
 
 #[test]
 fn it_says_what_was_measured_and_what_that_covers() {
@@ -27,15 +25,7 @@ fn it_says_what_was_measured_and_what_that_covers() {
 fn a_tolerance_is_typed_changes_what_is_within_and_is_taken_back() {
     let mut window = window(None);
     assert!(says(&window, "0 of 208"));
-    window
-        .get_by_role_and_label(Role::SpinButton, "tolerance")
-        .click();
-    window.run_steps(2);
-    keys(&mut window, Modifiers::COMMAND, Key::A);
-    window
-        .get_by_role_and_label(Role::SpinButton, "tolerance")
-        .type_text("3");
-    keys(&mut window, Modifiers::NONE, Key::Enter);
+    type_tolerance(&mut window, "3");
     assert!(!says(&window, "0 of 208"), "some are within 3 mm");
     keys(&mut window, Modifiers::COMMAND, Key::Z);
     assert!(says(&window, "0 of 208"));

@@ -8,10 +8,17 @@ use std::process::{Command, Output};
 
 use serde_json::{Value, json};
 
+#[path = "support/tiny_font.rs"]
+#[allow(dead_code, reason = "every test file uses a part of it")]
+mod tiny_font;
+
+use tiny_font::{Tiny, collection};
 use truepose::diagnosis::{DiagnoseError, Options, diagnose};
+use truepose::fonts::{Library, Purpose, cannot_be_shown};
 use truepose::model::Calibration;
+use truepose::model::format_v1::model_hash;
 use truepose::report::svg::svg_file;
-use truepose::report::{Extras, Report, ReportError, html, pdf, plots, stages};
+use truepose::report::{Extras, Report, ReportError, html, pdf, pdf_with, plots, stages};
 use truepose::sessions::{Session, load, parse};
 
 fn bundled(name: &str) -> PathBuf {
@@ -199,6 +206,35 @@ fn the_same_session_gives_the_same_bytes_and_both_formats_hold_the_numbers() {
             assert!(in_words, "{expected} in the PDF");
         }
     }
+}
+
+#[test]
+fn a_report_is_of_the_model_that_is_in_use_and_says_in_what_it_is_another() {
+    let (session, options, extras) = (lamp(), Options::default(), Extras::default());
+    let found = diagnose(&session, &options, &|_| true).unwrap();
+    let all = found.calibration(&session);
+    let of = |model: Option<&Calibration>| {
+        html(&Report::of_diagnosis(&session, &found, model, &options, &extras).unwrap())
+    };
+    assert_eq!(of(Some(&all)), of(None), "what was found is in use");
+    let model = all
+        .model
+        .without(|term| term.effect.about().id == "backlash");
+    let less = Calibration {
+        model,
+        covariance: None,
+        ..all
+    };
+    let page = of(Some(&less));
+    for said in [
+        "the model in use is another one: without Backlash",
+        "with the model in use, without Backlash",
+        "Gap to the model in use",
+        &model_hash(&less),
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(!page.contains(&model_hash(&found.calibration(&session))));
 }
 
 #[test]
@@ -490,4 +526,162 @@ fn the_command_writes_what_its_ending_says_and_replaces_nothing_unasked() {
         message.contains("table.csv.meta.json") && message.contains("truepose-table/1"),
         "{message}"
     );
+}
+
+/// A report of which title, robot and joint have names in Chinese.
+fn chinese() -> Report {
+    let mut robot = column("关节");
+    robot["name"] = json!("六轴机器人");
+    let session = session(&json!({
+        "format": "truepose-session/1", "name": "深圳 3 号线", "robot": robot,
+        "samples": { "columns": {
+            "q1_deg": [0, 30, 60, 90], "x_mm": [250.1, 216.5, 125.0, 0.1],
+            "y_mm": [0.0, 125.1, 216.5, 250.0], "z_mm": [300.0, 300.0, 300.1, 300.0]
+        } }
+    }));
+    report(&session)
+}
+
+/// How wide pdftotext finds this word, points; `None`: it is not installed.
+fn width_of(pdf: &[u8], word: &str) -> Option<f64> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("report.pdf");
+    std::fs::write(&file, pdf).unwrap();
+    let output = Command::new("pdftotext")
+        .arg("-bbox")
+        .arg(&file)
+        .arg("-")
+        .output();
+    let text = String::from_utf8(output.ok()?.stdout).unwrap();
+    let end = format!(">{word}</word>");
+    let line = text
+        .lines()
+        .find(|l| l.ends_with(&end))
+        .expect("the word is there");
+    let number = |key: &str| -> f64 {
+        let (_, after) = line.split_once(key).unwrap();
+        after.split('"').nth(1).unwrap().parse().unwrap()
+    };
+    Some(number("xMax") - number("xMin"))
+}
+
+#[test]
+fn a_title_in_chinese_is_written_with_a_font_that_is_found() {
+    let made = chinese();
+    let letters = "深圳号线六轴机器人关节";
+    let font = |family, letters| Tiny {
+        advance: 900,
+        ..Tiny::new(family, letters)
+    };
+    let plain = Library::of([font("SimHei", letters).file()]);
+    let within = Library::of([collection(&[font("A", "a"), font("SimHei", letters)])]);
+    for library in [&plain, &within] {
+        let written = pdf_with(&made, library).unwrap();
+        assert!(written.unshown.is_empty(), "{:?}", written.unshown);
+        assert_eq!(written, pdf_with(&made, library).unwrap(), "the same bytes");
+        check_pdf(&written.bytes);
+        if let Some(words) = words_of(&written.bytes) {
+            for word in ["深圳 3 号线", "六轴机器人", "关节"] {
+                assert!(words.contains(word), "{word}: {words}");
+            }
+            assert!(!words.contains("[U+"), "{words}");
+        }
+        if let Some(width) = width_of(&written.bytes, "深圳") {
+            // Two letters of 0.9 in the title's 20 points.
+            assert!((width - 36.0).abs() < 0.1, "{width}");
+        }
+    }
+}
+
+#[test]
+fn letters_that_no_font_has_are_codes_and_are_named() {
+    let made = chinese();
+    let some = Library::of([Tiny::new("SimHei", "深圳号线六轴机器人关").file()]);
+    let written = pdf_with(&made, &some).unwrap();
+    assert_eq!(written.unshown.iter().collect::<String>(), "节");
+    let says = cannot_be_shown(&written.unshown);
+    assert!(
+        says.contains("节 (U+8282)") && says.contains("install"),
+        "{says}"
+    );
+    let none = pdf_with(&made, &Library::of([])).unwrap();
+    assert_eq!(none.unshown.len(), 11);
+    check_pdf(&none.bytes);
+    if let Some(words) = words_of(&none.bytes) {
+        // Copied or searched, a code is the letter that it stands for.
+        assert!(words.contains("六轴机器人"), "{words}");
+    }
+}
+
+#[test]
+fn fonts_of_the_machine_change_nothing_where_the_bundled_ones_do() {
+    let made = report(&load(bundled("paper-30.json")).unwrap().session);
+    let greedy = Tiny::new(
+        "Noto Sans CJK SC",
+        "abcdefghijklmnopqrstuvwxyz 0123456789–°Ж",
+    );
+    let with = pdf_with(&made, &Library::of([greedy.file()])).unwrap();
+    let without = pdf_with(&made, &Library::of([])).unwrap();
+    assert_eq!(with, without);
+    assert_eq!(with.bytes, pdf(&made).unwrap());
+}
+
+#[test]
+fn a_font_of_this_machine_of_either_kind_of_outlines_is_embedded() {
+    let made = chinese();
+    let folders = [
+        "/usr/share/fonts",
+        "/usr/local/share/fonts",
+        "/System/Library/Fonts",
+    ];
+    let wanted = "深圳号线六轴机器人关节".chars().collect();
+    let mut tried = 0;
+    for entry in folders.iter().flat_map(|folder| below(Path::new(folder))) {
+        let library = Library::in_folders([entry.as_path()]);
+        let found = library.covering(&wanted, Purpose::Document);
+        if !found.unshown.is_empty() {
+            continue;
+        }
+        tried += 1;
+        let tables = found.faces.iter().map(|face| face.parsed().unwrap());
+        let cff = tables.filter(|face| face.tables().cff.is_some()).count();
+        let written = pdf_with(&made, &library).unwrap();
+        let bytes = String::from_utf8_lossy(&written.bytes).into_owned();
+        assert_eq!(
+            bytes.matches("/CIDFontType0C").count(),
+            cff,
+            "{}",
+            entry.display()
+        );
+        check_pdf(&written.bytes);
+        if let Some(words) = words_of(&written.bytes) {
+            assert!(
+                words.contains("深圳 3 号线") && words.contains("六轴机器人"),
+                "{words}"
+            );
+        }
+        assert!(
+            written.bytes.len() < 200_000,
+            "a part of the font: {}",
+            written.bytes.len()
+        );
+    }
+    if tried == 0 {
+        eprintln!("skipped: no font with Chinese characters is installed here");
+    }
+}
+
+/// This folder and what is in it that is a folder, at most three deep.
+fn below(folder: &Path) -> Vec<PathBuf> {
+    let mut all = vec![folder.to_path_buf()];
+    for _ in 0..3 {
+        let inner: Vec<PathBuf> = all
+            .iter()
+            .filter_map(|folder| std::fs::read_dir(folder).ok())
+            .flat_map(|entries| entries.flatten().map(|e| e.path()))
+            .filter(|path| path.is_dir() && !all.contains(path))
+            .collect();
+        all.extend(inner);
+    }
+    all
 }

@@ -156,6 +156,12 @@ fn in_words(d: &Diagnosis) -> String {
         Verdict::Unexplained => "something is left that no name explains",
     };
     let _ = writeln!(text, "{verdict}");
+    if !d.tested_anything() {
+        let _ = writeln!(
+            text,
+            "but these samples can show no effect, so that says nothing about the robot"
+        );
+    }
     let _ = writeln!(
         text,
         "gap {:.4} mm, identified {:.4} mm, now {:.4} mm; noise floor {:.4} mm",

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use truepose::diagnosis::{DiagnoseError, Options};
+use truepose::fonts::{self, Library};
 use truepose::model::format_v1::{is_model, load_model};
 use truepose::report::exported::sidecar_of;
 use truepose::report::{self, ExportedTable, Extras, ReportError};
@@ -65,7 +66,14 @@ impl Report {
         };
         let bytes = match kind {
             Kind::Html => report::html(&report).into_bytes(),
-            Kind::Pdf => report::pdf(&report).map_err(|error| Failure::Failed(error.into()))?,
+            Kind::Pdf => {
+                let written = report::pdf_with(&report, &Library::system())
+                    .map_err(|error| Failure::Failed(error.into()))?;
+                if !written.unshown.is_empty() {
+                    output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
+                }
+                written.bytes
+            }
         };
         output::document(&self.out, &bytes, self.force, &inputs)
     }

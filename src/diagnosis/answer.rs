@@ -187,6 +187,12 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
+    /// Whether the samples can show any effect beside the ones that every calibration has. Where they
+    /// cannot, that nothing was found says nothing about the robot.
+    pub fn tested_anything(&self) -> bool {
+        !(self.found.is_empty() && self.not_found.is_empty())
+    }
+
     /// The calibration that goes with this answer, to be saved and exported; with the smooth
     /// correction of what is unexplained, where there is one.
     pub fn calibration(&self, session: &Session) -> Calibration {

@@ -45,6 +45,7 @@ pub mod smooth;
 pub mod unlock;
 
 mod arena;
+mod as_identification;
 mod classes;
 mod conclude;
 mod contest;

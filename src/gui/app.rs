@@ -7,8 +7,11 @@ use std::time::Duration;
 use egui::style::NumberFormatter;
 use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
+use crate::fonts::Library;
+
 use super::commands::{Command, Workbench};
 use super::keeping::watcher;
+use super::letters::Alphabet;
 use super::pictures::Plot;
 use super::preferences::Preferences;
 use super::reporting::About;
@@ -24,6 +27,8 @@ const RECOVERY_AFTER_S: f64 = 2.0;
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
+    /// `None`: nobody is to draw letters that the bundled fonts lack.
+    alphabet: Option<Alphabet>,
     shown: Preferences,
     title: String,
     /// When recovery is written next, and when the disk is looked at, in the window's seconds.
@@ -42,13 +47,17 @@ impl App {
         if let Some(path) = path {
             workbench.execute(Command::OpenFile(path));
         }
-        Self::on(workbench)
+        Self {
+            alphabet: Some(Alphabet::asked_by(ctx)),
+            ..Self::on(workbench)
+        }
     }
 
     /// On a workbench that is there already.
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
+            alphabet: None,
             shown: Preferences::default(),
             title: String::new(),
             recovery_due: None,
@@ -76,6 +85,14 @@ impl App {
         self
     }
 
+    /// Finds the letters that the bundled fonts lack in these fonts, and not in those that are
+    /// installed on this machine.
+    #[must_use]
+    pub fn reading(mut self, library: Arc<Library>) -> Self {
+        self.workbench.read_letters_from(library);
+        self
+    }
+
     /// Keeps preferences, recent files and what is not saved in this folder, and offers what it
     /// holds from before. Without a folder nothing outlives the window.
     #[must_use]
@@ -98,6 +115,7 @@ impl App {
             self.workbench.execute(command);
         }
         self.keep_title(ui.ctx());
+        self.keep_letters(ui.ctx());
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
@@ -270,6 +288,18 @@ impl App {
         }
     }
 
+    /// Looks for what egui has asked for, and gives it what was found.
+    fn keep_letters(&mut self, ctx: &Context) {
+        let Some(alphabet) = &mut self.alphabet else {
+            return;
+        };
+        let wanted = alphabet.wanted();
+        if !wanted.is_empty() {
+            self.workbench.execute(Command::FindLetters(wanted));
+        }
+        alphabet.install(ctx, &self.workbench.letters().faces);
+    }
+
     fn keep_title(&mut self, ctx: &Context) {
         let title = panels::menu::window_title(&self.workbench);
         if title != self.title {
@@ -293,6 +323,12 @@ fn write_fields(ctx: &Context, comma: bool) {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    /// Where plots were moved to, how far lists were scrolled: that belongs to one session at one
+    /// time. What outlives the window is kept in `keeping`.
+    fn persist_egui_memory(&self) -> bool {
+        false
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::export::{EXPORTERS, find};
 use crate::identification::regions::RegionChoice;
@@ -11,6 +12,7 @@ use crate::sessions::{Region, Session};
 
 use super::division::Division;
 use super::given::Given;
+use super::search::{self, Search};
 use super::subject::Subject;
 
 /// How the robot is identified.
@@ -191,6 +193,7 @@ impl Document {
                 (None, Method::Exact) => Asks::Exact {
                     effects: self.effects.clone(),
                     with: self.in_the_model().cloned().collect(),
+                    found: None,
                 },
                 (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
             },
@@ -222,11 +225,61 @@ pub(crate) enum Asks {
         effects: Vec<&'static str>,
         /// What a search found, with its settings.
         with: Vec<Term>,
+        /// The search, where all of this is just what it found: its own values are the answer then.
+        found: Option<Found>,
     },
     /// A correction for each of these regions.
     Regional(Arc<[Region]>),
     /// What this model says.
     Given(Arc<Given>),
+}
+
+/// A search whose answer is asked for.
+#[derive(Debug, Clone)]
+pub(crate) struct Found(Arc<Search>);
+
+impl PartialEq for Found {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.0.answer == other.0.answer
+    }
+}
+
+impl Found {
+    /// What it found.
+    pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
+        self.0.answer.as_ref().ok()
+    }
+}
+
+impl Question {
+    /// The same, answered by the search where it asks for all that the search found and nothing
+    /// else. A session with blunders was mended before it was searched: its own fit is another.
+    pub(crate) fn found_by(mut self, search: &Arc<Search>) -> Self {
+        let Asks::Exact {
+            effects,
+            with,
+            found,
+        } = &mut self.asks
+        else {
+            return self;
+        };
+        let Ok(diagnosis) = &search.answer else {
+            return self;
+        };
+        let base = effects.len() == DEFAULT_EFFECTS.len()
+            && DEFAULT_EFFECTS.iter().all(|id| effects.contains(id));
+        let mut terms: Vec<Term> = search::terms(diagnosis).into_iter().flatten().collect();
+        let same = |terms: &[Term]| {
+            terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
+        };
+        let corrected = diagnosis.unexplained.corrected().is_some();
+        let all = same(&terms) || (corrected && terms.pop().is_some() && same(&terms));
+        let asked = base && all && diagnosis.data_problems.is_empty();
+        if asked && Arc::ptr_eq(&search.subject, &self.subject) {
+            *found = Some(Found(Arc::clone(search)));
+        }
+        self
+    }
 }
 
 impl PartialEq for Question {

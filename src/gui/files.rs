@@ -1,17 +1,18 @@
 //! Reading and writing, as the background tasks do it: through the library, like the terminal.
 
+use std::fmt::Display;
 use std::io::ErrorKind;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
 };
-use crate::diagnostic::{Diagnostic, Rejected};
+use crate::diagnostic::Diagnostic;
 use crate::export::{Document, Job, find};
 pub(crate) use crate::model::format_v1::is_model;
 use crate::model::format_v1::{load_model, write_model};
+use crate::progress::{Cancelled, Part, Progress, ReadError, unwatched};
 use crate::sessions::{self, Loaded, Replacing, Session};
 
 use super::document::plain;
@@ -85,60 +86,77 @@ pub(crate) fn open_example(index: usize) -> Report {
         }));
     };
     let loaded = sessions::parse_with_csv(example.document, example.samples);
-    opened(loaded, Origin::Bundled, example.name)
+    let nobody = Progress::new(&unwatched);
+    let subject = loaded.map_err(ReadError::from);
+    let subject = subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, nobody.whole())?));
+    Report::Opened(subject.map_err(|error| not_read(example.name, "opened", &error)))
 }
 
-fn opened(loaded: Result<Loaded, Rejected>, origin: Origin, name: &str) -> Report {
-    Report::Opened(match loaded {
-        Ok(loaded) => {
-            let in_a_file = !loaded.session.samples.line.is_empty();
-            let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
-            let mut subject = Subject::new(loaded.session, loaded.findings, origin);
-            subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
-            subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
-            if subject.single_revolute() {
-                // Sorted here, so that the window never waits for it.
-                subject.angles();
-            }
-            Ok(Arc::new(subject))
-        }
-        Err(rejected) => Err(Message {
-            wrong: true,
-            title: format!("{name} could not be opened; nothing was changed"),
-            details: listed(&rejected.diagnostics),
-        }),
-    })
+/// Everything that follows from a session that was read.
+fn looked_through(
+    loaded: Loaded,
+    origin: Origin,
+    part: Part<'_>,
+) -> Result<Arc<Subject>, Cancelled> {
+    let in_a_file = !loaded.session.samples.line.is_empty();
+    let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
+    let findings = loaded.findings;
+    let mut subject = Subject::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
+    subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
+    subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+    part.reached(0.8)?;
+    if subject.single_revolute() {
+        // Sorted here, so that the window never waits for it.
+        subject.angles();
+    }
+    part.reached(1.0)?;
+    Ok(Arc::new(subject))
 }
+
+/// Says that a file was not opened, or not read.
+fn not_read(name: impl Display, done: &str, error: &ReadError) -> Message {
+    Message {
+        wrong: true,
+        title: format!("{name} could not be {done}; nothing was changed"),
+        details: match error {
+            ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
+            ReadError::Cancelled(_) => vec![CANCELLED.to_owned()],
+        },
+    }
+}
+
+/// Why something was not read or written.
+const CANCELLED: &str = "it was cancelled";
 
 /// Reads a session or a model: its key `format` says which it is.
-pub(crate) fn open(path: &Path) -> Report {
+pub(crate) fn open(path: &Path, watch: &Watch) -> Report {
     if is_model(path) {
         return Report::OpenedModel(match load_model(path) {
             Ok(calibration) => Ok(Arc::new(Given::new(calibration, path))),
-            Err(rejected) => Err(Message {
-                wrong: true,
-                title: format!(
-                    "{} could not be opened; nothing was changed",
-                    path.display()
-                ),
-                details: listed(&rejected.diagnostics),
-            }),
+            Err(rejected) => Err(not_read(path.display(), "opened", &rejected.into())),
         });
     }
-    match Foreign::of(path) {
+    let told = watch.told();
+    let progress = Progress::new(&told);
+    let whole = progress.whole();
+    match Foreign::of(path, whole) {
         None => {}
         Some(Ok(foreign)) => return Report::Foreign(Box::new(foreign)),
-        Some(Err(rejected)) => {
-            return Report::Opened(Err(Message {
-                wrong: true,
-                title: format!("{} could not be read; nothing was changed", path.display()),
-                details: listed(&rejected.diagnostics),
-            }));
+        Some(Err(error)) => {
+            return Report::Opened(Err(not_read(path.display(), "read", &error)));
         }
     }
-    let origin = Origin::File(path.to_path_buf());
-    opened(sessions::load(path), origin, &path.display().to_string())
+    let loaded = sessions::load_watched(path, whole.part(0.0, READING).watch());
+    let subject = loaded.and_then(|loaded| {
+        watch.doing(format!("checking {} samples", loaded.session.samples.len()));
+        let origin = Origin::File(path.to_path_buf());
+        Ok(looked_through(loaded, origin, whole.part(READING, 1.0))?)
+    });
+    Report::Opened(subject.map_err(|error| not_read(path.display(), "opened", &error)))
 }
+
+/// Which part of opening a session it is to read it; the rest is to look through it.
+const READING: f64 = 0.4;
 
 /// Findings as lines, no more than can be read.
 fn listed(findings: &[Diagnostic]) -> Vec<String> {
@@ -156,15 +174,7 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
 
 /// Makes a session by simulation.
 pub(crate) fn simulate(form: &Form, watch: &Watch) -> Report {
-    let on = |part: f64| {
-        watch.done(part);
-        if watch.stopped() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    };
-    Report::Opened(match form.session(on) {
+    Report::Opened(match form.session(watch.told()) {
         Ok(session) => {
             let subject = Subject::new(session, Vec::new(), Origin::Simulated);
             Ok(Arc::new(subject))
@@ -217,6 +227,7 @@ pub(crate) fn save(
     path: &Path,
     replace: Replace,
     mut known: Vec<Print>,
+    watch: &Watch,
 ) -> Report {
     let path = if path.extension().is_none() {
         path.with_extension("json")
@@ -238,7 +249,8 @@ pub(crate) fn save(
             Replace::Own => outputs.iter().all(|o| is_own(o) || !o.exists()),
         };
         let replacing = Replacing { force, inputs: &[] };
-        match sessions::save(&document.session_to_save(), &path, replacing) {
+        let session = document.session_to_save();
+        match sessions::save_watched(&session, &path, replacing, watch.told()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
             Err(error) => Err(NotSaved::Because(Message {
                 wrong: true,
@@ -278,6 +290,7 @@ fn advice(error: &WriteError) -> String {
             );
         }
         WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return error.to_string(),
+        WriteError::Cancelled(_) => return CANCELLED.to_owned(),
     };
     let what_to_do = match source.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
@@ -291,7 +304,6 @@ fn advice(error: &WriteError) -> String {
         ErrorKind::InvalidFilename => {
             "the name is too long, or has a sign in it that no name may have: choose another name"
         }
-        ErrorKind::Interrupted => return "it was cancelled".to_owned(),
         _ => return error.to_string(),
     };
     format!("{what_to_do} ({source})")
@@ -421,7 +433,7 @@ pub(crate) fn write_one(
         file.write_all(bytes)?;
         // Until here nothing stands under its name; what was written goes away again.
         if watch.stopped() {
-            return Err(ErrorKind::Interrupted.into());
+            return Err(Cancelled.into());
         }
         Ok(())
     });
@@ -492,12 +504,29 @@ pub(crate) fn file_name_for(session: &Session) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::testing::{assert_grows, no_at, told};
 
     #[test]
     fn every_bundled_session_can_be_read() {
         for (index, example) in EXAMPLES.iter().enumerate() {
             let opened = open_example(index);
             assert!(matches!(opened, Report::Opened(Ok(_))), "{}", example.name);
+        }
+    }
+
+    #[test]
+    fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
+        let example = &EXAMPLES[1];
+        let through = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
+            let loaded = sessions::parse_with_csv(example.document, example.samples);
+            let progress = Progress::new(watch);
+            looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
+        };
+        let (shares, subject) = told(through);
+        assert_grows(&shares);
+        assert_eq!(subject.map(|s| s.len()).ok(), Some(30));
+        for number in 0..shares.len() {
+            assert!(through(&no_at(number)).is_err(), "{number}");
         }
     }
 }

@@ -12,9 +12,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
-use crate::importers::{Inspection, Matching, Motion, Reading, inspect};
+use crate::importers::{Inspection, Matching, Motion, Reading, inspect_watched};
 use crate::kinematics::Robot;
+use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::files;
+
+use super::tasks::Watch;
 
 pub(crate) use robot::{RobotFrom, TypedAxis};
 pub(crate) use trial::{Trial, in_the_sheets_words};
@@ -111,7 +114,8 @@ impl PartialEq for Foreign {
 
 impl Foreign {
     /// Reads a file if it is none of the program's own: those begin like one. `None`: it is.
-    pub(crate) fn of(path: &Path) -> Option<Result<Self, Rejected>> {
+    /// Told as this part of something.
+    pub(crate) fn of(path: &Path, part: Part<'_>) -> Option<Result<Self, ReadError>> {
         if path
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("json"))
@@ -124,17 +128,20 @@ impl Foreign {
             let found = format!("{} MB", length / 1_000_000);
             let expected = "a table of at most 1000 MB: export fewer points, or cut it into parts";
             let place = Place::file(path);
-            return Some(Err(Rejected::because(Diagnostic::error(
-                place, found, expected,
-            ))));
+            let refused = Rejected::because(Diagnostic::error(place, found, expected));
+            return Some(Err(refused.into()));
         }
-        let bytes = files::read_document(path).ok()?;
+        let bytes = match files::read_document_in(path, part.part(0.0, 0.1)) {
+            Ok(bytes) => bytes,
+            Err(ReadError::Rejected(_)) => return None,
+            Err(cancelled) => return Some(Err(cancelled)),
+        };
         let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
         let is_own = start.trim_ascii_start().first() == Some(&b'{');
-        (!is_own).then(|| Self::read(path, bytes))
+        (!is_own).then(|| Self::read(path, bytes, part.part(0.1, 1.0)))
     }
 
-    fn read(path: &Path, bytes: Vec<u8>) -> Result<Self, Rejected> {
+    fn read(path: &Path, bytes: Vec<u8>, part: Part<'_>) -> Result<Self, ReadError> {
         let said = Said {
             name: path
                 .file_stem()
@@ -147,12 +154,13 @@ impl Foreign {
             },
             ..Said::default()
         };
-        let seen = Look::of(&bytes, path, &said);
+        let seen = Look::of(&bytes, path, &said, part)?;
         if seen.inspection.kind.is_none() {
             // Not even text: there is nothing that anybody could say about it.
             return Err(Rejected {
                 diagnostics: seen.inspection.findings,
-            });
+            }
+            .into());
         }
         Ok(Self {
             path: path.to_path_buf(),
@@ -164,8 +172,13 @@ impl Foreign {
     }
 
     /// Looks again, with what was said since.
-    pub(crate) fn look(&self) -> Look {
-        Look::of(&self.bytes, &self.path, &self.said)
+    ///
+    /// # Errors
+    /// Nobody wants it any more.
+    pub(crate) fn look(&self, watch: &Watch) -> Result<Look, Cancelled> {
+        let told = watch.told();
+        let progress = Progress::new(&told);
+        Look::of(&self.bytes, &self.path, &self.said, progress.whole())
     }
 
     /// Takes what was seen, if it was seen of this file.
@@ -238,7 +251,7 @@ impl Foreign {
 }
 
 impl Look {
-    fn of(bytes: &[u8], path: &Path, said: &Said) -> Self {
+    fn of(bytes: &[u8], path: &Path, said: &Said, part: Part<'_>) -> Result<Self, Cancelled> {
         let robot = said
             .robot
             .robot()
@@ -249,17 +262,26 @@ impl Look {
             let reach = robot.base_from_tool.translation.vector.norm();
             reading.reach_mm = Some(reach).filter(|reach| *reach > 0.0);
         }
-        let inspection = inspect(bytes, &reading);
+        // Without a robot nothing is tried.
+        let inspecting = if known.is_some() { 0.3 } else { 1.0 };
+        let inspection = inspect_watched(bytes, &reading, part.part(0.0, inspecting).watch())?;
         let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
         let is_open = !inspection.questions.is_empty() || inspection.findings.iter().any(is_wrong);
-        let trial = known
-            .filter(|_| !is_open)
-            .map(|robot| Trial::of(bytes, path, said, robot));
-        Self {
+        let trial = known.filter(|_| !is_open).map(|robot| {
+            let part = part.part(inspecting, 1.0);
+            match Trial::of(bytes, path, said, robot, part) {
+                Ok(trial) => Ok(Ok(trial)),
+                Err(ReadError::Rejected(r)) => Ok(Err(trial::in_words(&r.diagnostics))),
+                Err(ReadError::Cancelled(cancelled)) => Err(cancelled),
+            }
+        });
+        let trial = trial.transpose()?;
+        part.reached(1.0)?;
+        Ok(Self {
             said: said.clone(),
             inspection,
             robot,
             trial,
-        }
+        })
     }
 }

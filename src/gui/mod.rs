@@ -23,6 +23,7 @@
 //!   `figures`: the standards' figures.
 //! - `foreign`: a file that an instrument wrote, before it is a session.
 //! - `tasks`: work in the background; `files`: what it reads and writes.
+//! - `letters`: fonts of the machine for what the bundled ones lack.
 //! - `room`: how the window is divided at its size.
 //! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have;
 //!   `vision` (tests): how people see the colours.
@@ -44,6 +45,7 @@ mod help;
 mod keeping;
 mod known;
 mod layers;
+mod letters;
 mod outcome;
 mod overview;
 mod panels;

@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use crate::compensation::Verification;
+use crate::diagnosis::Diagnosis;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::identification::gap::deviations;
@@ -14,7 +15,7 @@ use crate::identification::{
 };
 use crate::model::{Calibration, GapStep};
 
-use super::document::{Asks, Question};
+use super::document::{Asks, Found, Question};
 use super::layers::Remainder;
 use super::overview::{Lengths, readable};
 use super::subject::Subject;
@@ -109,7 +110,11 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     let mut steps = vec![];
     let mut live = None;
     let (identification, after_mm) = match &question.asks {
-        Asks::Exact { effects, with } => {
+        Asks::Exact {
+            effects,
+            with,
+            found,
+        } => {
             let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
             // How many passes there will be nobody knows; each takes a part of what is left.
             let left = Cell::new(1.0_f64);
@@ -128,11 +133,17 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
             } else {
                 first(with.len()).map_err(|e| e.to_string())?
             };
-            for n in 0..with.len() {
-                let before = first(n).map_err(|e| e.to_string())?;
-                steps.push(before.gap.after.rms_mm);
-            }
-            steps.push(identification.gap.after.rms_mm);
+            let identification = match searched(found.as_ref(), with) {
+                Some(diagnosis) => diagnosis.identification(session, identification),
+                None => {
+                    for n in 0..with.len() {
+                        let before = first(n).map_err(|e| e.to_string())?;
+                        steps.push(before.gap.after.rms_mm);
+                    }
+                    steps.push(identification.gap.after.rms_mm);
+                    identification
+                }
+            };
             let problem = Problem::new(session, values);
             let after = deviations(&problem, &identification.model);
             (identification, after.axes_mm)
@@ -153,11 +164,13 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
         suspected[outlier.sample] = true;
     }
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
-    if let Asks::Exact { with, .. } = &question.asks
-        && !with.is_empty()
-    {
-        calibration.history.truncate(1);
-        calibration.history.extend(history(with, &steps));
+    if let Asks::Exact { with, found, .. } = &question.asks {
+        if let Some(diagnosis) = searched(found.as_ref(), with) {
+            calibration = diagnosis.calibration(session);
+        } else if !with.is_empty() {
+            calibration.history.truncate(1);
+            calibration.history.extend(history(with, &steps));
+        }
     }
     Ok(Answer {
         identification,
@@ -167,6 +180,16 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
         lengths_mm,
         suspected,
         live,
+    })
+}
+
+/// What a search says of all that it found, with its smooth correction only where that is asked for.
+fn searched(found: Option<&Found>, with: &[Term]) -> Option<Diagnosis> {
+    let diagnosis = found?.diagnosis()?.clone();
+    Some(if with.len() == diagnosis.found.len() {
+        diagnosis.uncorrected()
+    } else {
+        diagnosis
     })
 }
 

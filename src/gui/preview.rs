@@ -18,11 +18,16 @@ pub(crate) struct Wanted {
     pub(crate) outcome: Arc<Outcome>,
     /// How.
     pub(crate) choice: ExportChoice,
+    /// What the file is called, where it was saved already: what is to be entered in the controller
+    /// names it.
+    pub(crate) name: Option<String>,
 }
 
 impl PartialEq for Wanted {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.outcome, &other.outcome) && self.choice == other.choice
+        Arc::ptr_eq(&self.outcome, &other.outcome)
+            && self.choice == other.choice
+            && self.name == other.name
     }
 }
 
@@ -66,11 +71,16 @@ impl Preview {
 }
 
 fn made(wanted: &Wanted) -> Result<Made, String> {
-    let Wanted { outcome, choice } = wanted;
+    let Wanted {
+        outcome,
+        choice,
+        name,
+    } = wanted;
     let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
     let session = &outcome.question.subject.session;
     let calibration = &answer.calibration;
-    let name = choice.file_name(&session.name);
+    let name = name.clone();
+    let name = name.unwrap_or_else(|| choice.file_name(&session.name));
     let job = Job {
         joint: choice.joint,
         step: choice.step,

@@ -4,6 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::diagnosis::diagnose;
+use crate::fonts::{self, Library};
 use crate::report::exported::sidecar_of;
 use crate::report::{self, ExportedTable, Extras};
 
@@ -26,8 +28,8 @@ pub(crate) enum About {
 /// Where a report comes from.
 #[derive(Debug, Clone)]
 pub(crate) enum Source {
-    /// A session, with its search if there was one.
-    Session(Arc<Document>, Option<Arc<Search>>),
+    /// A session, with its search if there was one, and the model in use if there is one.
+    Session(Arc<Document>, Option<Arc<Search>>, Option<Arc<Outcome>>),
     /// A model.
     Model(Arc<Outcome>),
 }
@@ -83,24 +85,37 @@ fn make(
             let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
             report::Report::of_model(&answer.calibration, &extras)
         }
-        Source::Session(document, searched) => {
+        Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
             let options = search::options();
-            let found = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
-            let made = if let Some(found) = found {
+            let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
+            let made;
+            let found = if let Some(found) = there {
                 // The tolerance may have been changed since: it decides nothing in a search.
-                report::Report::of_diagnosis(&session, found, &options, &extras)
+                found
             } else {
                 details.push("The session was searched for it, as step 4 does".to_owned());
-                let told = search::told(watch);
-                report::Report::of_session(&session, &options, &extras, &told)
+                made = diagnose(&session, &options, &search::told(watch))
+                    .map_err(|e| e.to_string())?;
+                &made
             };
-            made.map_err(|e| e.to_string())?
+            let in_use = in_use.as_ref().and_then(|o| o.answer.as_ref().ok());
+            let in_use = in_use.map(|answer| &answer.calibration);
+            report::Report::of_diagnosis(&session, found, in_use, &options, &extras)
+                .map_err(|e| e.to_string())?
         }
     };
     let bytes = match kind {
         Kind::Html => report::html(&report).into_bytes(),
-        Kind::Pdf => report::pdf(&report).map_err(|e| e.to_string())?,
+        Kind::Pdf => {
+            let written = report::pdf_with(&report, &Library::system());
+            let written = written.map_err(|e| e.to_string())?;
+            if !written.unshown.is_empty() {
+                let says = fonts::cannot_be_shown(&written.unshown);
+                details.push(format!("Some letters stand in it as codes: {says}"));
+            }
+            written.bytes
+        }
     };
     files::write_one(path, replace, &bytes, watch)
 }
@@ -136,7 +151,7 @@ mod tests {
 
     fn wanted() -> Wanted {
         Wanted {
-            source: Source::Session(Arc::new(Document::new(first_example())), None),
+            source: Source::Session(Arc::new(Document::new(first_example())), None, None),
             tables: Vec::new(),
             inputs: Vec::new(),
         }

@@ -1,5 +1,6 @@
 //! A session with everything that follows from it alone: worked out once, when it is opened.
 
+use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
@@ -12,6 +13,7 @@ use crate::identification::gap::{Deviations, Spread, deviations};
 use crate::identification::problem::Problem;
 use crate::kinematics::{JointKind, Range};
 use crate::model::{Model, Positions};
+use crate::progress::{Cancelled, Part};
 use crate::sessions::Session;
 
 use super::angles::Angles;
@@ -148,10 +150,37 @@ pub(crate) struct Subject {
 impl Subject {
     /// Looks through a session.
     pub(crate) fn new(session: Session, findings: Vec<Diagnostic>, origin: Origin) -> Self {
+        let Ok(subject) = Self::look(session, findings, origin, |_| Ok::<(), Infallible>(()));
+        subject
+    }
+
+    /// Looks through a session, told as this part of something.
+    ///
+    /// # Errors
+    /// Nobody wants it any more.
+    pub(crate) fn watched(
+        session: Session,
+        findings: Vec<Diagnostic>,
+        origin: Origin,
+        part: Part<'_>,
+    ) -> Result<Self, Cancelled> {
+        Self::look(session, findings, origin, |share| part.reached(share))
+    }
+
+    /// Looks through a session; `done` hears which part of that is done.
+    fn look<E>(
+        session: Session,
+        findings: Vec<Diagnostic>,
+        origin: Origin,
+        done: impl Fn(f64) -> Result<(), E>,
+    ) -> Result<Self, E> {
         let problem = Problem::new(&session, JointValues::Commanded);
         let model = Model::nominal(session.robot.clone());
+        done(0.1)?;
         let nominal = model.predict(&problem.inputs);
+        done(0.2)?;
         let before = deviations(&problem, &model);
+        done(0.4)?;
         let usable = problem.usable.clone();
         let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
 
@@ -165,8 +194,10 @@ impl Subject {
             &before.length_mm,
             (single && arm_mm > 0.0).then_some(arm_mm),
         );
+        done(0.6)?;
         let known = Known::new(&session, &problem.inputs, overview.travel);
         let (testable, not_testable) = effects_of(&session, &known.survey);
+        done(0.8)?;
         let mut subject = Self {
             joint,
             arm_mm,
@@ -190,7 +221,8 @@ impl Subject {
             measured_range: None,
         };
         subject.cloud = Arc::new(Cloud::new(&subject));
-        subject
+        done(1.0)?;
+        Ok(subject)
     }
 
     /// The same opening with another session: what was found while it was read stays.

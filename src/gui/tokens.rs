@@ -225,14 +225,8 @@ fn fonts() -> FontDefinitions {
         let data = Arc::new(FontData::from_static(bytes));
         fonts.font_data.insert(name.to_owned(), data);
     };
-    add(
-        "Inter",
-        include_bytes!("../../assets/fonts/Inter-Regular.ttf"),
-    );
-    add(
-        "Inter SemiBold",
-        include_bytes!("../../assets/fonts/Inter-SemiBold.ttf"),
-    );
+    add("Inter", crate::fonts::INTER);
+    add("Inter SemiBold", crate::fonts::INTER_SEMI_BOLD);
     let fallback = fonts
         .families
         .get(&FontFamily::Proportional)

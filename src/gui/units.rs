@@ -3,7 +3,7 @@
 
 use std::cell::Cell;
 
-use crate::units::deg_from_rad;
+use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::view::{AngleUnit, LengthUnit};
 
@@ -119,6 +119,26 @@ impl Units {
         with_minus(&format!("{:.decimals$}", self.length_value(mm)))
     }
 
+    /// A value in `unit` with its interval, in the chosen unit where `unit` is one of lengths or angles.
+    pub(crate) fn with_interval(
+        self,
+        value: f64,
+        interval: Option<[f64; 2]>,
+        unit: &'static str,
+    ) -> (String, String, &'static str) {
+        let (factor, unit) = match unit {
+            "mm" => (self.length_value(1.0), self.length_name()),
+            "°" => (
+                self.angle_value(rad_from_deg(1.0)),
+                self.angle_name().trim(),
+            ),
+            other => (1.0, other),
+        };
+        let interval = interval.map(|ends| ends.map(|end| factor * end));
+        let (value, half) = with_interval(factor * value, interval);
+        (value, half, unit)
+    }
+
     /// `36.0°`.
     pub(crate) fn angle(self, rad: f64) -> String {
         match self.angle {
@@ -158,14 +178,14 @@ pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
 }
 
 /// A value with its half width, rounded to two digits of it: `−3.012 ± 0.014`.
-pub(crate) fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, String) {
+fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, String) {
     let half = interval.map(|[from, to]| 0.5 * (to - from));
     match half {
-        Some(half) if half.is_finite() && half > 1e-12 * value.abs().max(1e-9) => {
-            let decimals = whole((1.0 - half.log10().floor()).min(12.0));
+        Some(half) if half.is_finite() && half > 1e-9 * value.abs().max(1e-3) => {
+            let decimals = whole((1.0 - half.log10().floor()).min(9.0));
             (
                 with_minus(&format!("{value:.decimals$}")),
-                format!("± {half:.decimals$}"),
+                format!("± {}", with_minus(&format!("{half:.decimals$}"))),
             )
         }
         Some(_) => (significant(value, 6), "± 0".to_owned()),

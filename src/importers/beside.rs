@@ -51,6 +51,7 @@ impl Job<'_> {
                 reading: &reading,
                 place: companion.place(),
                 found: Inspection::default(),
+                part: self.part,
             };
             let columns = reader(&mut case);
             let columns = columns.filter(|_| !case.is_open());

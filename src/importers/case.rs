@@ -9,6 +9,7 @@ use crate::importers::headings::{Role, session_heading, understand};
 use crate::importers::settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 use crate::importers::units::AngleUnit;
 use crate::importers::{clock_text, units};
+use crate::progress::Part;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::number::{NotANumber, quoted};
@@ -27,6 +28,8 @@ pub(crate) struct Case<'a> {
     pub(crate) reading: &'a Reading,
     pub(crate) place: Place,
     pub(crate) found: Inspection,
+    /// The work that reading it is a part of.
+    pub(crate) part: Part<'a>,
 }
 
 impl<'a> Case<'a> {
@@ -71,7 +74,7 @@ impl<'a> Case<'a> {
                 self.found.preamble = grid.preamble.iter().map(|line| line.join(" ")).collect();
                 self.found.header_line = grid.header.as_ref().map(|header| header.0);
                 self.found.first_rows = grid.first_rows(SHOWN_ROWS);
-                Some(grid)
+                Some(grid.watched(self.part))
             }
             Err(error) => {
                 self.found.findings.push(*error);

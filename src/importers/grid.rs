@@ -10,6 +10,7 @@ use crate::importers::headings::{Role, understand};
 use crate::importers::rows::{OpenQuote, Row, Rows, Separator};
 use crate::importers::settings::{About, Question};
 use crate::importers::units;
+use crate::progress::Part;
 use crate::sessions::columns::Unit;
 use crate::sessions::number::quoted;
 
@@ -21,7 +22,7 @@ pub(crate) const MOST_COLUMNS: usize = 1024;
 const SHOWN: usize = 20;
 
 /// A table that was found in a text.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub(crate) struct Grid<'a> {
     pub(crate) separator: Separator,
     /// Lines before the table, but for the header.
@@ -32,6 +33,8 @@ pub(crate) struct Grid<'a> {
     pub(crate) width: usize,
     /// Stands before the first row.
     body: Rows<'a>,
+    /// The work that going through all rows belongs to.
+    part: Option<Part<'a>>,
 }
 
 /// The complaint about an open quote.
@@ -165,7 +168,14 @@ impl<'a> Grid<'a> {
             header,
             width,
             body,
+            part: None,
         })
+    }
+
+    /// Going through all rows is told as a pass of this part of the work.
+    pub(crate) fn watched(self, part: Part<'a>) -> Self {
+        let part = Some(part);
+        Self { part, ..self }
     }
 
     /// Goes through the rows; `each` gets the row, already checked for its width. Rows that are too
@@ -177,6 +187,9 @@ impl<'a> Grid<'a> {
         mut each: impl FnMut(&Row<'a>, &mut Complaints),
     ) {
         let mut rows = self.body.clone();
+        if let Some(part) = self.part {
+            rows = rows.in_pass_of(part);
+        }
         let mut row = Row::default();
         loop {
             match rows.next(&mut row) {

@@ -37,6 +37,8 @@ mod text;
 mod tracker;
 mod tum;
 mod units;
+#[cfg(test)]
+mod watched;
 
 pub use clock::ClockOffset;
 pub use decimals::Decimal;
@@ -44,7 +46,7 @@ pub use join::Motion;
 pub use matching::Matching;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use rows::Separator;
-pub use session::{Companion, Imported, Matched, Settings, import};
+pub use session::{Companion, Imported, Matched, Settings, import, import_watched};
 pub use settings::{About, ColumnGuess, Inspection, Kind, Known, Question, Reading};
 pub use text::Encoding;
 pub use units::{AngleUnit, LengthUnit};
@@ -52,7 +54,10 @@ pub use units::{AngleUnit, LengthUnit};
 use case::Case;
 use columns::Columns;
 
+use std::ops::ControlFlow;
+
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::progress::{Cancelled, Part, Progress, unwatched};
 
 /// A format that instruments write.
 pub struct Importer {
@@ -100,11 +105,29 @@ pub fn find(id: &str) -> Option<&'static Importer> {
 /// Looks at a file: what it is, what its columns are taken for, and what has to be answered before
 /// it can be imported. Without a kind in `reading` one is proposed.
 pub fn inspect(bytes: &[u8], reading: &Reading) -> Inspection {
-    read(bytes, reading).0
+    let progress = Progress::new(&unwatched);
+    read(bytes, reading, progress.whole()).0
 }
 
-/// Reads a file as far as it goes; the columns are there if nothing is left to ask or to mend.
-fn read(bytes: &[u8], reading: &Reading) -> (Inspection, Option<Columns>) {
+/// As [`inspect`]. `watch` hears now and then which part is done (0 to 1), and may break it off. A
+/// file is gone through until it is understood; how often shows only on the way.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn inspect_watched(
+    bytes: &[u8],
+    reading: &Reading,
+    watch: impl Fn(f64) -> ControlFlow<()>,
+) -> Result<Inspection, Cancelled> {
+    let progress = Progress::new(&watch);
+    let (inspection, _) = read(bytes, reading, progress.whole());
+    progress.whole().reached(1.0)?;
+    Ok(inspection)
+}
+
+/// Reads a file as far as it goes; the columns are there if nothing is left to ask or to mend. What
+/// was cancelled means nothing.
+fn read(bytes: &[u8], reading: &Reading, part: Part<'_>) -> (Inspection, Option<Columns>) {
     let place = reading.place();
     let mut found = Inspection::default();
     let (text, encoding) = match text::decode(bytes, &place, &mut found.findings) {
@@ -115,13 +138,16 @@ fn read(bytes: &[u8], reading: &Reading) -> (Inspection, Option<Columns>) {
         }
     };
     found.encoding = encoding;
-    let kind = reading.kind.unwrap_or_else(|| proposed(&text, reading));
+    let kind = reading
+        .kind
+        .unwrap_or_else(|| proposed(&text, reading, part));
     found.kind = Some(kind);
     let mut case = Case {
         text: &text,
         reading,
         place,
         found,
+        part,
     };
     let importer = IMPORTERS.iter().find(|importer| importer.kind == kind);
     let columns = importer.and_then(|importer| (importer.read)(&mut case));
@@ -130,7 +156,7 @@ fn read(bytes: &[u8], reading: &Reading) -> (Inspection, Option<Columns>) {
 }
 
 /// The kind that a text looks like.
-fn proposed(text: &str, reading: &Reading) -> Kind {
+fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> Kind {
     if optitrack::is_likely(text) {
         return Kind::Optitrack;
     }
@@ -142,6 +168,7 @@ fn proposed(text: &str, reading: &Reading) -> Kind {
             reading,
             place: reading.place(),
             found: Inspection::default(),
+            part,
         };
         let read = importer.and_then(|importer| (importer.read)(&mut case));
         let asks_for_columns = case

@@ -322,7 +322,7 @@ struct Frames {
 
 fn frames(
     case: &mut Case<'_>,
-    mut rows: Rows<'_>,
+    rows: Rows<'_>,
     chosen: &[Tracked],
     with_orientation: bool,
 ) -> Frames {
@@ -336,6 +336,7 @@ fn frames(
     let mut occluded = vec![0usize; chosen.len()];
     let mut first_occluded = None;
     let place = case.place.clone();
+    let mut rows = rows.in_pass_of(case.part);
     let mut row = Row::default();
     loop {
         match rows.next(&mut row) {

@@ -8,6 +8,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use crate::progress::Part;
+
 /// What stands between two cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Separator {
@@ -68,11 +70,14 @@ pub(crate) struct OpenQuote {
     pub(crate) line: u64,
 }
 
+/// Bytes between two looks at whoever watches.
+const AT_ONCE: usize = 1 << 18;
+
 /// A quoted cell is no longer than this: an open quote must not swallow the file.
 const LONGEST_QUOTE: usize = 1 << 16;
 
 /// Goes through a text row by row.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub(crate) struct Rows<'a> {
     text: &'a str,
     at: usize,
@@ -80,6 +85,9 @@ pub(crate) struct Rows<'a> {
     separator: Separator,
     /// The last comment that was passed over, without its sign.
     pub(crate) comment: Option<(u64, &'a str)>,
+    pass: Option<Part<'a>>,
+    /// Where whoever watches is told next.
+    tell_at: usize,
 }
 
 impl<'a> Rows<'a> {
@@ -90,12 +98,33 @@ impl<'a> Rows<'a> {
             line: 1,
             separator,
             comment: None,
+            pass: None,
+            tell_at: usize::MAX,
         }
+    }
+
+    /// Goes through what is left as the next pass of this part of the work: tells how far it is,
+    /// and is at its end where it was cancelled.
+    pub(crate) fn in_pass_of(mut self, part: Part<'a>) -> Self {
+        self.pass = Some(part.next_pass());
+        self.tell_at = self.at;
+        self
+    }
+
+    /// Tells how far it is; whether it was cancelled.
+    fn is_cancelled(&mut self) -> bool {
+        self.tell_at = self.at + AT_ONCE;
+        let told = self.pass.map(|pass| pass.counted(self.at, self.text.len()));
+        told.is_some_and(|told| told.is_err())
     }
 
     /// Reads the next row into `row`; false at the end.
     pub(crate) fn next(&mut self, row: &mut Row<'a>) -> Result<bool, OpenQuote> {
         while self.at < self.text.len() {
+            if self.at >= self.tell_at && self.is_cancelled() {
+                self.at = self.text.len();
+                return Ok(false);
+            }
             let rest = &self.text[self.at..];
             let line = &rest[..line_end(rest)];
             let plain = line.trim();

@@ -1,6 +1,7 @@
 //! From the columns of a foreign file to a session: commands, targets, the base frame, and a note
 //! that says where everything came from.
 
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
@@ -12,6 +13,7 @@ use crate::importers::reference::Alignment;
 use crate::importers::settings::{Inspection, Question, Reading};
 use crate::importers::{optitrack, read};
 use crate::kinematics::{JointKind, Robot};
+use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::Session;
 use crate::sessions::columns::Quantity;
 
@@ -108,14 +110,38 @@ pub struct Imported {
 /// # Errors
 /// [`Rejected`] with every question that is open and every problem, each with its place.
 pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejected> {
+    import_watched(bytes, settings, unwatched).map_err(ReadError::rejected)
+}
+
+/// As [`import`]. `watch` hears now and then which part is done (0 to 1), and may break it off.
+///
+/// # Errors
+/// As [`import`], and [`ReadError::Cancelled`].
+pub fn import_watched(
+    bytes: &[u8],
+    settings: &Settings<'_>,
+    watch: impl Fn(f64) -> ControlFlow<()>,
+) -> Result<Imported, ReadError> {
+    let progress = Progress::new(&watch);
+    let imported = import_in(bytes, settings, progress.whole());
+    // What was cut short is not to be judged by what is missing of it.
+    progress.whole().check()?;
+    let imported = imported?;
+    progress.whole().reached(1.0)?;
+    Ok(imported)
+}
+
+fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Imported, ReadError> {
     let reading = suited(&settings.reading, settings.robot)?;
-    let (inspection, columns) = read(bytes, &reading);
+    let (inspection, columns) = read(bytes, &reading, part.part(0.0, 0.7));
+    part.reached(0.7)?;
     let mut findings = inspection.findings.clone();
     let Some(mut columns) = columns else {
         findings.extend(inspection.questions.iter().map(Question::as_diagnostic));
         return Err(Rejected {
             diagnostics: findings,
-        });
+        }
+        .into());
     };
     let mut job = Job {
         settings,
@@ -123,6 +149,7 @@ pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejecte
         place: reading.place(),
         findings,
         said: Vec::new(),
+        part: part.part(0.7, 0.95),
     };
     job.say_source(bytes, &inspection);
     let by_time = settings.commands.is_some() && settings.matching == Matching::Time;
@@ -146,6 +173,7 @@ pub fn import(bytes: &[u8], settings: &Settings<'_>) -> Result<Imported, Rejecte
         // The commands may be the first to name one.
         targets = job.targets(&columns)?;
     }
+    part.reached(0.95)?;
     let session = job.session(columns, targets)?;
     Ok(Imported {
         session,
@@ -184,6 +212,8 @@ pub(crate) struct Job<'s> {
     pub(crate) findings: Vec<Diagnostic>,
     /// Sentences of the note.
     pub(crate) said: Vec<String>,
+    /// The work that reading the files beside it is a part of.
+    pub(crate) part: Part<'s>,
 }
 
 impl Job<'_> {

@@ -109,13 +109,13 @@ fn history(c: &Calibration) -> Section {
     }
 }
 
-fn values(c: &Calibration) -> Section {
+pub(super) fn values(c: &Calibration) -> Section {
     let mut blocks = Vec::new();
     let all = all_estimates(c);
     if !all.is_empty() {
         blocks.push(Block::Text(
             "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
-             Intervals are from the covariance in the file, for many samples"
+             Intervals are from the model's covariance, for many samples"
                 .to_owned(),
         ));
         blocks.push(parameters(all.iter(), &c.model.robot));

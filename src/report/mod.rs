@@ -30,7 +30,7 @@ mod stages;
 pub use document::Report;
 pub use exported::{ExportedTable, TableFileError};
 pub use html::html;
-pub use pdf::{PdfError, pdf};
+pub use pdf::{PdfError, Written, pdf, pdf_with};
 pub use stages::{as_measured, stages};
 
 use crate::compensation::verification::VerifyError;

@@ -12,10 +12,12 @@ use crate::sessions::{Session, hash_of_samples};
 use crate::standards::standards;
 
 use super::accuracy;
+use super::calibration::values;
 use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::numbers::{mm, plain, short};
 use super::parts::{
-    fact, foot, gap, instrument, or_unnamed, parameters, robot_facts, signatures, tables, tolerance,
+    fact, foot, gap, instrument, or_unnamed, parameters, robot_facts, signatures, tables, title,
+    tolerance,
 };
 use super::plots::waterfall;
 use super::stages::{section as deviations_of, stages};
@@ -36,43 +38,48 @@ impl Report {
         watch: Watch,
     ) -> Result<Self, ReportError> {
         let found = diagnose(session, options, watch)?;
-        Self::of_diagnosis(session, &found, options, extras)
+        Self::of_diagnosis(session, &found, None, options, extras)
     }
 
-    /// The report of a session whose diagnosis is there already.
+    /// The report of a session whose diagnosis is there already, with the model that is in use: tables
+    /// are made from it, and so the gaps that are promised are its own. `None`: what was found. Where
+    /// the two differ the report says in what.
     ///
     /// # Errors
     /// If no sample can be used.
     pub fn of_diagnosis(
         session: &Session,
         found: &Diagnosis,
+        in_use: Option<&Calibration>,
         options: &Options,
         extras: &Extras,
     ) -> Result<Self, ReportError> {
         // What is reported is the session that was diagnosed: with its blunders mended.
         let mended = mend(session, options);
-        let calibration = found.calibration(&mended.session);
-        let verification = verify(&calibration, &mended.session)?;
+        let all_found = found.calibration(&mended.session);
+        let calibration = in_use.unwrap_or(&all_found);
+        let verification = verify(calibration, &mended.session)?;
         let hash = hash_of_samples(session);
         let told = Told {
             session: &mended.session,
             given: session,
             found,
-            calibration: &calibration,
+            calibration,
+            other: difference(calibration, &all_found),
             verification: &verification,
-            model_hash: model_hash(&found.calibration(session)),
+            model_hash: in_use.map_or_else(|| model_hash(&found.calibration(session)), model_hash),
         };
         let mut sections = vec![told.measured(&hash), told.result(), told.parameters()];
         sections.extend(told.effects());
         sections.push(told.open());
         let stages = stages(
             &mended.session,
-            &calibration,
+            calibration,
             &verification,
             Some(found.floor.mm),
         )?;
         sections.push(deviations_of(&stages));
-        let figures = standards(&mended.session, Some(&calibration))?;
+        let figures = standards(&mended.session, Some(calibration))?;
         sections.push(accuracy::section(&figures));
         sections.push(told.limits());
         sections.extend(tables(extras, &hash, &told.model_hash));
@@ -89,12 +96,46 @@ impl Report {
     }
 }
 
+/// In what a model is not the one that was found; `None` where it is that one.
+fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
+    if model.model == found.model && model.regions == found.regions {
+        return None;
+    }
+    if !model.regions.is_empty() {
+        return Some("corrections by region".to_owned());
+    }
+    let ids = |c: &Calibration| -> Vec<&'static str> {
+        c.model
+            .terms()
+            .iter()
+            .map(|t| t.effect.about().id)
+            .collect()
+    };
+    let (has, had) = (ids(model), ids(found));
+    let lacks = |these: &[&'static str], all: &[&'static str], word: &str| {
+        let names = all.iter().filter(|id| !these.contains(id));
+        let names: Vec<String> = names
+            .map(|id| title(id, None, &model.model.robot))
+            .collect();
+        (!names.is_empty()).then(|| format!("{word} {}", names.join(", ")))
+    };
+    let parts = [lacks(&has, &had, "without"), lacks(&had, &has, "with")];
+    let said: Vec<String> = parts.into_iter().flatten().collect();
+    Some(if said.is_empty() {
+        "the same effects with other values".to_owned()
+    } else {
+        said.join(", ")
+    })
+}
+
 /// Everything that is there to be told.
 pub(super) struct Told<'a> {
     pub(super) session: &'a Session,
     given: &'a Session,
     pub(super) found: &'a Diagnosis,
     calibration: &'a Calibration,
+    /// In what that model is not the one that was found.
+    other: Option<String>,
     verification: &'a Verification,
     model_hash: String,
 }
@@ -115,11 +156,17 @@ impl Told<'_> {
             Verdict::Unexplained => "Something is missing in the model that no name explains",
         };
         let mut answer = found.to_owned();
+        if !d.tested_anything() {
+            answer += "; but the samples can show no effect, so that says nothing about the robot";
+        }
         if !d.equivalent.is_empty() {
             answer += "; the samples cannot decide between some names";
         }
         if !d.data_problems.is_empty() {
             answer += "; the data had problems, which are named below";
+        }
+        if let Some(other) = &self.other {
+            answer += &format!("; the model in use is another one: {other}");
         }
         answer
     }
@@ -141,7 +188,12 @@ impl Told<'_> {
                 mm(d.gap.start_mm),
                 format!("largest {}", mm(v.nominal.max_mm)),
             ),
-            figure("Gap to the model", mm(d.gap.end_mm), unseen),
+            if self.other.is_some() {
+                let all = format!("{} with everything that was found", mm(d.gap.end_mm));
+                figure("Gap to the model in use", mm(v.model.rms_mm), all)
+            } else {
+                figure("Gap to the model", mm(d.gap.end_mm), unseen)
+            },
             figure("Noise floor", mm(d.floor.mm), self.floor_from().to_owned()),
         ];
         figures.push(match (&v.within_tolerance, self.session.tolerance_mm) {
@@ -297,8 +349,17 @@ impl Told<'_> {
             "with everything that was found",
             d.gap.end_mm,
             held.map(|g| g.end_mm),
-            Some(v.model.max_mm),
+            Some(v.model.max_mm).filter(|_| self.other.is_none()),
         );
+        if let Some(other) = &self.other {
+            let (rms, max) = (v.model.rms_mm, v.model.max_mm);
+            row(
+                &format!("with the model in use, {other}"),
+                rms,
+                None,
+                Some(max),
+            );
+        }
         if let Some(c) = v.compensated {
             row(
                 "with corrected commands only",
@@ -350,6 +411,9 @@ impl Told<'_> {
 
     fn parameters(&self) -> Section {
         let d = self.found;
+        if self.other.is_some() {
+            return values(self.calibration);
+        }
         let found = d.found.iter().flat_map(|f| &f.parameters);
         Section {
             title: "Parameters of the real robot".to_owned(),

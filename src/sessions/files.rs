@@ -9,6 +9,10 @@ use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::progress::{Part, Progress, ReadError, unwatched};
+
+/// Bytes that are read between two looks at whoever watches.
+const AT_ONCE: u64 = 4 << 20;
 
 /// What was found and what was expected.
 pub(crate) type Refusal = (String, String);
@@ -50,14 +54,30 @@ fn reason(error: &io::Error) -> String {
 /// # Errors
 /// [`Rejected`] when it is no regular file, or cannot be read.
 pub fn read_document(path: &Path) -> Result<Vec<u8>, Rejected> {
+    let progress = Progress::new(&unwatched);
+    read_document_in(path, progress.whole()).map_err(ReadError::rejected)
+}
+
+/// As [`read_document`], told as this part of something.
+///
+/// # Errors
+/// [`ReadError`].
+pub(crate) fn read_document_in(path: &Path, part: Part<'_>) -> Result<Vec<u8>, ReadError> {
     let refused = |(found, expected): Refusal| {
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     };
     let (mut file, length) = open_regular(path).map_err(refused)?;
-    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
-    file.read_to_end(&mut bytes)
-        .map_err(|error| refused((reason(&error), "a file that can be read".to_owned())))?;
-    Ok(bytes)
+    let expected = usize::try_from(length).unwrap_or(0);
+    let mut bytes = Vec::with_capacity(expected);
+    loop {
+        let read = (&mut file).take(AT_ONCE).read_to_end(&mut bytes);
+        let read =
+            read.map_err(|error| refused((reason(&error), "a file that can be read".to_owned())))?;
+        part.counted(bytes.len(), expected)?;
+        if read == 0 {
+            return Ok(bytes);
+        }
+    }
 }
 
 /// The path of the samples that a session in `folder` calls `name`.

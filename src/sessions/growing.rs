@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::JointKind;
+use crate::progress::{Progress, unwatched};
 use crate::sessions::domain::{Samples, Session, Target};
 use crate::sessions::{assemble, csv, files};
 
@@ -153,7 +154,9 @@ impl Growing {
         let heading: &[u8] = if grown { &next.heading } else { &[] };
         let input = heading.chain(bytes);
         let kinds = Some(self.kinds.as_slice());
-        let table = csv::read(input, None, &file, kinds, &mut findings).map_err(|error| {
+        let nobody = Progress::new(&unwatched);
+        let table = csv::read(input, None, &file, kinds, &mut findings, nobody.whole());
+        let table = table.map_err(|error| {
             let error = Diagnostic::error(file.clone(), error.to_string(), "a readable file");
             Rejected::because(error)
         })?;

@@ -2,10 +2,12 @@
 
 use std::fs::File;
 use std::io::{self, Read};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::{JointKind, Robot};
+use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::domain::{Samples, Session};
 use crate::sessions::format_v1::inline;
 use crate::sessions::format_v1::read::{self, SamplesAt};
@@ -58,20 +60,42 @@ impl<'a> Beside<'a> {
 /// expected. Nothing is read but regular files: the document itself, and samples in its folder or
 /// below.
 pub fn load(path: impl AsRef<Path>) -> Result<Loaded, Rejected> {
+    load_watched(path, unwatched).map_err(ReadError::rejected)
+}
+
+/// As [`load`]. `watch` hears now and then which part is done (0 to 1), and may break it off.
+///
+/// # Errors
+/// As [`load`], and [`ReadError::Cancelled`].
+pub fn load_watched(
+    path: impl AsRef<Path>,
+    watch: impl Fn(f64) -> ControlFlow<()>,
+) -> Result<Loaded, ReadError> {
+    let progress = Progress::new(&watch);
+    let whole = progress.whole();
     let path = path.as_ref();
-    let bytes = files::read_document(path)?;
-    let mut loaded = read_session(Some(path), &bytes, Beside::Folder(files::folder_of(path)))?;
+    let is_large = std::fs::metadata(path).is_ok_and(|document| document.len() > LARGE_DOCUMENT);
+    let read = if is_large { 0.2 } else { 0.01 };
+    let bytes = files::read_document_in(path, whole.part(0.0, read))?;
+    let beside = Beside::Folder(files::folder_of(path));
+    let mut loaded = read_session(Some(path), &bytes, beside, whole.part(read, 1.0))?;
     loaded.session.path = Some(path.to_path_buf());
     loaded.files.insert(0, path.to_path_buf());
+    whole.reached(1.0)?;
     Ok(loaded)
 }
+
+/// A document of more bytes has its samples in it: reading it is the work. Of a smaller one they are
+/// in the file beside it.
+const LARGE_DOCUMENT: u64 = 1 << 20;
 
 /// Reads a session that needs no other file: its samples are inline.
 ///
 /// # Errors
 /// As [`load`].
 pub fn parse(document: &[u8]) -> Result<Loaded, Rejected> {
-    read_session(None, document, Beside::Nothing)
+    let progress = Progress::new(&unwatched);
+    read_session(None, document, Beside::Nothing, progress.whole()).map_err(ReadError::rejected)
 }
 
 /// Reads a session whose samples, if they are in a file, are these.
@@ -79,7 +103,8 @@ pub fn parse(document: &[u8]) -> Result<Loaded, Rejected> {
 /// # Errors
 /// As [`load`].
 pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejected> {
-    read_session(None, document, Beside::Csv(samples))
+    let (progress, beside) = (Progress::new(&unwatched), Beside::Csv(samples));
+    read_session(None, document, beside, progress.whole()).map_err(ReadError::rejected)
 }
 
 /// Reads a robot: the `robot` object of a session, in a file of its own.
@@ -125,14 +150,20 @@ fn read_robot(
     }
 }
 
-fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result<Loaded, Rejected> {
+fn read_session(
+    path: Option<&Path>,
+    bytes: &[u8],
+    beside: Beside<'_>,
+    part: Part<'_>,
+) -> Result<Loaded, ReadError> {
     let place = path.map(Place::file).unwrap_or_default();
     let text = files::as_text(bytes, &place)?;
-    let (mut fields, root) = Fields::open(place, text)?;
+    let is_large = bytes.len() as u64 > LARGE_DOCUMENT;
+    let parsed = if is_large { 0.8 } else { 0.01 };
+    let (mut fields, root) = Fields::open_in(place, text, part.part(0.0, parsed))?;
+    let refused = |diagnostics| Err(Rejected { diagnostics }.into());
     let Some(head) = read::head(&mut fields, root, beside.folder()) else {
-        return Err(Rejected {
-            diagnostics: fields.findings,
-        });
+        return refused(fields.findings);
     };
     let kinds: Option<Vec<JointKind>> = head
         .robot
@@ -160,16 +191,18 @@ fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result
                 &name,
                 &place,
                 beside,
-                kinds.as_deref(),
-                &head.targets,
+                &Wanted {
+                    kinds: kinds.as_deref(),
+                    targets: &head.targets,
+                    part: part.part(parsed, 0.95),
+                },
                 &mut fields,
             )
         }
     };
+    part.check()?;
     let (Some(robot), Some(samples)) = (head.robot, samples) else {
-        return Err(Rejected {
-            diagnostics: fields.findings,
-        });
+        return refused(fields.findings);
     };
     let session = Session {
         name: head.name,
@@ -197,19 +230,25 @@ fn read_session(path: Option<&Path>, bytes: &[u8], beside: Beside<'_>) -> Result
     })
 }
 
+/// What the document says of the samples beside it, and which part of the work it is to read them.
+struct Wanted<'a> {
+    kinds: Option<&'a [JointKind]>,
+    targets: &'a [crate::sessions::Target],
+    part: Part<'a>,
+}
+
 /// Reads the samples that the document at `place` calls `name`.
 fn samples_file(
     name: &str,
     place: &Place,
     beside: Beside<'_>,
-    kinds: Option<&[JointKind]>,
-    targets: &[crate::sessions::Target],
+    wanted: &Wanted<'_>,
     fields: &mut Fields<'_>,
 ) -> Option<Samples> {
     let findings = &mut fields.findings;
     let opened = match beside {
         Beside::Csv(bytes) => {
-            return samples_from(bytes, None, &Place::file(name), kinds, targets, findings);
+            return samples_from(bytes, None, &Place::file(name), wanted, findings);
         }
         Beside::Nothing => Err((
             format!("samples in a file: {name}"),
@@ -229,31 +268,23 @@ fn samples_file(
         }
     };
     fields.also_read.push(path.clone());
-    samples_from(
-        file,
-        Some(length),
-        &Place::file(path),
-        kinds,
-        targets,
-        findings,
-    )
+    samples_from(file, Some(length), &Place::file(path), wanted, findings)
 }
 
 fn samples_from(
     input: impl Read,
     bytes: Option<u64>,
     file: &Place,
-    kinds: Option<&[JointKind]>,
-    targets: &[crate::sessions::Target],
+    wanted: &Wanted<'_>,
     findings: &mut Vec<Diagnostic>,
 ) -> Option<Samples> {
-    let table =
-        csv::read(input, bytes, file, kinds, findings).unwrap_or_else(|error: io::Error| {
-            let expected = "a file that can be read to its end";
-            findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
-            None
-        })?;
-    Some(assemble::rows(table, targets, file, findings))
+    let table = csv::read(input, bytes, file, wanted.kinds, findings, wanted.part);
+    let table = table.unwrap_or_else(|error: io::Error| {
+        let expected = "a file that can be read to its end";
+        findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
+        None
+    })?;
+    Some(assemble::rows(table, wanted.targets, file, findings))
 }
 
 /// Lets notes and warnings pass; an error refuses everything.

@@ -27,13 +27,18 @@ mod save;
 mod saved_columns;
 pub(crate) mod table;
 pub(crate) mod validation;
+#[cfg(test)]
+mod watched;
 
 pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
 pub use files::read_document as read_whole;
 pub use growing::{Growing, Growth};
 pub use hash::hash_of_samples;
 pub use lines::Lines;
-pub use load::{Loaded, LoadedRobot, load, load_robot, parse, parse_robot, parse_with_csv};
+pub use load::{
+    Loaded, LoadedRobot, load, load_robot, load_watched, parse, parse_robot, parse_with_csv,
+};
 pub use save::{
-    Replacing, commanded_heading, samples_path, save, write_csv, write_inline, write_robot,
+    Replacing, commanded_heading, samples_path, save, save_watched, write_csv, write_inline,
+    write_robot,
 };

@@ -9,6 +9,7 @@
 //! so that a session that was read saves and loads to the last bit.
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -18,6 +19,7 @@ use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
 use crate::kinematics::Robot;
+use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::domain::Session;
 use crate::sessions::format_v1::layout::write_document;
 use crate::sessions::format_v1::number;
@@ -48,6 +50,22 @@ pub fn save(
     path: &Path,
     replacing: Replacing<'_>,
 ) -> Result<PathBuf, WriteError> {
+    save_watched(session, path, replacing, unwatched)
+}
+
+/// As [`save`]. `watch` hears now and then which part is done (0 to 1), and may break it off: until
+/// it has heard 1 nothing stands under its name.
+///
+/// # Errors
+/// As [`save`], and [`WriteError::Cancelled`].
+pub fn save_watched(
+    session: &Session,
+    path: &Path,
+    replacing: Replacing<'_>,
+    watch: impl Fn(f64) -> ControlFlow<()>,
+) -> Result<PathBuf, WriteError> {
+    let progress = Progress::new(&watch);
+    let whole = progress.whole();
     let csv = samples_path(path);
     refuse_one_file_for_two(path, &csv)?;
     refuse_to_replace_inputs(path, replacing.inputs)?;
@@ -62,10 +80,14 @@ pub fn save(
         });
     };
     let document = SessionTwin::of(session, FileTwin { file: csv_name });
-    let samples = Prepared::write(&csv, replacing.force, |output| write_csv(session, output))?;
+    let samples = Prepared::write(&csv, replacing.force, |output| {
+        write_rows(session, output, whole.part(0.0, 0.9))
+    })?;
     let document = Prepared::write(path, replacing.force, |output| {
         write_document(output, &document)
     })?;
+    let done = whole.reached(1.0);
+    done.map_err(|Cancelled| WriteError::Cancelled(path.to_path_buf()))?;
     commit_both(samples, document)?;
     Ok(csv)
 }
@@ -97,6 +119,14 @@ pub fn write_robot(robot: &Robot, output: impl Write) -> io::Result<()> {
 /// # Errors
 /// What writing to `output` says.
 pub fn write_csv(session: &Session, output: &mut dyn Write) -> io::Result<()> {
+    let progress = Progress::new(&unwatched);
+    write_rows(session, output, progress.whole())
+}
+
+/// Rows that are written between two looks at whoever watches.
+const AT_ONCE: usize = 4096;
+
+fn write_rows(session: &Session, output: &mut dyn Write, part: Part<'_>) -> io::Result<()> {
     let columns = columns(session);
     for (index, column) in columns.iter().enumerate() {
         if index > 0 {
@@ -105,7 +135,11 @@ pub fn write_csv(session: &Session, output: &mut dyn Write) -> io::Result<()> {
         write_text(output, &column.name)?;
     }
     output.write_all(b"\n")?;
-    for row in 0..session.samples.len() {
+    let rows = session.samples.len();
+    for row in 0..rows {
+        if row.is_multiple_of(AT_ONCE) {
+            part.counted(row, rows)?;
+        }
         for (index, column) in columns.iter().enumerate() {
             if index > 0 {
                 output.write_all(b",")?;
@@ -121,6 +155,7 @@ pub fn write_csv(session: &Session, output: &mut dyn Write) -> io::Result<()> {
         }
         output.write_all(b"\n")?;
     }
+    part.reached(1.0)?;
     Ok(())
 }
 

@@ -34,6 +34,8 @@ pub use scenario::{
 };
 pub use truth::Truth;
 
+pub use crate::progress::unwatched;
+
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::LANES;
@@ -155,11 +157,6 @@ fn predict(
         }
     }
     Ok(exact)
-}
-
-/// Goes on to the end.
-pub fn unwatched(_: f64) -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 
 use std::path::{Path, PathBuf};
 
+use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -124,6 +125,19 @@ pub fn middle_of(
     }
     here(middle);
     middle
+}
+
+/// Types a tolerance, mm: it changes what the session's file says, and asks nothing of the samples.
+pub fn type_tolerance(window: &mut Window, mm: &str) {
+    window
+        .get_by_role_and_label(Role::SpinButton, "tolerance")
+        .click();
+    window.run_steps(2);
+    keys(window, Modifiers::COMMAND, Key::A);
+    window
+        .get_by_role_and_label(Role::SpinButton, "tolerance")
+        .type_text(mm);
+    keys(window, Modifiers::NONE, Key::Enter);
 }
 
 /// Opens a file by typing its path.

@@ -27,6 +27,16 @@ impl Workbench {
         }
     }
 
+    /// What the answer depends on; `None` while nothing is to be identified. What was searched answers
+    /// for itself.
+    pub(super) fn question(&self) -> Option<Question> {
+        let question = self.document().question()?;
+        Some(match &self.searched {
+            Some(search) => question.found_by(search),
+            None => question,
+        })
+    }
+
     /// The newest answer for the present session, or why there is none. While a newer question is
     /// being answered it is the answer to the one before.
     pub(crate) fn outcome(&self) -> Option<&Outcome> {
@@ -35,7 +45,7 @@ impl Workbench {
             let question = &outcome.question;
             document.identified
                 && Arc::ptr_eq(&question.subject, &document.subject)
-                && document.question().is_some_and(|asked| {
+                && self.question().is_some_and(|asked| {
                     std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
                 })
         })
@@ -93,13 +103,13 @@ impl Workbench {
 
     /// Whether the identification was cancelled: nobody asks again by himself.
     pub(crate) fn is_declined(&self) -> bool {
-        self.declined.is_some() && self.document().question() == self.declined
+        self.declined.is_some() && self.question() == self.declined
     }
 
     /// Whether the answer that is shown belongs to the document as it is.
     #[cfg(test)]
     pub(crate) fn settled(&self) -> bool {
-        match (self.document().question(), &self.outcome) {
+        match (self.question(), &self.outcome) {
             (None, _) => true,
             (Some(asked), Some(outcome)) => outcome.question == asked,
             (Some(_), None) => false,
@@ -146,7 +156,12 @@ impl Workbench {
             return;
         };
         let choice = self.document().export;
-        let wanted = Wanted { outcome, choice };
+        let saved = self.saved_as.as_ref().filter(|(of, _)| *of == choice);
+        let wanted = Wanted {
+            outcome,
+            choice,
+            name: saved.map(|(_, name)| name.clone()),
+        };
         let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
         if !made && !self.tasks.is_wanted(&wanted) {
             self.tasks.prepare(wanted);
@@ -174,7 +189,7 @@ impl Workbench {
 
     /// Asks for the answer that the document wants, if it is not there and not on its way.
     pub(super) fn keep_asking(&mut self) {
-        let Some(question) = self.document().question() else {
+        let Some(question) = self.question() else {
             return;
         };
         let answered = self

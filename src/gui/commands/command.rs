@@ -1,5 +1,6 @@
 //! The list of everything that can be done.
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use crate::gui::edit::Edit;
@@ -98,10 +99,16 @@ pub(crate) enum Command {
     Search,
     /// Make a session by simulation.
     Simulate(Form),
+    /// Find a font for characters that are shown.
+    FindLetters(BTreeSet<char>),
+    /// It was read which characters cannot be shown.
+    DismissLetters,
     /// Drop the task that is under way.
     Cancel,
     /// Drop the search that is under way.
     StopSearch,
+    /// Stops looking at a foreign file; saying something looks again.
+    StopLooking,
     /// Show this step.
     GoTo(Step),
     /// Look at the workspace in this plane.

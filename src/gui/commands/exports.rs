@@ -1,8 +1,9 @@
 //! Tables, models and measuring lists: what they are called, and how they are written.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::diagnosis::measuring_list;
+use crate::export::find;
 use crate::gui::files;
 use crate::gui::preview::Wanted;
 use crate::gui::reporting::About;
@@ -26,6 +27,17 @@ impl Workbench {
                 format!("{}-model-report.html", crate::gui::document::plain(session))
             }
             What::Picture(plot) => plot.file_name(session),
+        }
+    }
+
+    /// A table was saved: what is to be entered in the controller names this file from now on.
+    pub(super) fn remember_name(&mut self, path: &Path) {
+        let choice = self.document().export;
+        let ending = find(choice.format).map(|format| format.extension);
+        let name = path.file_name().and_then(|name| name.to_str());
+        let is_table = path.extension().and_then(|e| e.to_str()) == ending;
+        if let (true, Some(name)) = (is_table, name) {
+            self.saved_as = Some((choice, name.to_owned()));
         }
     }
 
@@ -58,7 +70,11 @@ impl Workbench {
         let choice = self.document().export;
         let says = format!("writing {}", path.display());
         self.tasks.write(says, move |_| {
-            let wanted = Wanted { outcome, choice };
+            let wanted = Wanted {
+                outcome,
+                choice,
+                name: None,
+            };
             files::export(&wanted, what, &path, replace)
         });
     }

@@ -8,6 +8,7 @@ use crate::gui::edit::Edit;
 use crate::gui::foreign::{Beside, Foreign, Look, Said};
 use crate::gui::tasks::Report;
 use crate::gui::view::Sheet;
+use crate::progress::Cancelled;
 
 impl Workbench {
     fn foreign(&mut self) -> Option<&mut Foreign> {
@@ -27,16 +28,19 @@ impl Workbench {
 
     /// One look at a time; when it is done, the next with what was said meanwhile.
     fn keep_looking(&mut self) {
-        if self.tasks.looks() {
+        if self.tasks.looking().is_some() {
             return;
         }
         let Some(foreign) = self.foreign().filter(|f| !f.is_up_to_date()) else {
             return;
         };
         let foreign = foreign.clone();
-        self.tasks.look("looking at the file", move |_| {
-            let seen = foreign.look();
-            Report::Looked(Box::new((foreign, seen)))
+        self.tasks.look("looking at the file", move |watch| {
+            match foreign.look(watch) {
+                Ok(seen) => Report::Looked(Box::new((foreign, seen))),
+                // Nobody takes it.
+                Err(Cancelled) => Report::Kept(Ok(())),
+            }
         });
     }
 

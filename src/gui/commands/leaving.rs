@@ -53,7 +53,7 @@ impl Workbench {
         let document = self.document();
         let example = self.subject().lineage == self.first.lineage
             || self.subject().origin == Origin::Bundled;
-        let asked = document.question().filter(|_| document.given.is_none());
+        let asked = self.question().filter(|_| document.given.is_none());
         Losses {
             session: self.unsaved(),
             model: !example
@@ -91,7 +91,8 @@ impl Workbench {
             Then::Leave => self.view.leaving = true,
             Then::Open(path) => {
                 let what = format!("reading {}", path.display());
-                self.tasks.open(what, move |_| files::open(&path));
+                self.tasks
+                    .open(what, move |watch| files::open(&path, watch));
             }
             Then::Example(index) => {
                 self.tasks
@@ -143,8 +144,9 @@ impl Workbench {
         let known = self.desk.places.get(&document.subject.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (format!("saving {}", path.display()), path.to_path_buf());
-        self.tasks
-            .write(what, move |_| files::save(document, &path, replace, known));
+        self.tasks.write(what, move |watch| {
+            files::save(document, &path, replace, known, watch)
+        });
     }
 
     pub(super) fn take_saved(&mut self, saved: Saved) {
@@ -193,6 +195,6 @@ impl Workbench {
 
     /// The model stands in a file.
     pub(super) fn model_is_on_file(&mut self) {
-        self.desk.model_on_file = self.document().question();
+        self.desk.model_on_file = self.question();
     }
 }

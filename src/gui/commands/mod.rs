@@ -10,8 +10,11 @@ mod desk;
 mod dividing;
 mod exports;
 mod follow;
+#[cfg(test)]
+mod how_far;
 mod imports;
 mod leaving;
+mod letters;
 mod papers;
 mod recovering;
 mod reports;
@@ -31,11 +34,12 @@ pub(crate) use dividing::Adapted;
 use desk::Desk;
 
 use crate::gui::backdrop::Backdrop;
-use crate::gui::document::{Document, Question};
+use crate::gui::document::{Document, ExportChoice, Question};
 use crate::gui::edit::Edit;
 use crate::gui::figures::Figures;
 use crate::gui::files::{self, Replace};
 use crate::gui::keeping::settings::Recent;
+use crate::gui::letters::Letters;
 use crate::gui::outcome::Outcome;
 use crate::gui::preview::Preview;
 use crate::gui::search::Search;
@@ -65,7 +69,10 @@ pub(crate) struct Workbench {
     backdrop: Option<Arc<Backdrop>>,
     /// Files that were exported from this session, the newest last.
     exported: Vec<PathBuf>,
+    /// The name under which this export was saved last.
+    saved_as: Option<(ExportChoice, String)>,
     figures: Option<Figures>,
+    letters: Letters,
     tasks: Tasks,
 }
 
@@ -87,7 +94,9 @@ impl Workbench {
             preview: None,
             backdrop: None,
             exported: Vec::new(),
+            saved_as: None,
             figures: None,
+            letters: Letters::default(),
             tasks,
         };
         workbench.remember_on_file(Arc::clone(workbench.history.present()));
@@ -216,9 +225,12 @@ impl Workbench {
                     self.ask_then(Then::Simulate(form));
                 }
             }
+            Command::FindLetters(wanted) => self.find_letters(wanted),
+            Command::DismissLetters => self.dismiss_letters(),
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
             Command::StopSearch => self.tasks.cancel_search(),
+            Command::StopLooking => self.tasks.cancel_look(),
             Command::Cancel => {
                 // What was to be done after it is not wanted any more either.
                 self.stay();
@@ -293,6 +305,9 @@ impl Workbench {
                     // Whoever closes the question wants neither.
                     self.stay();
                 }
+                if matches!((&self.view.sheet, &sheet), (Some(Sheet::Import(_)), None)) {
+                    self.tasks.cancel_look();
+                }
                 self.view.sheet = sheet;
             }
             Command::Type { region, end, text } => self.type_boundary(region, end, text),
@@ -324,6 +339,7 @@ impl Workbench {
         }
         if before.lineage != self.subject().lineage {
             self.exported.clear();
+            self.saved_as = None;
             self.look_along_the_axis();
             self.view.step = Step::Session;
             self.view.fitted.everywhere();

@@ -43,7 +43,8 @@ impl Workbench {
             (About::Session, ..) if !self.subject().is_empty() => {
                 let of_this = |s: &&Arc<_>| self.is_search_of_this(s);
                 let searched = self.searched.as_ref().filter(of_this).cloned();
-                Source::Session(Arc::clone(self.history.present()), searched)
+                let in_use = self.outcome.clone().filter(|_| self.answer().is_some());
+                Source::Session(Arc::clone(self.history.present()), searched, in_use)
             }
             _ => {
                 return self.complain(

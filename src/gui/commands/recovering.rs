@@ -17,7 +17,7 @@ impl Workbench {
         let now = self.history.present();
         let kept = self.desk.kept.as_ref();
         self.desk.keeper.is_some()
-            && match (kept, self.unsaved()) {
+            && match (kept, self.at_risk().any()) {
                 (Some(kept), true) => !Arc::ptr_eq(kept, now),
                 (Some(_), false) | (None, true) => true,
                 (None, false) => !self.desk.restored.is_empty(),
@@ -32,7 +32,7 @@ impl Workbench {
         if !self.recovery_lags() {
             return;
         }
-        if !self.unsaved() {
+        if !self.at_risk().any() {
             self.desk.kept = None;
             let restored = std::mem::take(&mut self.desk.restored);
             self.tasks.quietly(move || {

@@ -81,6 +81,8 @@ impl Workbench {
             }
             Report::Searched(search) => {
                 self.searched = Some(Arc::new(*search));
+                // What is in the model may be just what was found, with the search's values.
+                self.keep_asking();
                 self.keep_drawing();
             }
             Report::Adapted(adapted) => self.take_adapted(*adapted),
@@ -103,6 +105,7 @@ impl Workbench {
                     replace: false,
                 });
             }
+            Report::Lettered(found) => self.letters.take(*found),
             Report::Written(message) => self.take_written(message),
             Report::Figured(figures) => {
                 self.figures = Some(*figures);
@@ -121,8 +124,10 @@ impl Workbench {
                     title: format!("Written: {}", path.display()),
                     details: Vec::new(),
                 });
+                self.remember_name(&path);
                 self.exported.retain(|other| *other != path);
                 self.exported.push(path);
+                self.keep_preparing();
                 self.go_on();
             }
             Report::Broken => {

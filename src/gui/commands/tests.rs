@@ -7,10 +7,12 @@ use crate::gui::boundaries::boundaries;
 
 use crate::gui::document::Method;
 use crate::gui::edit::Edit;
+use crate::gui::search;
 use crate::gui::setup::SetupForm;
 use crate::gui::tasks::{Runner, Tasks};
 use crate::gui::testing::workbench;
 use crate::gui::view::Step;
+use crate::identification::Estimate;
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {
@@ -35,6 +37,35 @@ fn the_exact_fit_finds_what_the_simulation_hid() {
     assert!((value("delta_mm") + 5.0).abs() < 0.05);
     assert!((value("width_deg") - 0.05).abs() < 0.01);
     assert!(found.gap.after.rms_mm < 0.08);
+}
+
+#[test]
+fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
+    let mut workbench = workbench();
+    workbench.execute(Command::Search);
+    workbench.receive();
+    let found = workbench.diagnosis().expect("it was searched").clone();
+    assert!(!found.found.is_empty());
+    let terms = search::terms(&found).into_iter().flatten().collect();
+    done(&mut workbench, Edit::Add(terms));
+    let all = found.calibration(&workbench.subject().session);
+    let answer = workbench.answer().expect("it is identified");
+    assert_eq!(answer.calibration, all);
+    assert_eq!(answer.identification.model, all.model);
+    let width = |estimates: &[Estimate]| {
+        let one = estimates.iter().find(|e| e.name == "width_deg");
+        one.expect("it was found").clone()
+    };
+    let shown = width(&answer.identification.parameters);
+    assert_eq!(shown, width(&found.found[0].parameters));
+    let gap = answer.identification.gap.after.rms_mm;
+    assert!((gap - found.gap.end_mm).abs() < 1e-9, "{gap}");
+    // A part of it is another model; all of it is the same one again.
+    done(&mut workbench, Edit::Switch(0, false));
+    let part = &workbench.answer().expect("identified").calibration;
+    assert_ne!(part.model, all.model);
+    done(&mut workbench, Edit::Switch(0, true));
+    assert_eq!(workbench.answer().expect("identified").calibration, all);
 }
 
 #[test]

@@ -10,23 +10,23 @@ use crate::gui::document::Method;
 use crate::gui::edit::Edit;
 use crate::gui::files;
 use crate::gui::simulate::Form;
-use crate::gui::tasks::{Report, Runner, Tasks, What};
+use crate::gui::tasks::{Report, Runner, Tasks, Watch, What};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Message, Step, Then};
 
-fn on_threads() -> Workbench {
+pub(super) fn on_threads() -> Workbench {
     let mut bench = workbench();
     bench.tasks = Tasks::new(Runner::Threads, Arc::new(|| {}));
     bench
 }
 
 /// Lets go of a task that waits for it.
-fn gate() -> (Sender<()>, Receiver<()>) {
+pub(super) fn gate() -> (Sender<()>, Receiver<()>) {
     channel()
 }
 
 /// Takes reports until this holds.
-fn until(bench: &mut Workbench, holds: impl Fn(&Workbench) -> bool) {
+pub(super) fn until(bench: &mut Workbench, holds: impl Fn(&Workbench) -> bool) {
     // A minute and more, however slow the machine is.
     for _ in 0..30_000 {
         bench.receive();
@@ -46,7 +46,7 @@ fn written() -> Report {
     })
 }
 
-fn idle(bench: &Workbench) -> bool {
+pub(super) fn idle(bench: &Workbench) -> bool {
     bench.tasks.newest().is_none()
 }
 
@@ -98,7 +98,9 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
     let to = path.clone();
     bench.tasks.write("saving", move |_| {
         let _ = wait.recv();
-        files::save(document, &to, files::Replace::Nothing, Vec::new())
+        // It was too late: nobody asks any more.
+        let asked = Watch::default();
+        files::save(document, &to, files::Replace::Nothing, Vec::new(), &asked)
     });
     bench.execute(Command::Cancel);
     assert!(!idle(&bench), "it is still being written");

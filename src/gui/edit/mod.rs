@@ -285,6 +285,9 @@ fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Kept) -> Docume
     next.effects = all
         .filter(|id| kept.effects.iter().any(|e| e == id))
         .collect();
+    let robot = &subject.session.robot;
+    let added = kept.added.iter().filter_map(|one| one.added(robot));
+    next.added = added.collect();
     next
 }
 

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use super::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::gui::subject::{Origin, Subject};
-use crate::importers::{Alignment, Companion, Matched, Settings, import};
+use crate::importers::{Alignment, Companion, Matched, Settings, import_watched};
 use crate::kinematics::Robot;
+use crate::progress::{Part, ReadError};
 use crate::sessions::files;
 
 /// What an import brings.
@@ -27,17 +28,17 @@ impl Trial {
     /// Tries it.
     ///
     /// # Errors
-    /// Why it is refused.
+    /// Why it is refused, or that nobody wants it any more.
     pub(super) fn of(
         bytes: &[u8],
         path: &Path,
         said: &Said,
         robot: &Robot,
-    ) -> Result<Self, Vec<String>> {
-        let refused = |rejected: Rejected| in_words(&rejected.diagnostics);
-        let commands = read(&said.commands).map_err(refused)?;
-        let reference = read(&said.reference).map_err(refused)?;
-        let targets = read(&said.targets).map_err(refused)?;
+        part: Part<'_>,
+    ) -> Result<Self, ReadError> {
+        let commands = read(&said.commands)?;
+        let reference = read(&said.reference)?;
+        let targets = read(&said.targets)?;
         let settings = Settings {
             name: said.name.trim().to_owned(),
             commands: commands.as_ref().map(companion),
@@ -49,15 +50,17 @@ impl Trial {
             targets: targets.as_ref().map(companion),
             ..Settings::new(said.reading.clone(), robot)
         };
-        let imported = import(bytes, &settings).map_err(refused)?;
+        let imported = import_watched(bytes, &settings, part.part(0.0, 0.6).watch())?;
         let findings = imported.findings;
         let notes = findings
             .iter()
             .map(|finding| (finding.severity, in_the_sheets_words(&finding.to_string())))
             .collect();
         let origin = Origin::Imported(path.to_path_buf());
+        let looking = part.part(0.6, 1.0);
+        let subject = Subject::watched(imported.session, findings, origin, looking)?;
         Ok(Self {
-            subject: Arc::new(Subject::new(imported.session, findings, origin)),
+            subject: Arc::new(subject),
             matched: imported.matched,
             alignment: imported.alignment,
             notes,

@@ -15,7 +15,9 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
-use crate::gui::document::{Document, Method};
+use crate::effects::{Term, find};
+use crate::gui::document::{Added, Document, Method};
+use crate::kinematics::Robot;
 use crate::sessions::{self, Session};
 
 const FORMAT: &str = "truepose-recovery/1";
@@ -41,6 +43,8 @@ struct Header {
     identified: bool,
     regional: bool,
     effects: Vec<String>,
+    #[serde(default)]
+    added: Vec<KeptTerm>,
     bytes: u64,
     sha256: String,
 }
@@ -58,6 +62,43 @@ pub(crate) struct Kept {
     pub(crate) method: Method,
     /// Effects of the exact fit.
     pub(crate) effects: Vec<String>,
+    /// Effects that a search found and that were added to it.
+    pub(crate) added: Vec<KeptTerm>,
+}
+
+/// An effect that was added, as it is kept. A smooth correction is not: its curve belongs to a search.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct KeptTerm {
+    effect: String,
+    joint: usize,
+    setting: f64,
+    coefficients: Vec<f64>,
+    on: bool,
+}
+
+impl KeptTerm {
+    fn of(added: &Added) -> Option<Self> {
+        let term = &added.term;
+        term.curve.is_none().then(|| Self {
+            effect: term.effect.about().id.to_owned(),
+            joint: term.joint,
+            setting: term.setting,
+            coefficients: term.coefficients.clone(),
+            on: added.on,
+        })
+    }
+
+    /// The effect on this robot; `None` where it cannot be one of its.
+    pub(crate) fn added(&self, robot: &Robot) -> Option<Added> {
+        let effect = find(&self.effect)?;
+        let mut term = Term::absent(effect, self.joint, self.setting);
+        let fits = self.joint < robot.joints.len()
+            && self.coefficients.len() == term.coefficients.len()
+            && self.coefficients.iter().all(|c| c.is_finite())
+            && self.setting.is_finite();
+        term.coefficients.clone_from(&self.coefficients);
+        fits.then_some(Added { term, on: self.on })
+    }
 }
 
 impl Kept {
@@ -69,6 +110,7 @@ impl Kept {
             identified: document.identified && document.given.is_none(),
             method: document.method,
             effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
+            added: document.added.iter().filter_map(KeptTerm::of).collect(),
         }
     }
 }
@@ -134,6 +176,7 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
         identified: kept.identified,
         regional: kept.method == Method::Regional,
         effects: kept.effects.clone(),
+        added: kept.added.clone(),
         bytes: document.len() as u64,
         sha256: hex(&Sha256::digest(&document)),
     };
@@ -185,6 +228,7 @@ fn read(path: &Path) -> Result<Kept, String> {
             Method::Exact
         },
         effects: header.effects,
+        added: header.added,
     })
 }
 

@@ -212,6 +212,13 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         }
         if made.gap.is_some() {
             widgets::fact(ui, "no joint can remove", stays);
+            if made
+                .gap
+                .is_some_and(|gap| gap.rms_mm < made.remainder.rms_mm)
+            {
+                let says = "The model says that more stays than was measured: it is not the robot";
+                widgets::hint(ui, says);
+            }
         }
         for line in made.remainder.says() {
             widgets::hint(ui, with_minus_signs(&line));

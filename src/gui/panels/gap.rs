@@ -27,7 +27,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         return;
     }
     let Some(diagnosis) = workbench.diagnosis() else {
-        return before(ui, workbench);
+        before(ui, workbench);
+        // Restored after a kill, or the samples are others: what was added stays in the model.
+        return switches(ui, workbench, commands);
     };
     let units = workbench.units();
     widgets::section(ui, "Gap");
@@ -101,9 +103,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
     }
     let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
     ui.add(bar.desired_height(8.0).fill(palette.accent));
-    // The search tells how far it is; nobody else would wake the window for it.
-    ui.ctx()
-        .request_repaint_after(std::time::Duration::from_millis(100));
+    widgets::look_again_soon(ui);
 }
 
 /// What was found so far; a later step may exchange it for something likelier.

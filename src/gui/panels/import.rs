@@ -8,11 +8,12 @@ mod file;
 mod result;
 mod robot;
 
-use egui::{RichText, ScrollArea, TextEdit, Ui};
+use egui::{ProgressBar, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::foreign::{Beside, Foreign, in_the_sheets_words};
+use crate::gui::tasks::Running;
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::widgets;
 
@@ -51,7 +52,14 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     } else {
         Some("Looking at the file…")
     };
-    if let Some(missing) = missing {
+    if let Some(running) = workbench.tasks().looking() {
+        looking(ui, running, commands);
+    } else if next == now.said && !now.is_up_to_date() {
+        widgets::hint(ui, "Looking at the file was cancelled");
+        if ui.button("Look again").clicked() {
+            commands.push(Command::Say(Box::new(next.clone())));
+        }
+    } else if let Some(missing) = missing {
         widgets::hint(ui, missing);
     }
     if super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands) {
@@ -59,6 +67,21 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     } else if next != now.said {
         commands.push(Command::Say(Box::new(next)));
     }
+}
+
+/// How far looking at the file is.
+fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        widgets::hint(ui, "Looking at the file…");
+        if let Some(part) = running.progress() {
+            let bar = ProgressBar::new(part).desired_width(120.0);
+            ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
+        }
+        if ui.small_button("Stop looking").clicked() {
+            commands.push(Command::StopLooking);
+        }
+    });
+    widgets::look_again_soon(ui);
 }
 
 /// What is wrong with the file, and what somebody should know.

@@ -8,7 +8,7 @@ use crate::gui::given;
 use crate::gui::outcome::Answer;
 use crate::gui::room::Room;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::{number_of, trimmed, with_interval};
+use crate::gui::units::{Units, number_of, trimmed};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};
@@ -89,7 +89,9 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let found = &answer.identification;
     if !found.parameters.is_empty() {
         let joints = workbench.subject().session.robot.joints.len();
-        widgets::card(ui, |ui| parameters(ui, &found.parameters, joints));
+        widgets::card(ui, |ui| {
+            parameters(ui, &found.parameters, joints, workbench.units())
+        });
     }
     super::unexplained::in_the_model(ui, &answer.calibration.model);
     if !found.regions.is_empty() {
@@ -171,7 +173,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     });
 }
 
-fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
+fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {
     let palette = Palette::of(ui);
     title(ui, "What the robot really is");
     dense(ui);
@@ -190,7 +192,7 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize) {
             widgets::explained_effect(name, one.effect);
         }
         let (name, unit) = named(one.name);
-        let (value, half) = with_interval(one.value, one.ci95);
+        let (value, half, unit) = units.with_interval(one.value, one.ci95, unit);
         estimate(ui, &name, &value, &format!("{half} {unit}"));
     }
     widgets::hint(ui, "± half the 95 % interval");
@@ -283,8 +285,14 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
         .spacing([16.0, 6.0])
         .min_col_width(0.0)
         .show(ui, |ui| {
-            let length = units.length_name();
-            for head in ["region", "Δθ, rad", "Δl1, mm", &format!("gap, {length}")] {
+            let (angle, length) = (units.angle_name().trim(), units.length_name());
+            let of = |quantity: &str, unit: &str| format!("{quantity}, {unit}");
+            for head in [
+                "region".to_owned(),
+                of("Δθ", angle),
+                of("Δl1", length),
+                of("gap", length),
+            ] {
                 ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
             }
             ui.end_row();
@@ -301,12 +309,13 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 let font = strong(size::BODY);
                 let name = widgets::cut(ui, &correction.name, font, color, longest);
                 ui.label(name).on_hover_text(says);
+                let in_degrees = result.theta_ci95.map(|ends| ends.map(deg_from_rad));
                 let numbers = [
-                    (correction.theta_rad, result.theta_ci95),
-                    (correction.l1_mm, result.l1_ci95),
+                    (deg_from_rad(correction.theta_rad), in_degrees, "°"),
+                    (correction.l1_mm, result.l1_ci95, "mm"),
                 ];
-                for (value, interval) in numbers {
-                    let (value, half) = with_interval(value, interval);
+                for (value, interval, unit) in numbers {
+                    let (value, half, _) = units.with_interval(value, interval, unit);
                     // A model keeps no interval of a region.
                     let half = if is_given { String::new() } else { half };
                     ui.vertical(|ui| {

@@ -3,10 +3,12 @@
 use egui::{Align, Layout, RichText, Spinner, Ui};
 
 use crate::diagnosis::FloorFrom;
+use crate::fonts;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::number_of;
+use crate::gui::widgets;
 
 /// Where the work stands, in one line.
 pub(crate) fn line(workbench: &Workbench) -> String {
@@ -75,6 +77,13 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         }
         let says = format!("following the file · {came} new");
         ui.label(small(says).color(palette.accent));
+    } else if !workbench.letters().unshown.is_empty() {
+        if ui.small_button("Understood").clicked() {
+            commands.push(Command::DismissLetters);
+        }
+        let says = fonts::cannot_be_shown(&workbench.letters().unshown);
+        let says = small(says).color(palette.warning);
+        ui.add(egui::Label::new(says).truncate());
     }
 }
 
@@ -100,12 +109,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             if ui.small_button("Cancel").clicked() {
                 commands.push(Command::Cancel);
             }
-            let what = RichText::new(&task.what);
+            let what = RichText::new(task.says());
             ui.label(what.size(size::NOTE).color(palette.muted));
             match task.progress() {
                 Some(part) => {
                     let bar = egui::ProgressBar::new(part).desired_width(120.0);
                     ui.add(bar.desired_height(8.0).fill(palette.accent));
+                    widgets::look_again_soon(ui);
                 }
                 None => {
                     ui.add(Spinner::new().size(14.0).color(palette.accent));

@@ -1,8 +1,9 @@
 //! Work in the background: the window never waits.
 //!
 //! A task runs on a thread of its own and reports once, by a channel; the window is woken when it
-//! does. A cancelled task is told so by its [`Watch`]; whatever it still reports is dropped. Identification is different:
-//! while a boundary is dragged questions come faster than answers, so that only one runs at a
+//! does. A cancelled task is told so by its [`Watch`], by which it says how far it is; whatever it
+//! still reports is dropped. Only a file that is being written tells how that went all the same: it
+//! may have been too late to cancel it. Identification is different: while a boundary is dragged questions come faster than answers, so that only one runs at a
 //! time, and when it is done the latest question is next. The preview of an export works in the same way.
 
 mod latest;
@@ -183,14 +184,19 @@ impl Tasks {
         what: impl Into<String>,
         work: impl FnOnce(&Watch) -> Report + Send + 'static,
     ) {
-        if !self.looks() {
+        if self.looking().is_none() {
             self.spawn(what.into(), Kind::Looks, work);
         }
     }
 
-    /// Whether a foreign file is being looked at.
-    pub(crate) fn looks(&self) -> bool {
-        self.running.iter().any(|r| r.kind == Kind::Looks)
+    /// The look at a foreign file that is under way.
+    pub(crate) fn looking(&self) -> Option<&Running> {
+        self.running.iter().find(|r| r.kind == Kind::Looks)
+    }
+
+    /// Cancels the look at a foreign file, whatever else is under way.
+    pub(crate) fn cancel_look(&mut self) {
+        self.cancel(|kind| kind == Kind::Looks);
     }
 
     /// Asks for an answer. A question that is waiting is forgotten for it.
@@ -318,7 +324,6 @@ impl Tasks {
         self.running[place].watch.stop();
         if self.running[place].kind == Kind::Writes {
             // The file may have its name already.
-            "cancelling".clone_into(&mut self.running[place].what);
             return None;
         }
         let cancelled = self.running.remove(place);

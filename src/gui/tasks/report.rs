@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::fonts::Found;
 use crate::gui::backdrop::Backdrop;
 use crate::gui::commands::Adapted;
 use crate::gui::figures::Figures;
@@ -66,6 +67,8 @@ pub(crate) enum Report {
     Figured(Box<Figures>),
     /// A path was chosen to export to.
     ChosenToExport(What, Option<PathBuf>),
+    /// Fonts were looked through for letters.
+    Lettered(Box<Found>),
     /// The task itself failed: a bug.
     Broken,
 }

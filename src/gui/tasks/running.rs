@@ -1,5 +1,6 @@
 //! A task that is under way: how far it is, and whether anybody still wants it.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -9,6 +10,7 @@ pub(crate) struct Watch {
     permille: AtomicU32,
     stage: AtomicUsize,
     found: Mutex<Vec<&'static str>>,
+    doing: Mutex<Option<String>>,
     stopped: AtomicBool,
 }
 
@@ -22,6 +24,25 @@ impl Watch {
     pub(crate) fn done(&self, part: f64) {
         let permille = (1000.0 * part.clamp(0.0, 1.0)) as u32;
         self.permille.store(permille, Ordering::Relaxed);
+    }
+
+    /// What the library tells: which part is done. Goes on while somebody wants it.
+    pub(crate) fn told(&self) -> impl Fn(f64) -> ControlFlow<()> {
+        |part| {
+            self.done(part);
+            if self.stopped() {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        }
+    }
+
+    /// What it does now, where that says more than what it does as a whole.
+    pub(crate) fn doing(&self, what: String) {
+        if let Ok(mut doing) = self.doing.lock() {
+            *doing = Some(what);
+        }
     }
 
     /// Which stage has begun.
@@ -60,13 +81,23 @@ impl Watch {
 #[derive(Debug, Clone)]
 pub(crate) struct Running {
     pub(super) id: u64,
-    /// What it does, as the status bar says it.
+    /// What it does as a whole.
     pub(crate) what: String,
     pub(super) kind: Kind,
     pub(super) watch: Arc<Watch>,
 }
 
 impl Running {
+    /// What it does now, as the status bar says it.
+    pub(crate) fn says(&self) -> String {
+        if self.watch.stopped() {
+            return "cancelling".to_owned();
+        }
+        let doing = self.watch.doing.lock().ok();
+        let doing = doing.and_then(|doing| doing.clone());
+        doing.unwrap_or_else(|| self.what.clone())
+    }
+
     /// The stage that has begun.
     pub(crate) fn stage(&self) -> usize {
         self.watch.stage.load(Ordering::Relaxed)

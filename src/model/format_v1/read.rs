@@ -1,8 +1,11 @@
 //! Reads the model document; every complaint carries line, column and path.
 
 use std::path::Path as FilePath;
+use std::{fmt, io};
 
 use nalgebra::DMatrix;
+use serde::Deserializer as _;
+use serde::de::{IgnoredAny, MapAccess, Visitor};
 
 use super::FORMAT;
 use super::exact::{DISAGREES, agrees, robot_of};
@@ -35,17 +38,41 @@ const MODEL: &str = "truepose-model/";
 /// Whether a file calls itself a model. What cannot be read is left to the reader of sessions,
 /// which says why.
 pub fn is_model(path: &FilePath) -> bool {
-    #[derive(serde::Deserialize)]
-    struct Tag {
-        format: String,
-    }
-    let Ok(bytes) = files::read_document(path) else {
+    let Ok((file, _)) = files::open_regular(path) else {
         return false;
     };
-    match serde_json::from_slice::<Tag>(&bytes) {
-        Ok(tag) => tag.format.starts_with(MODEL),
+    let mut tag = Tag(None);
+    let reader = io::BufReader::new(file);
+    // Where it ends does not matter.
+    let _ = serde_json::Deserializer::from_reader(reader).deserialize_map(&mut tag);
+    match tag.0 {
+        Some(format) => format.starts_with(MODEL),
         // Broken, but it may still say what it was meant to be.
-        Err(_) => memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some(),
+        None => files::read_document(path)
+            .is_ok_and(|bytes| memchr::memmem::find(&bytes, MODEL.as_bytes()).is_some()),
+    }
+}
+
+/// The value of a document's key `format`. Reading ends with it: behind it there may be a million
+/// samples.
+struct Tag(Option<String>);
+
+impl<'de> Visitor<'de> for &mut Tag {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a document with a key format")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        while let Some(key) = map.next_key::<String>()? {
+            if key == "format" {
+                self.0 = Some(map.next_value()?);
+                return Ok(());
+            }
+            map.next_value::<IgnoredAny>()?;
+        }
+        Ok(())
     }
 }
 

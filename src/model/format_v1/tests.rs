@@ -251,3 +251,31 @@ fn each_kind_of_wrong_model_is_refused_with_its_place() {
         assert!(refused.contains(says), "{from} → {to}: {refused}");
     }
 }
+
+#[test]
+fn a_file_is_a_model_by_its_key_wherever_that_stands() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("file.json");
+    for (text, expected) in [
+        (r#"{"format":"truepose-model/2","name":1}"#, true),
+        (
+            r#"{"a":[1,{"format":"x"}],"format":"truepose-model/1"}"#,
+            true,
+        ),
+        (
+            r#"{"format":"truepose-session/1","of":"truepose-model/1"}"#,
+            false,
+        ),
+        (r#"{"a":{"format":"truepose-model/1"},"format":"b"}"#, false),
+        // What is broken, or has no such key, is asked what it was meant to be.
+        (r#"{"a":1,,"format":"truepose-model/1""#, true),
+        (r#"{"format":3,"of":"truepose-model/1"}"#, true),
+        ("[1, 2]", false),
+        ("", false),
+    ] {
+        std::fs::write(&path, text).unwrap();
+        assert_eq!(super::is_model(&path), expected, "{text}");
+    }
+    assert!(!super::is_model(folder.path()));
+    assert!(!super::is_model(&folder.path().join("none.json")));
+}

@@ -1,26 +1,23 @@
 //! The fonts of a PDF: which face has a character, how wide it is, and which glyphs were used.
 //!
 //! Inter comes first; what its cut lacks (Cyrillic, Vietnamese, …) is taken from Ubuntu Light, then
-//! from Hack. A character that none of them has is written as its code, `[U+4E2D]`, and stands under
-//! the code as itself for whoever copies or searches the text.
+//! from Hack, then from faces that are installed here ([`crate::fonts`]). A character that none of
+//! them has is written as its code, `[U+4E2D]`, and stands under the code as itself for whoever copies
+//! or searches the text.
 
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
 
 use subsetter::GlyphRemapper;
-use ttf_parser::Face;
+use ttf_parser::{Face, RawFace, Tag};
 
 use super::PdfError;
+use crate::fonts::{INTER, INTER_SEMI_BOLD, SystemFace};
 
-/// Every face, by its number.
+/// Every bundled face, by its number.
 const FILES: [(&str, &[u8]); 4] = [
-    (
-        "Inter-Regular",
-        include_bytes!("../../../assets/fonts/Inter-Regular.ttf"),
-    ),
-    (
-        "Inter-SemiBold",
-        include_bytes!("../../../assets/fonts/Inter-SemiBold.ttf"),
-    ),
+    ("Inter-Regular", INTER),
+    ("Inter-SemiBold", INTER_SEMI_BOLD),
     ("Ubuntu-Light", epaint_default_fonts::UBUNTU_LIGHT),
     ("Hack-Regular", epaint_default_fonts::HACK_REGULAR),
 ];
@@ -38,43 +35,72 @@ pub(super) struct Run {
     pub(super) instead_of: Option<char>,
 }
 
-/// See the module.
-pub(super) struct Fonts {
-    faces: Vec<Face<'static>>,
+/// One face, its file and its number there.
+struct Source<'f> {
+    name: String,
+    data: &'f [u8],
+    index: u32,
+    face: Face<'f>,
 }
 
-impl Fonts {
-    pub(super) fn new() -> Result<Self, PdfError> {
-        let parse = |(name, data): &(&'static str, &'static [u8])| {
-            Face::parse(data, 0).map_err(|_| PdfError::Font((*name).to_owned()))
+/// See the module.
+pub(super) struct Fonts<'f> {
+    sources: Vec<Source<'f>>,
+    /// What was asked for, and no face has.
+    missing: RefCell<BTreeSet<char>>,
+}
+
+impl<'f> Fonts<'f> {
+    /// The bundled faces, then these.
+    pub(super) fn new(found: &'f [SystemFace]) -> Result<Self, PdfError> {
+        let bundled = FILES.iter().map(|(name, data)| (*name, *data, 0));
+        let found = found
+            .iter()
+            .map(|face| (&*face.name, face.data.as_slice(), face.index));
+        let source = |(name, data, index): (&str, &'f [u8], u32)| {
+            let face = Face::parse(data, index).map_err(|_| PdfError::Font(name.to_owned()))?;
+            Ok(Source {
+                name: plain(name),
+                data,
+                index,
+                face,
+            })
         };
-        let faces = FILES.iter().map(parse).collect::<Result<_, _>>()?;
-        Ok(Self { faces })
+        Ok(Self {
+            sources: bundled.chain(found).map(source).collect::<Result<_, _>>()?,
+            missing: RefCell::default(),
+        })
     }
 
     pub(super) fn count(&self) -> usize {
-        self.faces.len()
+        self.sources.len()
     }
 
-    pub(super) fn name(face: usize) -> &'static str {
-        FILES[face].0
+    pub(super) fn name(&self, face: usize) -> &str {
+        &self.sources[face].name
     }
 
-    pub(super) fn face(&self, face: usize) -> &Face<'static> {
-        &self.faces[face]
+    pub(super) fn face(&self, face: usize) -> &Face<'f> {
+        &self.sources[face].face
+    }
+
+    /// Characters that were asked for so far, and that no face has.
+    pub(super) fn missing(&self) -> BTreeSet<char> {
+        self.missing.borrow().clone()
     }
 
     /// The text in runs of one face each.
     pub(super) fn runs(&self, text: &str, bold: bool) -> Vec<Run> {
         let first = usize::from(bold);
-        let order = [first, 2, 3];
+        let order: Vec<usize> = std::iter::once(first).chain(2..self.count()).collect();
         let mut runs: Vec<Run> = Vec::new();
         for c in text.chars() {
             let found = order.iter().find_map(|face| {
-                let glyph = self.faces[*face].glyph_index(c).filter(|g| g.0 != 0)?;
+                let glyph = self.face(*face).glyph_index(c).filter(|g| g.0 != 0)?;
                 Some((*face, glyph.0))
             });
             let Some((face, glyph)) = found else {
+                self.missing.borrow_mut().insert(c);
                 runs.push(self.code(c, first));
                 continue;
             };
@@ -98,7 +124,7 @@ impl Fonts {
     /// The code of a character that no face has.
     fn code(&self, c: char, face: usize) -> Run {
         let text = format!("[U+{:04X}]", u32::from(c));
-        let glyph = |c: char| self.faces[face].glyph_index(c).map_or(0, |g| g.0);
+        let glyph = |c: char| self.face(face).glyph_index(c).map_or(0, |g| g.0);
         let glyphs: Vec<(u16, char)> = text.chars().map(|c| (glyph(c), c)).collect();
         Run {
             face,
@@ -110,7 +136,7 @@ impl Fonts {
 
     /// Width of a glyph at a size of 1.
     pub(super) fn advance(&self, face: usize, glyph: u16) -> f64 {
-        let face = &self.faces[face];
+        let face = self.face(face);
         let units = f64::from(face.units_per_em());
         let advance = face
             .glyph_hor_advance(ttf_parser::GlyphId(glyph))
@@ -191,10 +217,45 @@ impl Used {
     }
 
     /// The part of the face that is embedded.
-    pub(super) fn embedded(&self, face: usize) -> Result<Vec<u8>, PdfError> {
-        subsetter::subset(FILES[face].1, 0, &self.numbers)
-            .map_err(|_| PdfError::Font(FILES[face].0.to_owned()))
+    pub(super) fn embedded(&self, fonts: &Fonts, face: usize) -> Result<Embedded, PdfError> {
+        let source = &fonts.sources[face];
+        let cut = subsetter::subset(source.data, source.index, &self.numbers);
+        let cut = cut.map_err(|_| PdfError::Font(source.name.clone()))?;
+        let table = RawFace::parse(&cut, 0).ok().and_then(|f| f.table(CFF));
+        Ok(match table {
+            Some(table) => Embedded::Cff(table.to_vec()),
+            None => Embedded::TrueType(cut),
+        })
     }
+}
+
+/// Outlines after Adobe, in place of the table `glyf` of a `TrueType` font.
+const CFF: Tag = Tag::from_bytes(b"CFF ");
+
+/// A part of a font, as ISO 32000-1, table 126, has it in a file.
+pub(super) enum Embedded {
+    /// A font with its tables, for `FontFile2`.
+    TrueType(Vec<u8>),
+    /// The table of outlines alone, for `FontFile3` of the kind `CIDFontType0C`.
+    Cff(Vec<u8>),
+}
+
+/// Whether a part of a face with these characters can be embedded.
+pub(super) fn can_be_embedded(face: &SystemFace, characters: &BTreeSet<char>) -> bool {
+    let mut numbers = GlyphRemapper::new();
+    let Some(parsed) = face.parsed() else {
+        return false;
+    };
+    for glyph in characters.iter().filter_map(|c| parsed.glyph_index(*c)) {
+        numbers.remap(glyph.0);
+    }
+    subsetter::subset(&face.data, face.index, &numbers).is_ok()
+}
+
+/// A font's name as a PDF may have it.
+fn plain(name: &str) -> String {
+    let fits = |c: &char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_');
+    name.chars().filter(fits).take(60).collect()
 }
 
 #[cfg(test)]
@@ -203,7 +264,7 @@ mod tests {
 
     #[test]
     fn every_character_is_shown_or_named() {
-        let fonts = Fonts::new().unwrap();
+        let fonts = Fonts::new(&[]).unwrap();
         let runs = fonts.runs("Ось ± 中", false);
         let faces: Vec<usize> = runs.iter().map(|r| r.face).collect();
         assert_eq!(faces, [2, 0, 0], "Cyrillic, then Inter, then a code");
@@ -214,7 +275,7 @@ mod tests {
 
     #[test]
     fn what_the_report_writes_is_in_inter() {
-        let fonts = Fonts::new().unwrap();
+        let fonts = Fonts::new(&[]).unwrap();
         for bold in [false, true] {
             let runs = fonts.runs("0123456789.−+–…→↑↓·×°µ≤Δθσχ√ ⅓".trim_end_matches('⅓'), bold);
             assert_eq!(runs.len(), 1, "{runs:?}");
@@ -224,7 +285,7 @@ mod tests {
 
     #[test]
     fn lines_keep_within_their_width_and_lose_nothing() {
-        let fonts = Fonts::new().unwrap();
+        let fonts = Fonts::new(&[]).unwrap();
         let text = "a long line with averyveryveryverylongword in it";
         let lines = fonts.wrapped(text, 9.0, false, 60.0);
         assert!(

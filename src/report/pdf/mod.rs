@@ -1,11 +1,15 @@
 //! A report as PDF on A4: text stays text, plots stay vectors, fonts are embedded as far as they are
-//! used. Written directly: the same report gives the same bytes, without any date.
+//! used. Written directly: the same report gives the same bytes, without any date. Only where it
+//! holds letters that the bundled fonts lack do the bytes depend on the machine: on the font that is
+//! found there ([`crate::fonts`]).
 //!
 //! `pages` lays the blocks out, `fonts` measures and embeds, this file writes. PDF 1.7,
 //! ISO 32000-1; fonts as in its clause 9.7 (composite fonts, Identity-H, with a `ToUnicode` map).
 
 mod fonts;
 mod pages;
+
+use std::collections::BTreeSet;
 
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::types::{CidFontType, FontFlags, SystemInfo, UnicodeCmap};
@@ -14,30 +18,75 @@ use sha2::{Digest, Sha256};
 
 use super::document::Report;
 use super::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
-use fonts::{Fonts, Run, Used};
+use crate::fonts::{Library, Purpose, is_worth_a_font};
+use fonts::{Embedded, Fonts, Run, Used};
 use pages::{Mark, PAGE, pages};
 
 /// Why there is no PDF.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PdfError {
-    /// A bundled font is damaged.
-    #[error("the bundled font {0} cannot be used")]
+    /// A font is damaged.
+    #[error("the font {0} cannot be used")]
     Font(String),
 }
 
-/// The report as PDF.
+/// A report as PDF, and what it cannot show.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Written {
+    /// The document.
+    pub bytes: Vec<u8>,
+    /// Characters that stand in it as codes: neither the bundled fonts nor those of the library have
+    /// them. [`crate::fonts::cannot_be_shown`] says so in words.
+    pub unshown: BTreeSet<char>,
+}
+
+/// The report as PDF, with the fonts of this machine where the bundled ones do not do.
 ///
 /// # Errors
-/// If a bundled font cannot be used.
+/// If a font cannot be used.
 pub fn pdf(report: &Report) -> Result<Vec<u8>, PdfError> {
-    let fonts = Fonts::new()?;
-    let (sheets, marks) = pages(report, &fonts);
+    pdf_with(report, &Library::system()).map(|written| written.bytes)
+}
+
+/// The report as PDF, with the fonts of a library where the bundled ones do not do.
+///
+/// # Errors
+/// If a font cannot be used.
+pub fn pdf_with(report: &Report, library: &Library) -> Result<Written, PdfError> {
+    let bundled = Fonts::new(&[])?;
+    let laid_out = pages(report, &bundled);
+    let mut missing = bundled.missing();
+    missing.retain(|c| is_worth_a_font(*c));
+    if missing.is_empty() {
+        let bytes = document(report, laid_out, &bundled)?;
+        return Ok(Written {
+            bytes,
+            unshown: missing,
+        });
+    }
+    let mut found = library.covering(&missing, Purpose::Document);
+    // A report without these letters is better than none.
+    let fits = |face: &_| fonts::can_be_embedded(face, &missing);
+    found.faces.retain(fits);
+    let fonts = Fonts::new(&found.faces)?;
+    // Letters are narrower than their codes: the lines break elsewhere.
+    let bytes = document(report, pages(report, &fonts), &fonts)?;
+    let mut unshown = fonts.missing();
+    unshown.retain(|c| is_worth_a_font(*c));
+    Ok(Written { bytes, unshown })
+}
+
+fn document(
+    report: &Report,
+    (sheets, marks): (Vec<Drawing>, Vec<Mark>),
+    fonts: &Fonts,
+) -> Result<Vec<u8>, PdfError> {
     let mut used: Vec<Used> = (0..fonts.count()).map(|_| Used::default()).collect();
     let contents: Vec<Vec<u8>> = sheets
         .iter()
-        .map(|sheet| content(sheet, &fonts, &mut used))
+        .map(|sheet| content(sheet, fonts, &mut used))
         .collect();
-    Writer::default().document(report, &contents, &marks, &fonts, &used)
+    Writer::default().document(report, &contents, &marks, fonts, &used)
 }
 
 /// Hands out numbers of objects and writes them.
@@ -140,11 +189,8 @@ impl Writer {
         let (cid, descriptor, map, file) = (self.next(), self.next(), self.next(), self.next());
         let face = fonts.face(number);
         // A part of a font carries a tag of six letters before its name.
-        let name = format!(
-            "TPAAA{}+{}",
-            ["A", "B", "C", "D"][number % 4],
-            Fonts::name(number)
-        );
+        let letter = ('A'..='Z').nth(number % 26).unwrap_or('A');
+        let name = format!("TPAAA{letter}+{}", fonts.name(number));
         let base = Name(name.as_bytes());
         let system = SystemInfo {
             registry: Str(b"Adobe"),
@@ -156,12 +202,18 @@ impl Writer {
             .encoding_predefined(Name(b"Identity-H"))
             .descendant_font(cid)
             .to_unicode(map);
+        let embedded = used.embedded(fonts, number)?;
         let mut out = pdf.cid_font(cid);
-        out.subtype(CidFontType::Type2)
-            .base_font(base)
-            .system_info(system);
+        out.subtype(match embedded {
+            Embedded::TrueType(_) => CidFontType::Type2,
+            Embedded::Cff(_) => CidFontType::Type0,
+        });
+        out.base_font(base).system_info(system);
         out.font_descriptor(descriptor).default_width(0.0);
-        out.cid_to_gid_map_predefined(Name(b"Identity"));
+        // Of outlines after Adobe the number is a CID already.
+        if let Embedded::TrueType(_) = embedded {
+            out.cid_to_gid_map_predefined(Name(b"Identity"));
+        }
         let widths = used
             .glyphs()
             .map(|glyph| f32_of(fonts.advance(number, glyph) * 1000.0));
@@ -170,8 +222,8 @@ impl Writer {
         let units = f64::from(face.units_per_em());
         let scaled = |v: i16| f32_of(f64::from(v) * 1000.0 / units);
         let bounds = face.global_bounding_box();
-        pdf.font_descriptor(descriptor)
-            .name(base)
+        let mut out = pdf.font_descriptor(descriptor);
+        out.name(base)
             .flags(FontFlags::SYMBOLIC)
             .bbox(Rect::new(
                 scaled(bounds.x_min),
@@ -183,21 +235,31 @@ impl Writer {
             .ascent(scaled(face.ascender()))
             .descent(scaled(face.descender()))
             .cap_height(scaled(face.capital_height().unwrap_or(face.ascender())))
-            .stem_v(if number == 1 { 110.0 } else { 80.0 })
-            .font_file2(file);
+            .stem_v(if number == 1 { 110.0 } else { 80.0 });
+        match embedded {
+            Embedded::TrueType(_) => out.font_file2(file),
+            Embedded::Cff(_) => out.font_file3(file),
+        };
+        out.finish();
         let mut cmap = UnicodeCmap::<u16>::new(Name(b"Custom"), system);
         for (glyph, c) in used.meanings() {
             cmap.pair(glyph, c);
         }
         let packed = compress_to_vec_zlib(&cmap.finish(), 7);
         pdf.stream(map, &packed).filter(Filter::FlateDecode);
-        let embedded = used.embedded(number)?;
-        let packed = compress_to_vec_zlib(&embedded, 7);
-        let length = i32::try_from(embedded.len()).unwrap_or(i32::MAX);
+        let (Embedded::TrueType(part) | Embedded::Cff(part)) = &embedded;
+        let packed = compress_to_vec_zlib(part, 7);
         let mut stream = pdf.stream(file, &packed);
-        stream
-            .filter(Filter::FlateDecode)
-            .pair(Name(b"Length1"), length);
+        stream.filter(Filter::FlateDecode);
+        match embedded {
+            Embedded::TrueType(_) => {
+                let length = i32::try_from(part.len()).unwrap_or(i32::MAX);
+                stream.pair(Name(b"Length1"), length);
+            }
+            Embedded::Cff(_) => {
+                stream.pair(Name(b"Subtype"), Name(b"CIDFontType0C"));
+            }
+        }
         Ok(())
     }
 }

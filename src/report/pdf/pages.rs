@@ -87,7 +87,7 @@ fn foot(page: &mut Drawing, text: &str, number: usize, of: usize, fonts: &Fonts)
 }
 
 struct Flow<'f> {
-    fonts: &'f Fonts,
+    fonts: &'f Fonts<'f>,
     pages: Vec<Drawing>,
     y: f64,
 }

@@ -22,6 +22,7 @@ use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::kinematics::JointKind;
+use crate::progress::Part;
 use crate::sessions::columns::Layout;
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
@@ -33,17 +34,19 @@ use crate::sessions::table::{Cells, Table};
 /// Complaints that are worth printing; the rest is counted.
 const MOST_COMPLAINTS: usize = 50;
 
-/// Reads a table. `bytes` is the length of the input where it is known. `None` when the headings
-/// already make no sense; otherwise the table is whole only if `findings` got no error.
+/// Reads a table, told as `part` of something. `bytes` is the length of the input where it is known.
+/// `None` when the headings already make no sense; otherwise the table is whole only if `findings`
+/// got no error.
 ///
 /// # Errors
-/// What reading from `input` says.
+/// What reading from `input` says, or that it was cancelled.
 pub(crate) fn read(
     input: impl Read,
     bytes: Option<u64>,
     file: &Place,
     joints: Option<&[JointKind]>,
     findings: &mut Vec<Diagnostic>,
+    part: Part<'_>,
 ) -> io::Result<Option<Table>> {
     let mut blocks = Blocks::new(input);
     let Some(names) = header::read(&mut blocks, file, findings)? else {
@@ -68,9 +71,12 @@ pub(crate) fn read(
         starts: Starts::new(),
         complaints: Complaints::new(file, &names),
     };
+    let mut done = 0;
     while let Some(block) = blocks.next_rows()? {
         let used = rows.take(block.bytes, block.end, block.last);
         blocks.consume(used);
+        done += used as u64;
+        part.reached(done as f64 / bytes.unwrap_or(0).max(done) as f64)?;
         if rows.complaints.hopeless {
             break;
         }

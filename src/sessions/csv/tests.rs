@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::progress::{Progress, unwatched};
 use crate::sessions::columns::Quantity;
 
 const ONE: &[JointKind] = &[JointKind::Revolute];
@@ -23,12 +24,14 @@ impl Read for Pieces<'_> {
 
 fn read_in_pieces(bytes: &[u8], piece: usize) -> (Option<Table>, Vec<String>) {
     let mut findings = Vec::new();
+    let nobody = Progress::new(&unwatched);
     let table = read(
         Pieces(bytes, piece),
         None,
         &Place::file("s.csv"),
         Some(ONE),
         &mut findings,
+        nobody.whole(),
     );
     let findings = findings.iter().map(ToString::to_string).collect();
     (table.expect("memory does not fail"), findings)

@@ -9,6 +9,7 @@ use std::fmt;
 
 use super::{Member, Node, Source, Value, element_offset};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::number::quoted;
 
 /// The way from the document to a value, such as `robot.joints[0].axis`.
@@ -51,11 +52,21 @@ pub(crate) struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// A document as it was read, and its outermost value; what is no JSON is refused whole.
     pub(crate) fn open(place: Place, text: &'a str) -> Result<(Self, Node), Rejected> {
+        let progress = Progress::new(&unwatched);
+        Self::open_in(place, text, progress.whole()).map_err(ReadError::rejected)
+    }
+
+    /// As [`Fields::open`], told as this part of something.
+    pub(crate) fn open_in(
+        place: Place,
+        text: &'a str,
+        part: Part<'_>,
+    ) -> Result<(Self, Node), ReadError> {
         let source = Source {
             file: place.file,
             text,
         };
-        let root = super::parse(&source)?;
+        let root = super::parse(&source, part)?;
         let fields = Self {
             source,
             findings: Vec::new(),

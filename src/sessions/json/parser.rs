@@ -4,30 +4,38 @@ use std::collections::BTreeSet;
 
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
+use crate::progress::{Cancelled, Part, ReadError};
 use crate::sessions::number::{NotANumber, any_decimal, plain_decimal, quoted};
 
 /// Nobody nests deeper than this, and the stack is finite.
 const DEEPEST: usize = 64;
 
-/// A syntax error: where, what is there, what should be.
-struct Wrong {
-    at: usize,
-    found: String,
-    expected: &'static str,
+/// Bytes between two looks at whoever watches.
+const AT_ONCE: usize = 1 << 18;
+
+/// Why reading ends early.
+enum Stop {
+    /// A syntax error: where, what is there, what should be.
+    Wrong {
+        at: usize,
+        found: String,
+        expected: &'static str,
+    },
+    /// Nobody wants it any more.
+    Cancelled(Cancelled),
 }
 
-type Parsed<T> = Result<T, Wrong>;
+use Stop::Wrong;
 
-/// Reads a whole document.
+type Parsed<T> = Result<T, Stop>;
+
+/// Reads a whole document, told as `part` of something.
 ///
 /// # Errors
-/// The first syntax error; after it nothing in the document can be trusted.
-pub(crate) fn parse(source: &Source<'_>) -> Result<Node, Rejected> {
-    let mut parser = Parser {
-        bytes: source.text.as_bytes(),
-        at: 0,
-        depth: 0,
-    };
+/// The first syntax error; after it nothing in the document can be trusted. Or that it was
+/// cancelled.
+pub(crate) fn parse(source: &Source<'_>, part: Part<'_>) -> Result<Node, ReadError> {
+    let mut parser = Parser::new(source, 0, Some(part));
     let document = parser.value().and_then(|node| {
         parser.skip_space();
         if parser.at < parser.bytes.len() {
@@ -35,20 +43,22 @@ pub(crate) fn parse(source: &Source<'_>) -> Result<Node, Rejected> {
         }
         Ok(node)
     });
-    document.map_err(|wrong| {
-        let place = source.place(wrong.at);
-        Rejected::because(Diagnostic::error(place, wrong.found, wrong.expected))
-    })
+    let document = document.map_err(|stop| match stop {
+        Wrong {
+            at,
+            found,
+            expected,
+        } => Rejected::because(Diagnostic::error(source.place(at), found, expected)).into(),
+        Stop::Cancelled(cancelled) => ReadError::from(cancelled),
+    })?;
+    part.reached(1.0)?;
+    Ok(document)
 }
 
 /// Where the element with this index starts in the array that starts at `at` of a document that
 /// was read without an error.
 pub(crate) fn element_offset(source: &Source<'_>, at: usize, index: usize) -> usize {
-    let mut parser = Parser {
-        bytes: source.text.as_bytes(),
-        at: at + 1,
-        depth: 0,
-    };
+    let mut parser = Parser::new(source, at + 1, None);
     for _ in 0..index {
         if parser.value().is_err() {
             return at;
@@ -64,9 +74,35 @@ struct Parser<'a> {
     bytes: &'a [u8],
     at: usize,
     depth: usize,
+    part: Option<Part<'a>>,
+    /// Where whoever watches is told next.
+    tell_at: usize,
 }
 
-impl Parser<'_> {
+impl<'a> Parser<'a> {
+    fn new(source: &Source<'a>, at: usize, part: Option<Part<'a>>) -> Self {
+        Self {
+            bytes: source.text.as_bytes(),
+            at,
+            depth: 0,
+            part,
+            tell_at: if part.is_some() { 0 } else { usize::MAX },
+        }
+    }
+
+    /// Tells how far it is, now and then.
+    #[inline]
+    fn tell(&mut self) -> Parsed<()> {
+        if self.at < self.tell_at {
+            return Ok(());
+        }
+        self.tell_at = self.at + AT_ONCE;
+        let told = self
+            .part
+            .map(|part| part.counted(self.at, self.bytes.len()));
+        told.unwrap_or(Ok(())).map_err(Stop::Cancelled)
+    }
+
     #[inline]
     fn peek(&self) -> Option<u8> {
         self.bytes.get(self.at).copied()
@@ -80,12 +116,12 @@ impl Parser<'_> {
     }
 
     #[cold]
-    fn wrong(&self, expected: &'static str) -> Wrong {
+    fn wrong(&self, expected: &'static str) -> Stop {
         self.wrong_at(self.at, expected)
     }
 
     #[cold]
-    fn wrong_at(&self, at: usize, expected: &'static str) -> Wrong {
+    fn wrong_at(&self, at: usize, expected: &'static str) -> Stop {
         let rest = self.bytes.get(at..).unwrap_or_default();
         let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-._".contains(byte);
         let word = rest.iter().take_while(|byte| is_word(byte)).count();
@@ -105,6 +141,7 @@ impl Parser<'_> {
     }
 
     fn value(&mut self) -> Parsed<Node> {
+        self.tell()?;
         self.skip_space();
         let at = self.at;
         let value = match self.peek() {
@@ -216,6 +253,7 @@ impl Parser<'_> {
         let mut numbers = Vec::new();
         let mut any = false;
         loop {
+            self.tell()?;
             self.skip_space();
             match self.peek() {
                 Some(b'-' | b'0'..=b'9') => {
@@ -374,7 +412,7 @@ impl Parser<'_> {
     }
 
     #[cold]
-    fn bad_escape(&self, at: usize) -> Wrong {
+    fn bad_escape(&self, at: usize) -> Stop {
         let end = (at + 6).min(self.bytes.len());
         Wrong {
             at,

@@ -1,10 +1,15 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::progress::{Progress, ReadError, unwatched};
+
+fn whole(source: &Source<'_>) -> Result<Node, ReadError> {
+    parse(source, Progress::new(&unwatched).whole())
+}
 
 fn read(text: &str) -> Result<Node, String> {
     let source = Source { file: None, text };
-    parse(&source).map_err(|diagnostic| diagnostic.to_string())
+    whole(&source).map_err(|diagnostic| diagnostic.to_string())
 }
 
 #[test]
@@ -21,7 +26,7 @@ fn numbers_go_straight_into_a_column() {
 fn values_know_where_they_start() {
     let text = "{\n  \"a\": [true, \"x\"],\n  \"b\": [1, 22,\n 333]\n}";
     let source = Source { file: None, text };
-    let Value::Object(members) = parse(&source).unwrap().value else {
+    let Value::Object(members) = whole(&source).unwrap().value else {
         panic!()
     };
     assert_eq!(

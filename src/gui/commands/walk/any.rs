@@ -26,6 +26,7 @@ use crate::gui::view::{
     AngleUnit, Canvas, Chart, Colouring, LengthUnit, Part, Plane, Sheet, Side, Step, Then,
 };
 use crate::kinematics::JointKind;
+use crate::progress::{Progress, unwatched};
 use crate::units::rad_from_deg;
 
 /// Files that the walk opens and writes.
@@ -194,7 +195,10 @@ fn form(random: &mut ChaCha8Rng) -> Form {
 
 /// A foreign file as it stands in its sheet, and something that somebody says about it.
 fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<Foreign> {
-    let foreign = Foreign::of(&files.foreign).expect("it is a table");
+    let foreign = {
+        let nobody = Progress::new(&unwatched);
+        Foreign::of(&files.foreign, nobody.whole()).expect("it is a table")
+    };
     let mut foreign = foreign.expect("the walk has written it");
     foreign.said = said(random, files, workbench);
     Box::new(foreign)
@@ -325,7 +329,8 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
                 replace: random.random(),
             }
         }
-        96 | 97 => Command::Adapt,
+        96 => Command::Adapt,
+        97 => Command::StopLooking,
         98..=103 => Command::Type {
             region: pick(random, &["1", "2", "3", "Ost", "gone"]).to_owned(),
             end: pick(random, &[End::From, End::To]),
@@ -334,7 +339,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
                 .map(|text| (*text).to_owned()),
         },
         // It takes its time.
-        104 if random.random_range(0..12) == 0 && workbench.subject().len() < 60 => Command::Search,
+        104 if random.random_range(0..5) == 0 && workbench.subject().len() < 60 => Command::Search,
         104 => Command::StopSearch,
         105 => Command::Simulate(form(random)),
         106 => Command::Cancel,
@@ -364,7 +369,10 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         ),
         143..=147 => Command::Sheet(sheet(random, files, workbench)),
         148 if random.random_range(0..4) == 0 => Command::Leave,
-        75..=77 | 148..=150 => Command::Dismiss,
+        75..=77 | 148 => Command::Dismiss,
+        149 => Command::DismissLetters,
+        // Private ones: no walk depends on the fonts of the machine.
+        150 => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
         151 => match random.random_range(0..4) {
             3 => Command::Part(pick(random, &[Part::Workspace, Part::Chart])),
             0 => Command::Fit,

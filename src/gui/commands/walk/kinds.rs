@@ -27,7 +27,7 @@ kinds!(
     ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
     Follow(..), Forget(..), Restore(..), DiscardLeft(..), KeepRecovery(), LookAtDisk(),
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, Adapt(), Type {..},
-    Search(), Simulate(..), Cancel(), StopSearch(), GoTo(..), Look(..), Magnify(..), Blend(..),
+    Search(), FindLetters(..), DismissLetters(), Simulate(..), Cancel(), StopSearch(), StopLooking(), GoTo(..), Look(..), Magnify(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
     Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),
 );

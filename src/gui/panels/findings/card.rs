@@ -11,7 +11,7 @@ use crate::gui::panels::gap;
 use crate::gui::panels::results::named;
 use crate::gui::search::term_of;
 use crate::gui::tokens::{Palette, size, strong};
-use crate::gui::units::{significant, with_interval};
+use crate::gui::units::{Units, significant};
 use crate::gui::view::Chart;
 use crate::gui::widgets::{self, dense};
 use crate::identification::Estimate;
@@ -31,7 +31,7 @@ pub(super) fn show(
     widgets::explained_effect(head, found.effect);
     ui.scope(|ui| {
         dense(ui);
-        estimates(ui, found.effect, &found.parameters);
+        estimates(ui, units, found.effect, &found.parameters);
         let bound = if found.p_family.bound {
             "fewer than "
         } else {
@@ -89,7 +89,7 @@ pub(super) fn show(
     }
 }
 
-fn estimates(ui: &mut Ui, id: &str, parameters: &[Estimate]) {
+fn estimates(ui: &mut Ui, units: Units, id: &str, parameters: &[Estimate]) {
     let palette = Palette::of(ui);
     Grid::new(("found", id))
         .num_columns(3)
@@ -98,7 +98,7 @@ fn estimates(ui: &mut Ui, id: &str, parameters: &[Estimate]) {
         .show(ui, |ui| {
             for one in parameters {
                 let (name, unit) = named(one.name);
-                let (value, half) = with_interval(one.value, one.ci95);
+                let (value, half, unit) = units.with_interval(one.value, one.ci95, unit);
                 ui.label(name);
                 widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));
                 ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));

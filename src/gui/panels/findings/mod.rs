@@ -92,6 +92,10 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     widgets::card(ui, |ui| {
         let says = RichText::new(says).font(strong(size::HEADING));
         ui.label(says.color(color));
+        if !d.tested_anything() {
+            let none = "these samples can show no effect: that nothing was found says nothing";
+            ui.label(RichText::new(none).color(palette.warning));
+        }
         if !d.equivalent.is_empty() {
             let also = "the samples also allow another explanation, see below";
             ui.label(RichText::new(also).color(palette.warning));

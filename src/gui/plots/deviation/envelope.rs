@@ -3,7 +3,10 @@
 //!
 //! Samples are sorted by what the chart stands over once, for each side from which it came, and above them
 //! stands a tree of extremes, sixteen to one. A column then costs a few looks at the tree, and a
-//! frame as much as it has columns, for any number of samples.
+//! frame as much as it has columns, for any number of samples. As long as the view stands still they
+//! are those of the frame before.
+
+use std::sync::{Arc, Mutex};
 
 use crate::gui::outcome::Answer;
 use crate::gui::plots::over::Over;
@@ -95,6 +98,28 @@ pub(crate) struct Column {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Envelope {
     tracks: Vec<Track>,
+    last: Last,
+}
+
+/// Columns, where they are asked for, and how many.
+type Asked = ([f64; 2], usize, Arc<[Column]>);
+
+/// The columns that were asked for last. A frame asks for those of the frame before unless the view
+/// moves: a boundary that is dragged beside the chart costs it no search.
+#[derive(Debug, Default)]
+struct Last(Mutex<Option<Asked>>);
+
+impl Clone for Last {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for Last {
+    /// It follows from the samples.
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl Envelope {
@@ -131,6 +156,7 @@ impl Envelope {
         let tracks = [-1.0, 0.0, 1.0].into_iter().map(track);
         Self {
             tracks: tracks.filter(|t| !t.samples.is_empty()).collect(),
+            last: Last::default(),
         }
     }
 
@@ -171,7 +197,21 @@ impl Envelope {
     }
 
     /// The columns of each side between two values along the chart; those without a sample are left out.
-    pub(crate) fn columns(&self, [low, high]: [f64; 2], number: usize) -> Vec<Column> {
+    pub(crate) fn columns(&self, x: [f64; 2], number: usize) -> Arc<[Column]> {
+        let Ok(mut last) = self.last.0.lock() else {
+            return self.searched(x, number).into();
+        };
+        if let Some((of, many, columns)) = &*last
+            && (*of, *many) == (x, number)
+        {
+            return Arc::clone(columns);
+        }
+        let columns: Arc<[Column]> = self.searched(x, number).into();
+        *last = Some((x, number, Arc::clone(&columns)));
+        columns
+    }
+
+    fn searched(&self, [low, high]: [f64; 2], number: usize) -> Vec<Column> {
         let width = (high - low) / number as f64;
         let mut columns = Vec::new();
         if !(width > 0.0 && width.is_finite()) {
@@ -288,9 +328,34 @@ mod tests {
 
     #[test]
     fn an_envelope_of_nothing_is_empty() {
-        let envelope = Envelope { tracks: Vec::new() };
+        let envelope = Envelope {
+            tracks: Vec::new(),
+            last: Last::default(),
+        };
         assert_eq!(envelope.extent(), None);
         assert!(envelope.columns([0.0, 1.0], 10).is_empty());
         assert!(envelope.columns([0.0, 0.0], 10).is_empty());
+    }
+
+    #[test]
+    fn columns_are_searched_again_only_where_something_else_is_asked() {
+        let workbench = workbench();
+        let over = workbench.over().expect("it stands over the angle");
+        let envelope = Envelope::of(workbench.subject(), None, Component::Tangential, over);
+        let all = envelope.extent().expect("there are samples").x;
+        let first = envelope.columns(all, 50);
+        assert!(Arc::ptr_eq(&first, &envelope.columns(all, 50)));
+        for (x, number) in [(all, 51), ([all[0], 0.5 * all[1]], 50), (all, 50)] {
+            let found = envelope.columns(x, number);
+            assert_eq!(found[..], envelope.searched(x, number)[..]);
+        }
+        assert_eq!(envelope.columns(all, 50), first);
+        // Each copy remembers for itself, and is the same.
+        let copy = envelope.clone();
+        assert!(!Arc::ptr_eq(
+            &copy.columns(all, 50),
+            &envelope.columns(all, 50)
+        ));
+        assert!(copy == envelope);
     }
 }

@@ -1,5 +1,7 @@
 //! Where the parts of the deviation chart go.
 
+use std::sync::Arc;
+
 use super::envelope::{Column, Envelope};
 use super::model::Series;
 use crate::gui::plots::LEAST_SPAN;
@@ -82,12 +84,17 @@ pub(crate) enum Many {
     /// Few are in sight: these.
     Samples(Vec<usize>),
     /// Extremes.
-    Columns(Vec<Column>),
+    Columns(Arc<[Column]>),
+}
+
+/// Whether what is in sight between two values along the chart is shown by its extremes.
+pub(crate) fn are_many(envelope: &Envelope, x: [f64; 2]) -> bool {
+    envelope.count(x) > MOST_DOTS
 }
 
 /// What is in sight between two values along the chart, in so many points of the screen.
 pub(crate) fn in_sight(envelope: &Envelope, x: [f64; 2], points: f64) -> Many {
-    if envelope.count(x) <= MOST_DOTS {
+    if !are_many(envelope, x) {
         return Many::Samples(envelope.samples(x, MOST_DOTS).collect());
     }
     let columns = crate::gui::units::whole((points / COLUMN).ceil().min(8192.0)).max(1);

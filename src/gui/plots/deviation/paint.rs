@@ -179,9 +179,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mu
     let palette = Palette::of(ui);
     let view = workbench.view();
     let shown = Shown::of(workbench, over);
-    let wide = f64::from(ui.available_width());
-    let whole = shown.extent.x.map(|x| shown.axes.scale.shown(x));
-    let many = matches!(shown.in_sight(whole, wide), Some(Many::Columns(_)));
+    let many = shown.envelope;
+    let many = many.is_some_and(|envelope| layout::are_many(envelope, shown.extent.x));
     strip::show(
         ui,
         &shown.note(many),

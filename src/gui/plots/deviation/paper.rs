@@ -53,7 +53,7 @@ pub(crate) fn sketch(workbench: &Workbench, over: Over) -> Option<Sketch> {
         None => of_dots(&shown.series.dots, &mut inks),
         Some(Many::Samples(samples)) => of_dots(&shown.dots(&samples), &mut inks),
         Some(Many::Columns(columns)) => {
-            for column in columns {
+            for column in columns.iter() {
                 let bar = |mm: [f64; 2], stands, filled| {
                     let [from, to] = [0, 1].map(|k| [axes.scale.shown(column.x[k]), value(mm[k])]);
                     Ink::Bar(from, to, stands, filled)

@@ -143,7 +143,7 @@ pub(super) fn extremes(
             add(column.x, [high - least, high], palette.before);
         }
     }
-    for column in &columns {
+    for column in columns.iter() {
         if let Some(ends) = column.after_mm.map(thick) {
             add(column.x, ends, palette.after.gamma_multiply(0.85));
         }
