@@ -45,8 +45,6 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
         result::show(ui, now);
         ui.max_rect().width()
     });
-    // What stands below ends where that ends.
-    ui.set_max_width(scrolled.inner);
     let missing = if next == now.said {
         now.missing()
     } else {
@@ -62,7 +60,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     } else if let Some(missing) = missing {
         widgets::hint(ui, missing);
     }
-    if super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands) {
+    // They end where what is above them ends.
+    let pressed = ui.scope(|ui| {
+        ui.set_max_width(scrolled.inner);
+        super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands)
+    });
+    if pressed.inner {
         commands.push(Command::Import);
     } else if next != now.said {
         commands.push(Command::Say(Box::new(next)));

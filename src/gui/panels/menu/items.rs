@@ -38,40 +38,37 @@ impl Menu<'_> {
     }
 }
 
-/// Which menu was open in the frame before, and which the pointer has opened.
+/// Which menu was open in the frame before, and which the pointer has opened, and when.
 #[derive(Debug, Clone, Copy, Default)]
 struct Open {
     now: Option<Id>,
-    by_pointer: Option<Id>,
-    /// When that was clicked, in the window's seconds: a frame may be laid out twice.
-    clicked_at: Option<f64>,
+    by_pointer: Option<(Id, f64)>,
 }
+
+/// A click so soon after the pointer has opened a menu is meant to open it, seconds.
+const SOON_S: f64 = 2.0;
 
 /// A header of the bar. While one menu is open the pointer opens the others, and a click that comes
 /// with the pointer does not close again what the pointer has just opened.
 pub(super) fn header(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
     let key = Id::unique("open menu");
-    let before: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
-    let mut open = before;
+    let mut open: Open = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let time = ui.input(|input| input.time);
     let (response, shown) = MenuButton::new(name).ui(ui, contents);
     let id = Popup::default_response_id(&response);
-    let another = before.now.is_some_and(|now| now != id);
-    let clicked = response.clicked();
-    let time = ui.input(|input| input.time);
-    let first = before.clicked_at.is_none_or(|at| at == time);
-    let opened_here = before.by_pointer == Some(id) && first;
-    if opened_here && !response.hovered() {
-        open.by_pointer = None;
-    }
-    if response.hovered() && another || clicked && opened_here {
+    let another = open.now.is_some_and(|now| now != id);
+    let soon = |(opened, at): (Id, f64)| opened == id && time - at <= SOON_S;
+    let meant = response.clicked() && open.by_pointer.is_some_and(soon);
+    if response.hovered() && another || meant {
         Popup::open_id(ui.ctx(), id);
         ui.ctx().request_repaint();
         open.now = Some(id);
-        open.by_pointer = Some(id);
-        open.clicked_at = clicked.then_some(time);
+        if !meant {
+            open.by_pointer = Some((id, time));
+        }
     } else if shown.is_some() {
         open.now = Some(id);
-    } else if before.now == Some(id) {
+    } else if open.now == Some(id) {
         open = Open::default();
     }
     ui.data_mut(|data| data.insert_temp(key, open));
