@@ -483,10 +483,8 @@ fn a_chart_that_was_dragged_away_comes_back() {
     let mut window = window(None);
     let (at, sample) = find_sample(&mut window, "deviation chart, ").expect("there are samples");
     let card = |window: &Window| {
-        let cards = window.query_all_by_label_contains("card of sample");
-        cards
-            .filter_map(|node| node.accesskit_node().label())
-            .next()
+        let mut cards = window.query_all_by_label_contains("card of sample");
+        cards.find_map(|node| node.accesskit_node().label())
     };
     let at = middle_of(&mut window, at, card);
     let here = |window: &mut Window| {

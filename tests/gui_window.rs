@@ -238,10 +238,9 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
     });
     assert!(named, "no sample was named on the whole radius");
     // Its row is in sight, wherever it is in the table.
-    let cards = window.query_all_by_label_contains("card of sample ");
-    let said = cards
-        .filter_map(|node| node.accesskit_node().label())
-        .next();
+    let said = window
+        .query_all_by_label_contains("card of sample ")
+        .find_map(|node| node.accesskit_node().label());
     let said = said.expect("a card has a label");
     let number = said.trim_start_matches("card of sample ");
     let (number, _) = number

@@ -295,13 +295,13 @@ fn it_is_zoomed_moved_and_fitted_again() {
 }
 
 /// Whether the card of a sample is shown within a few points of a place.
-fn near(window: &mut Window, at: Pos2, card: &Option<String>) -> bool {
+fn near(window: &mut Window, at: Pos2, card: Option<&String>) -> bool {
     let around = (-3_i8..=3).flat_map(|x| (-3_i8..=3).map(move |y| vec2(x.into(), y.into())));
     let mut around = around.map(|off| at + 5.0 * off);
     around.any(|place| {
         window.hover_at(place);
         window.run_steps(2);
-        text_of(window, "card of sample") == *card
+        text_of(window, "card of sample").as_ref() == card
     })
 }
 
@@ -322,9 +322,9 @@ fn the_wheel_goes_closer_about_the_pointer_and_does_not_push_the_robot_away() {
         assert!(card.is_some(), "{look}");
         // What is under the pointer stays under it, however close.
         wheel(&mut window, at, 2.0);
-        assert!(near(&mut window, at, &card), "{look}, closer");
+        assert!(near(&mut window, at, card.as_ref()), "{look}, closer");
         wheel(&mut window, at, -4.0);
-        assert!(near(&mut window, at, &card), "{look}, farther");
+        assert!(near(&mut window, at, card.as_ref()), "{look}, farther");
         // Closer about another place: it goes away from there.
         keys(&mut window, Modifiers::NONE, Key::Home);
         wheel(&mut window, frame.center() + vec2(30.0, 0.0), 6.0);

@@ -133,16 +133,15 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
             } else {
                 first(with.len()).map_err(|e| e.to_string())?
             };
-            let identification = match searched(found.as_ref(), with) {
-                Some(diagnosis) => diagnosis.identification(session, identification),
-                None => {
-                    for n in 0..with.len() {
-                        let before = first(n).map_err(|e| e.to_string())?;
-                        steps.push(before.gap.after.rms_mm);
-                    }
-                    steps.push(identification.gap.after.rms_mm);
-                    identification
+            let identification = if let Some(diagnosis) = searched(found.as_ref(), with) {
+                diagnosis.identification(session, identification)
+            } else {
+                for n in 0..with.len() {
+                    let before = first(n).map_err(|e| e.to_string())?;
+                    steps.push(before.gap.after.rms_mm);
                 }
+                steps.push(identification.gap.after.rms_mm);
+                identification
             };
             let problem = Problem::new(session, values);
             let after = deviations(&problem, &identification.model);

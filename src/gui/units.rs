@@ -201,7 +201,7 @@ pub(crate) fn grouped(count: usize) -> String {
     }
     let mut text = String::new();
     for (k, digit) in digits.chars().enumerate() {
-        if k > 0 && (digits.len() - k) % 3 == 0 {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
             text.push('\u{202F}');
         }
         text.push(digit);

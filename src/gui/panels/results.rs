@@ -90,7 +90,7 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if !found.parameters.is_empty() {
         let joints = workbench.subject().session.robot.joints.len();
         widgets::card(ui, |ui| {
-            parameters(ui, &found.parameters, joints, workbench.units())
+            parameters(ui, &found.parameters, joints, workbench.units());
         });
     }
     super::unexplained::in_the_model(ui, &answer.calibration.model);

@@ -21,17 +21,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = workbench.view();
-    // A sample that is chosen or pointed at elsewhere is brought into sight once; under the pointer
-    // nothing moves.
-    let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
-    let elsewhere = view.hovered.filter(|_| !here);
-    let wanted = elsewhere.or(view.selected);
-    let id = ui.scope_id().with("shown sample");
-    let last = ui
-        .data_mut(|data| data.get_temp::<Option<usize>>(id))
-        .flatten();
-    let scroll = last != wanted && !here;
-    ui.data_mut(|data| data.insert_temp(id, wanted));
+    let brought = brought(ui, workbench);
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
     let wide = wide.clamp(52.0, 96.0).floor();
@@ -46,9 +36,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .columns(Column::exact(wide), 3)
         .column(Column::exact(MARK))
         .auto_shrink([false, false]);
-    if let Some(row) = wanted.filter(|_| scroll) {
-        // What is only pointed at moves the table no farther than it must.
-        let align = elsewhere.is_none().then_some(Align::Center);
+    if let Some((row, align)) = brought {
         table = table.scroll_to_row(row, align).animate_scrolling(false);
     }
     let length = units.length_name();
@@ -120,6 +108,24 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if before.flatten() != hovered {
         commands.push(Command::Hover(hovered));
     }
+}
+
+/// The row that is brought into sight in this frame, and to where. A sample that is chosen or pointed
+/// at elsewhere is brought once; under the pointer nothing moves.
+fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
+    let view = workbench.view();
+    let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
+    let elsewhere = view.hovered.filter(|_| !here);
+    let wanted = elsewhere.or(view.selected);
+    let id = ui.scope_id().with("shown sample");
+    let last: Option<Option<usize>> = ui.data_mut(|data| data.get_temp(id));
+    ui.data_mut(|data| data.insert_temp(id, wanted));
+    if here || last.flatten() == wanted {
+        return None;
+    }
+    // What is only pointed at moves the table no farther than it must.
+    let align = elsewhere.is_none().then_some(Align::Center);
+    wanted.map(|row| (row, align))
 }
 
 /// The head of a column; the last is a mark, and needs a name all the same.
