@@ -203,6 +203,11 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
                 .font(strong(size::DISPLAY))
                 .color(palette.after),
         );
+        if made.gap.is_some() {
+            let says = "Over the samples: noise, and loads and warmth that no table knows, are in it; \
+                        what the model by itself promises stands below";
+            widgets::hint(ui, says);
+        }
         if let Some(before) = workbench.subject().gap_before {
             widgets::fact(ui, "without it", units.length(before.rms_mm));
         }
