@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use egui::pos2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use support::{Window, copied, press, says, there, window};
+use support::{Window, copied, middle_of, press, says, there, wheel, window};
 use truepose::gui::{App, Runner};
 
 /// A chart and what it is called once it is shown.
@@ -466,4 +466,41 @@ fn the_bar_of_the_charts_fits_from_a_small_window_to_a_large_one() {
             "{width}: a list where there is no room"
         );
     }
+}
+
+#[test]
+fn a_chart_that_was_dragged_away_comes_back() {
+    let mut window = window(None);
+    let (at, sample) = find_sample(&mut window, "deviation chart, ").expect("there are samples");
+    let card = |window: &Window| {
+        let mut cards = window.query_all_by_label_contains("card of sample");
+        cards.find_map(|node| node.accesskit_node().label())
+    };
+    let at = middle_of(&mut window, at, card);
+    let here = |window: &mut Window| {
+        window.hover_at(at);
+        window.run_steps(3);
+        card(window).is_some()
+    };
+    assert!(here(&mut window), "{sample}");
+    for way in ["Fit chart to view", "Home"] {
+        window.drag_at(at);
+        window.run_steps(1);
+        window.hover_at(at + egui::vec2(160.0, 60.0));
+        window.run_steps(1);
+        window.drop_at(at + egui::vec2(160.0, 60.0));
+        window.run_steps(3);
+        assert!(!here(&mut window), "{way}: it was dragged");
+        if way == "Home" {
+            window.key_press(egui::Key::Home);
+            window.run_steps(3);
+        } else {
+            press(&mut window, "Fit chart to view");
+        }
+        assert!(here(&mut window), "{way}");
+    }
+    // What is under the pointer stays there while the wheel goes closer.
+    let named = card(&window);
+    wheel(&mut window, at, 2.0);
+    assert_eq!(card(&window), named);
 }

@@ -305,3 +305,29 @@ fn a_session_at_one_angle_says_why_there_are_no_regions() {
     );
     press(&mut window, "Continue to identify");
 }
+
+#[test]
+fn a_long_name_pushes_nothing_out_of_the_window() {
+    let mut window = window(None);
+    press(&mut window, "2 Regions");
+    press(&mut window, "By hand");
+    let name = "left side; a very long name of a region that goes on and on";
+    type_into(&mut window, "Name of region 1", name);
+    press(&mut window, "Identify by region");
+    press(&mut window, "2 Regions");
+    assert!(there(&window, &format!("Name of region {name}")));
+    let whole = window.ctx.content_rect();
+    let heads = ["region", "Δθ, rad", "Δl1, mm", "gap, mm"];
+    let heads = heads.map(|head| window.get_by_label(head).rect());
+    assert!(
+        heads
+            .windows(2)
+            .all(|pair| pair[0].right() < pair[1].left())
+    );
+    // What has no place is not drawn.
+    let drawn = window.root().children_recursive();
+    for node in drawn.filter(|node| node.accesskit_node().bounding_box().is_some()) {
+        let (rect, label) = (node.rect(), node.accesskit_node().label());
+        assert!(rect.right() <= whole.right() + 1.0, "{label:?} at {rect}");
+    }
+}

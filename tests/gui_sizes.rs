@@ -13,23 +13,27 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use support::{STEPS, Window, press, there, window_of};
 use truepose::gui::Runner;
 
-/// Width and height in points; the last two are 1920 × 1080 and 1366 × 768 with text of 150 %.
-const SIZES: [[f32; 2]; 6] = [
+/// Width and height in points; the last four are 1920 × 1080, 1366 × 768, 1280 × 800 and 1024 × 700
+/// with text of 150 %.
+const SIZES: [[f32; 2]; 8] = [
     [1024.0, 700.0],
     [1280.0, 800.0],
     [1920.0, 1080.0],
     [3840.0, 2160.0],
     [1280.0, 720.0],
     [911.0, 512.0],
+    [853.0, 533.0],
+    [683.0, 467.0],
 ];
 
 /// Inner margin of the side panels, points.
 const MARGIN: f32 = 16.0;
 /// Rounding to whole pixels, points.
 const ROUNDING: f32 = 1.5;
-/// The least that the workspace and a chart may be, points: in a low window, and else.
-const LEAST_LOW: [[f32; 2]; 2] = [[300.0, 90.0], [300.0, 60.0]];
-const LEAST: [[f32; 2]; 2] = [[300.0, 150.0], [300.0, 80.0]];
+/// The least that the workspace and a chart may be, points: in a low window, where one of them is
+/// shown, and else.
+const LEAST_LOW: [[f32; 2]; 2] = [[300.0, 150.0], [300.0, 150.0]];
+const LEAST: [[f32; 2]; 2] = [[300.0, 220.0], [300.0, 130.0]];
 
 fn window(size: [f32; 2]) -> Window {
     window_of(size, None, Runner::AtOnce)
@@ -304,7 +308,7 @@ fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
     let sheets = [
         ("Edit", "Preferences…", "Preferences"),
         ("Help", "What the words mean", "What the words mean"),
-        ("Help", "Keyboard shortcuts", "Keyboard shortcuts"),
+        ("Help", "Keyboard and mouse", "Keyboard and mouse"),
         ("Help", "About truepose", "About truepose"),
     ];
     let buttons = |window: &Window| window.query_all_by_label("Done").count();
@@ -378,4 +382,109 @@ fn the_chart_keeps_its_share_of_a_window_that_is_made_larger_and_smaller() {
     window.run_steps(6);
     let back = share(&window, 800.0);
     assert!((back - first).abs() < 0.01, "{first} → {back}");
+}
+
+/// The height of the plot of this name, if it is there.
+fn height(window: &Window, name: &str) -> Option<f32> {
+    let all = things(window);
+    let mut figures = all.iter().filter(|t| t.role == Role::Figure);
+    let plot = figures.find(|t| t.says.starts_with(name))?;
+    Some(plot.rect.height())
+}
+
+#[test]
+fn a_chart_that_was_in_a_small_window_is_as_high_as_before_in_a_large_one() {
+    let mut window = window([1280.0, 800.0]);
+    let chart = |window: &Window| height(window, "deviation chart");
+    let first = chart(&window).expect("a chart");
+    let sizes = [
+        [1024.0, 700.0],
+        [683.0, 467.0],
+        [1024.0, 700.0],
+        [853.0, 533.0],
+        [1280.0, 720.0],
+        [1280.0, 800.0],
+    ];
+    for size in sizes {
+        window.set_size(size.into());
+        window.run_steps(6);
+        if let Some(now) = chart(&window) {
+            assert!(now >= 130.0, "{size:?}: {now}");
+        }
+    }
+    let back = chart(&window).expect("a chart");
+    assert!((back - first).abs() < 2.0, "{first} → {back}");
+}
+
+#[test]
+fn in_a_low_window_one_plot_is_shown_and_a_switch_brings_the_other() {
+    for size in [[683.0, 467.0], [911.0, 512.0]] {
+        let mut window = window(size);
+        let shown = |window: &Window| {
+            ["workspace plot", "deviation chart"].map(|name| height(window, name))
+        };
+        let [workspace, chart] = shown(&window);
+        assert!(
+            workspace.is_some_and(|h| h >= 150.0) && chart.is_none(),
+            "{workspace:?}"
+        );
+        press(&mut window, "Chart");
+        let [workspace, chart] = shown(&window);
+        assert!(
+            chart.is_some_and(|h| h >= 150.0) && workspace.is_none(),
+            "{chart:?}"
+        );
+        look(&window, &format!("{size:?}, chart"));
+        // Whoever looks from another side wants to see it.
+        window.key_press_modifiers(
+            egui::Modifiers::COMMAND.plus(egui::Modifiers::SHIFT),
+            egui::Key::Num2,
+        );
+        window.run_steps(4);
+        assert!(shown(&window)[0].is_some());
+        press(&mut window, "Chart");
+        press(&mut window, "Workspace");
+        // Where there is room for both there is no switch.
+        window.set_size([1280.0, 800.0].into());
+        window.run_steps(4);
+        assert!(shown(&window).iter().all(Option::is_some));
+        assert!(!there(&window, "Chart"));
+    }
+}
+
+#[test]
+fn a_long_message_leaves_the_plots_their_room_and_can_be_closed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = support::copy_of("lamp-commissioning", folder.path());
+    let rows = path.with_extension("csv");
+    let text = std::fs::read_to_string(&rows).expect("a copy");
+    let wrong: Vec<String> = text
+        .lines()
+        .enumerate()
+        .map(|(k, line)| {
+            if k > 0 && k < 40 {
+                format!("wrong{line}")
+            } else {
+                line.to_owned()
+            }
+        })
+        .collect();
+    std::fs::write(&rows, wrong.join("\n")).expect("a copy");
+    for (size, least) in [
+        ([683.0, 467.0], 90.0),
+        ([1024.0, 700.0], 150.0),
+        ([1280.0, 800.0], 150.0),
+    ] {
+        let mut window = window(size);
+        support::open(&mut window, &path);
+        let plot = height(&window, "workspace plot").expect("a plot");
+        assert!(plot >= least, "{size:?}: {plot}");
+        let dismiss = window.get_by_label("Dismiss").rect();
+        assert!(
+            window.ctx.content_rect().contains_rect(dismiss),
+            "{dismiss}"
+        );
+        press(&mut window, "Dismiss");
+        assert!(!there(&window, "Dismiss"));
+    }
 }

@@ -7,8 +7,8 @@ mod support;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Vec2};
-use egui_kittest::kittest::Queryable;
-use support::{STEPS, Window, bundled, export_to, gaps, press, status, window, window_of};
+use egui_kittest::kittest::{NodeT, Queryable};
+use support::{STEPS, Window, bundled, export_to, gaps, press, status, there, window, window_of};
 use truepose::gui::Runner;
 
 #[test]
@@ -209,7 +209,7 @@ fn every_menu_and_every_sheet_opens_and_closes() {
         window.run_steps(4);
     }
     for (item, says) in [
-        ("Keyboard shortcuts", "show everything in the plots"),
+        ("Keyboard and mouse", "show everything in the plots"),
         (
             "About truepose",
             "Everything in this window can be done in the terminal too",
@@ -237,4 +237,60 @@ fn the_pointer_on_a_sample_names_it_and_the_table_shows_it() {
         window.query_by_label_contains("card of sample").is_some()
     });
     assert!(named, "no sample was named on the whole radius");
+    // Its row is in sight, wherever it is in the table.
+    let said = window
+        .query_all_by_label_contains("card of sample ")
+        .find_map(|node| node.accesskit_node().label());
+    let said = said.expect("a card has a label");
+    let number = said.trim_start_matches("card of sample ");
+    let (number, _) = number
+        .split_once(':')
+        .expect("a card begins with its sample");
+    let number: usize = number.parse().expect("a number");
+    let first = "row 1, number";
+    let row = format!("row {number}, number");
+    assert!(there(&window, &row) && !there(&window, first), "{row}");
+    // In the table itself nothing moves under the pointer.
+    let table = window.get_by_label("column sample").rect();
+    for k in 1_u8..6 {
+        window.hover_at(table.center() + Vec2::new(60.0, 60.0 * f32::from(k)));
+        window.run_steps(3);
+        assert!(there(&window, &row) && !there(&window, first), "{row}");
+    }
+}
+
+#[test]
+fn with_one_menu_open_the_pointer_and_a_click_open_the_others() {
+    let mut window = window(None);
+    let shown = |window: &Window| {
+        let items = ["Quit", "Preferences…", "Usual size", "About truepose"];
+        items.map(|item| there(window, item))
+    };
+    press(&mut window, "File");
+    assert_eq!(shown(&window), [true, false, false, false]);
+    let menus = ["File", "Edit", "View", "Help"];
+    let only = |menu: &str| menus.map(|other| other == menu);
+    for (menu, other) in [
+        ("Edit", "Help"),
+        ("View", "File"),
+        ("Help", "Edit"),
+        ("File", "View"),
+    ] {
+        window.get_by_label(menu).hover();
+        window.run_steps(2);
+        assert_eq!(shown(&window), only(menu), "the pointer on {menu}");
+        // Whoever clicks what the pointer has just opened wants it open.
+        window.get_by_label(menu).click();
+        window.run_steps(3);
+        assert_eq!(shown(&window), only(menu), "{menu} clicked");
+        // A click that comes with the pointer opens it as well.
+        window.get_by_label(other).click();
+        window.run_steps(4);
+        assert_eq!(shown(&window), only(other), "{other} clicked");
+    }
+    // And a click on what has been open for a while closes it.
+    window.run_steps(12);
+    window.get_by_label("View").click();
+    window.run_steps(4);
+    assert_eq!(shown(&window), [false; 4]);
 }

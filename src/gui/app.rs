@@ -40,6 +40,7 @@ impl App {
     /// Opens on a file, or on the bundled session.
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         tokens::apply(ctx);
+        write_fields(ctx, false);
         let wake = ctx.clone();
         let tasks = Tasks::new(runner, Arc::new(move || wake.request_repaint()));
         let mut workbench = Workbench::new(files::first_example(), tasks);
@@ -260,13 +261,7 @@ impl App {
             ctx.set_theme(wanted.theme.preference());
         }
         if wanted.decimal_comma != self.shown.decimal_comma {
-            let comma = wanted.decimal_comma;
-            ctx.all_styles_mut(|style| {
-                style.number_formatter = NumberFormatter::new(move |value, decimals| {
-                    let text = egui::emath::format_with_decimals_in_range(value, decimals);
-                    if comma { text.replace('.', ",") } else { text }
-                });
-            });
+            write_fields(ctx, wanted.decimal_comma);
         }
         self.shown = wanted;
     }
@@ -312,6 +307,17 @@ impl App {
             self.title = title;
         }
     }
+}
+
+/// Numbers in fields have a real minus sign, and the decimal sign that the user wants.
+fn write_fields(ctx: &Context, comma: bool) {
+    ctx.all_styles_mut(|style| {
+        style.number_formatter = NumberFormatter::new(move |value, decimals| {
+            let text = egui::emath::format_with_decimals_in_range(value, decimals);
+            let text = text.replace('-', "−");
+            if comma { text.replace('.', ",") } else { text }
+        });
+    });
 }
 
 impl eframe::App for App {

@@ -6,8 +6,11 @@ use crate::effects::{Inputs, Survey};
 use crate::gui::units::whole;
 use crate::sessions::{Session, Sigma};
 
-/// Equal parts of the range of joint 1 in which samples are counted.
-pub(crate) const PARTS: usize = 24;
+/// Most equal parts of the range of joint 1 in which samples are counted.
+const PARTS: usize = 24;
+/// How much wider than the usual step a part is at least: then an even grid has one of its places
+/// in every part, however the parts lie on it and although no place is reached exactly.
+const WIDER: f64 = 1.25;
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -16,7 +19,8 @@ pub(crate) struct Known {
     pub(crate) survey: Survey,
     /// Smallest and largest value that joint 1 was measured at, rad or mm; `None` without samples.
     pub(crate) measured: Option<[f64; 2]>,
-    /// Samples in each part of the range that the joint can reach.
+    /// Samples in each part of the range that the joint can reach; the parts are no finer than the
+    /// samples' own steps.
     pub(crate) cover: Vec<u32>,
     /// The widest part within what was measured in which there is no sample, rad or mm.
     pub(crate) hole: Option<[f64; 2]>,
@@ -57,23 +61,38 @@ fn extent(values: &[f64]) -> Option<[f64; 2]> {
 }
 
 fn counted(q: &[f64], (from, to): (f64, f64)) -> Vec<u32> {
-    let mut cover = vec![0; PARTS];
-    let width = (to - from) / PARTS as f64;
-    if width.is_nan() || width <= 0.0 {
-        return cover;
+    let range = to - from;
+    if range.is_nan() || range <= 0.0 {
+        return vec![0; PARTS];
     }
+    let parts = step(q, range).map_or(PARTS, |step| whole(range / (WIDER * step)));
+    let parts = parts.clamp(1, PARTS);
+    let mut cover = vec![0; parts];
+    let width = range / parts as f64;
     for q in q.iter().filter(|q| q.is_finite()) {
-        let part = whole((q - from) / width).min(PARTS - 1);
+        let part = whole((q - from) / width).min(parts - 1);
         cover[part] += 1;
     }
     cover
 }
 
+/// The middle one of the steps from one place to the next. What is nearer than a small part of
+/// what is counted in is the same place, reached again. `None`: the places are closer than that.
+fn step(q: &[f64], range: f64) -> Option<f64> {
+    let same = range / (8.0 * PARTS as f64);
+    let mut q: Vec<f64> = q.iter().copied().filter(|q| q.is_finite()).collect();
+    q.sort_unstable_by(f64::total_cmp);
+    let steps = q.windows(2).map(|pair| pair[1] - pair[0]);
+    let mut steps: Vec<f64> = steps.filter(|step| *step > same).collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    steps.get(steps.len() / 2).copied()
+}
+
 /// The widest run of empty parts within what was measured, if it is out of the ordinary: wider
 /// than three times the middle one.
 fn hole(cover: &[u32], measured: [f64; 2], (from, to): (f64, f64)) -> Option<[f64; 2]> {
-    let width = (to - from) / PARTS as f64;
-    let part = |q: f64| whole((q - from) / width).min(PARTS - 1);
+    let width = (to - from) / cover.len() as f64;
+    let part = |q: f64| whole((q - from) / width).min(cover.len() - 1);
     let within = part(measured[0])..=part(measured[1]);
     let filled: Vec<usize> = within.filter(|k| cover[*k] > 0).collect();
     let mut steps: Vec<usize> = filled.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -106,9 +125,38 @@ mod tests {
     fn every_sample_is_counted_once_where_it_is() {
         let q = [0.0, 0.01, 59.99, 60.0, f64::NAN];
         let cover = counted(&q, (0.0, 60.0));
-        assert_eq!((cover[0], cover[PARTS - 1]), (2, 2));
         assert_eq!(cover.iter().sum::<u32>(), 4);
+        let q: Vec<f64> = (0..=600).map(|k| 0.1 * f64::from(k)).chain(q).collect();
+        let cover = counted(&q, (0.0, 60.0));
+        assert_eq!((cover.len(), cover[0], cover[PARTS - 1]), (PARTS, 27, 28));
+        assert_eq!(cover.iter().sum::<u32>(), 605);
         assert_eq!(counted(&[1.0], (1.0, 1.0)).iter().sum::<u32>(), 0);
+    }
+
+    #[test]
+    fn an_even_grid_has_no_empty_part_whatever_its_step_and_its_range() {
+        for steps in 4..60_u8 {
+            for (first, beyond, jitter) in [(0.0, 0.0, 0.0), (-2.618, 0.0, 0.02), (-1.0, 0.4, 0.05)]
+            {
+                let step = 5.236 / f64::from(steps);
+                let off =
+                    |k: u8| jitter * step * f64::from(i8::from(k % 3 == 1) - i8::from(k % 5 == 2));
+                let grid = (0..=steps).map(|k| first + step * f64::from(k) + off(k));
+                // Every place from both sides, a little apart.
+                let q: Vec<f64> = grid.flat_map(|q| [q, q + 1e-4]).collect();
+                let range = (first, first + 5.236 + beyond);
+                let cover = counted(&q, range);
+                let reached = cover.iter().rposition(|c| *c > 0).expect("samples");
+                assert!(
+                    cover[..reached].iter().all(|c| *c > 0),
+                    "{steps}, {range:?}: {cover:?}"
+                );
+                assert!(
+                    cover.len() <= PARTS
+                        && cover.len() + 1 >= PARTS.min(usize::from(steps) * 4 / 5)
+                );
+            }
+        }
     }
 
     #[test]

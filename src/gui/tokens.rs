@@ -175,6 +175,8 @@ pub(crate) mod space {
     pub(crate) const CARD: i8 = 14;
     /// Height of fields and buttons.
     pub(crate) const CONTROL: f32 = 28.0;
+    /// Height of a row with what stands side by side to be chosen from.
+    pub(crate) const ROW_HEIGHT: f32 = 34.0;
     /// Height of the one button that stands out.
     pub(crate) const PRIMARY: f32 = 36.0;
     /// Rounding of fields, buttons and cards.

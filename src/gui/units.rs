@@ -193,6 +193,48 @@ fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, String) {
     }
 }
 
+/// A count, from 10 000 on in groups of three digits with a narrow space between them.
+pub(crate) fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    if digits.len() < 5 {
+        return digits;
+    }
+    let mut text = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) {
+            text.push('\u{202F}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// `1 sample`, `2 samples`.
+pub(crate) fn number_of(count: usize, what: &str) -> String {
+    let s = if count == 1 { "" } else { "s" };
+    format!("{} {what}{s}", grouped(count))
+}
+
+/// A text that goes into files as well, with real minus signs before its numbers.
+pub(crate) fn with_minus_signs(text: &str) -> String {
+    let mut before = ' ';
+    let mut letters = text.chars().peekable();
+    let mut out = String::with_capacity(text.len());
+    while let Some(letter) = letters.next() {
+        let number = letters
+            .peek()
+            .is_some_and(|c| c.is_ascii_digit() || *c == '.');
+        let begins = !(before.is_alphanumeric() || before == '-' || before == '_');
+        out.push(if letter == '-' && begins && number {
+            '−'
+        } else {
+            letter
+        });
+        before = letter;
+    }
+    out
+}
+
 /// A small number that is whole already, or zero where it is below.
 #[allow(
     clippy::cast_possible_truncation,
@@ -263,6 +305,22 @@ mod tests {
         assert_eq!(significant(2.5e-13, 3), "0");
         assert_eq!(trimmed(-0.0001, 2), "0");
         assert_eq!(trimmed(36.50, 2), "36.5");
+    }
+
+    #[test]
+    fn counts_are_grouped_and_agree_with_what_is_counted() {
+        assert_eq!(number_of(1, "region"), "1 region");
+        assert_eq!(number_of(0, "sample"), "0 samples");
+        assert_eq!(number_of(9999, "sample"), "9999 samples");
+        assert_eq!(grouped(36_002), "36\u{202F}002");
+        assert_eq!(grouped(1_000_008), "1\u{202F}000\u{202F}008");
+    }
+
+    #[test]
+    fn a_sentence_has_minus_signs_before_numbers_and_hyphens_in_words() {
+        let says = "at -90.0° (no-load, 2026-01-02, ISO 230-2) add -.5, J-1: x_-3";
+        let shown = "at −90.0° (no-load, 2026-01-02, ISO 230-2) add −.5, J-1: x_-3";
+        assert_eq!(with_minus_signs(says), shown);
     }
 
     #[test]

@@ -104,6 +104,45 @@ pub fn type_into(window: &mut Window, label: &str, text: &str) {
     window.run_steps(4);
 }
 
+/// Turns the wheel at a place by so many notches, up is positive.
+pub fn wheel(window: &mut Window, at: egui::Pos2, notches: f32) {
+    window.hover_at(at);
+    window.run_steps(1);
+    window.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: egui::vec2(0.0, notches),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Unknown,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(12);
+}
+
+/// The middle of what answers to the pointer as this place does.
+pub fn middle_of(
+    window: &mut Window,
+    at: egui::Pos2,
+    answer: impl Fn(&Window) -> Option<String>,
+) -> egui::Pos2 {
+    let mut here = |at: egui::Pos2| {
+        window.hover_at(at);
+        window.run_steps(2);
+        answer(window)
+    };
+    let wanted = here(at);
+    let mut middle = at;
+    for way in [egui::vec2(1.0, 0.0), egui::vec2(0.0, 1.0)] {
+        let steps = (-30_i8..=30).map(|k| middle + f32::from(k) * way);
+        let same: Vec<egui::Pos2> = steps.filter(|at| here(*at) == wanted).collect();
+        let sum = same
+            .iter()
+            .fold(egui::Vec2::ZERO, |sum, at| sum + at.to_vec2());
+        middle = (sum / same.len().max(1) as f32).to_pos2();
+    }
+    here(middle);
+    middle
+}
+
 /// Types a tolerance, mm: it changes what the session's file says, and asks nothing of the samples.
 pub fn type_tolerance(window: &mut Window, mm: &str) {
     window

@@ -11,7 +11,7 @@ use crate::gui::setup::SetupForm;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Component;
 use crate::gui::tasks::What;
-use crate::gui::view::{Canvas, Chart, Colouring, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -135,6 +135,8 @@ pub(crate) enum Command {
     Mark(Vec<usize>),
     /// Show this on the right-hand side.
     Side(Side),
+    /// Show this part of the middle where there is no room for both.
+    Part(Part),
     /// Show this below the workspace.
     Chart(Chart),
     /// Let charts be about this joint, counted from 0.
@@ -157,4 +159,8 @@ pub(crate) enum Command {
     Dismiss,
     /// Show everything again.
     Fit,
+    /// The upper plot shows everything again.
+    FitWorkspace,
+    /// The chart shows everything again.
+    FitChart,
 }

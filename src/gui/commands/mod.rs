@@ -47,7 +47,7 @@ use crate::gui::subject::Subject;
 use crate::gui::tasks::Tasks;
 use crate::gui::undo::History;
 use crate::gui::units::Units;
-use crate::gui::view::{Aspect, Message, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::gui::view::{Aspect, Message, Part, Plane, Sheet, Side, Step, Then, ViewState};
 use crate::sessions::Samples;
 
 /// Document, view, answer and tasks.
@@ -249,8 +249,10 @@ impl Workbench {
         let view = &mut self.view;
         match command {
             Command::GoTo(step) => view.step = step,
-            Command::Look(plane) => (view.plane, view.aspect) = (plane, Aspect::Plane),
-            Command::LookAround => view.aspect = Aspect::Around,
+            Command::Look(plane) => {
+                (view.plane, view.aspect, view.part) = (plane, Aspect::Plane, Part::Workspace);
+            }
+            Command::LookAround => (view.aspect, view.part) = (Aspect::Around, Part::Workspace),
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
             }
@@ -271,9 +273,15 @@ impl Workbench {
                 view.side = Side::Samples;
             }
             Command::Side(side) => view.side = side,
-            Command::Chart(chart) => self.choose_chart(chart),
+            Command::Chart(chart) => {
+                view.part = Part::Chart;
+                self.choose_chart(chart);
+            }
             Command::ChartJoint(joint) => view.joint = joint,
-            Command::ShowEffect(index) => self.show_effect(index),
+            Command::ShowEffect(index) => {
+                view.part = Part::Chart;
+                self.show_effect(index);
+            }
             Command::Results(open) => view.results = Some(open),
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
@@ -304,7 +312,10 @@ impl Workbench {
             }
             Command::Type { region, end, text } => self.type_boundary(region, end, text),
             Command::Dismiss => view.message = None,
-            Command::Fit => view.fitted += 1,
+            Command::Fit => view.fitted.everywhere(),
+            Command::FitWorkspace => view.fitted.workspace += 1,
+            Command::Part(part) => view.part = part,
+            Command::FitChart => view.fitted.chart += 1,
             _ => {}
         }
         self.forget_missing_samples();
@@ -331,7 +342,7 @@ impl Workbench {
             self.saved_as = None;
             self.look_along_the_axis();
             self.view.step = Step::Session;
-            self.view.fitted += 1;
+            self.view.fitted.everywhere();
             self.view.message = None;
             self.opened();
         }

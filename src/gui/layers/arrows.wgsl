@@ -44,19 +44,12 @@ fn arrow(@builtin(vertex_index) corner: u32, sample: Sample) -> Arrow {
     let shown = shown_of(sample.before, sample.after);
     var color = frame.flat_color;
     var width = frame.style.z;
-    let says = u32(frame.style.x);
-    if says == 1u {
-        color = scale_of(length(shown) / frame.shown.z);
-    } else if says == 2u {
-        let flat_vector = flat_of(shown);
-        color = scale_of(atan2(flat_vector.y, flat_vector.x) / TURN);
-    } else if says >= 3u {
-        let part = sample.conditions[says - 3u];
+    if colour_says() {
+        let said = said_of(shown, sample.conditions);
+        color = select(frame.ghost, said, said.a > 0.5);
+        let part = condition_of(sample.conditions);
         if part >= 0.0 {
-            color = scale_of(part);
             width = mix(frame.style_2.x, frame.style_2.y, part);
-        } else {
-            color = frame.ghost;
         }
     }
     if !known(shown) || !known(sample.at) {

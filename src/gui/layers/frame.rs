@@ -15,6 +15,8 @@ const ROWS: usize = 16 + STOPS;
 pub(crate) const WIDTH: f32 = 1.6;
 /// The narrowest and the widest of a vector whose width says what its colour says.
 pub(crate) const WEDGE: [f32; 2] = [0.9, 3.2];
+/// Width of the outline of a mark that is filled with what colour says, points.
+pub(crate) const OUTLINE: f32 = 0.8;
 /// How much of what is beneath the heat map hides.
 pub(crate) const HEAT: f32 = 0.72;
 

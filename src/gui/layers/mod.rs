@@ -25,7 +25,7 @@ mod shapes;
 mod tests;
 
 pub(crate) use cloud::{Cloud, Remainder};
-pub(crate) use frame::{Frame, Look, WEDGE, WIDTH, scale_at};
+pub(crate) use frame::{Frame, Look, OUTLINE, WEDGE, WIDTH, scale_at};
 pub(crate) use gpu::{CloudLayer, HeatLayer, register};
 pub(crate) use heat::Heat;
 pub(crate) use nearest::Nearest;

@@ -8,3 +8,31 @@ struct Sample {
     @location(4) suspected: f32,
 }
 
+// Whether colour says anything but before and after.
+fn colour_says() -> bool {
+    return frame.style.x > 0.5;
+}
+
+// The condition that colour says, from 0 to 1; below 0: none is known, or it says something else.
+fn condition_of(conditions: vec3f) -> f32 {
+    let says = u32(frame.style.x);
+    return select(-1.0, conditions[max(says, 3u) - 3u], says >= 3u);
+}
+
+// What colour says of a sample of which this deviation is shown; transparent where nothing is known.
+fn said_of(shown: vec3f, conditions: vec3f) -> vec4f {
+    let says = u32(frame.style.x);
+    if says == 1u {
+        return scale_of(length(shown) / frame.shown.z);
+    }
+    if says == 2u {
+        let flat_vector = flat_of(shown);
+        return scale_of(atan2(flat_vector.y, flat_vector.x) / TURN);
+    }
+    let part = condition_of(conditions);
+    if part < 0.0 {
+        return vec4f(0.0);
+    }
+    return scale_of(part);
+}
+

@@ -15,7 +15,7 @@ use crate::gui::tokens::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
 use super::cloud::{Cloud, Place, Remainder};
-use super::frame::{Frame, HEAT, Look, WIDTH, scale_at};
+use super::frame::{Frame, HEAT, Look, OUTLINE, WIDTH, scale_at};
 use super::gpu::{CloudLayer, HeatLayer, register};
 use super::heat::Heat;
 
@@ -243,6 +243,110 @@ fn arrows_cover_what_their_outline_covers() {
     compare_arrows(1.0, DARK, Colouring::Deviation, 1.0);
     compare_arrows(2.0, LIGHT, Colouring::Direction, 0.5);
     compare_arrows(1.5, DARK, Colouring::Load, 0.25);
+}
+
+/// How much of a pixel is covered, by 8 × 8 points of it from the middle of a mark.
+fn covered(inside: impl Fn(f64, f64) -> bool, x: f64, y: f64) -> f64 {
+    let part = |k: u8| (f64::from(k) + 0.5) / 8.0;
+    let points = (0..64_u8).filter(|k| inside(x + part(k % 8), y + part(k / 8)));
+    points.count() as f64 / 64.0
+}
+
+/// The marks that a reference draws: a disc within the tolerance, a diamond outside, filled with
+/// what colour says, open where nothing is known.
+fn compare_marks(pixels: f32, palette: Palette, colouring: Colouring) {
+    const SIZE: f32 = 3.0;
+    const TOLERANCE_MM: f64 = 1.5;
+    let (cloud, remainder) = cloud();
+    let look = Look {
+        magnification: 0.0,
+        tolerance_mm: Some(TOLERANCE_MM),
+        mark: SIZE,
+        ..look(colouring, 0.0)
+    };
+    let picture = drawn(pixels, palette.surface, move || {
+        let layer = CloudLayer {
+            cloud: Arc::clone(&cloud),
+            remainder: Some(Arc::clone(&remainder)),
+            frame: Frame::new(&look, &palette, &transform(), None, pixels),
+            counts: [ARROWS.len(), 0],
+            ghosts: false,
+        };
+        layer.shape(frame())
+    });
+    let point = f64::from(pixels);
+    let size = point * f64::from(SIZE);
+    let surface = as_parts(palette.surface);
+    let mut kinds = [0, 0];
+    // The last sticks out of the plot.
+    for (at, before, _) in &ARROWS[..4] {
+        let e = before.map(f64::from);
+        let length = (e[0] * e[0] + e[1] * e[1] + 0.2 * 0.2).sqrt();
+        let within = length <= TOLERANCE_MM;
+        kinds[usize::from(within)] += 1;
+        #[allow(clippy::cast_possible_truncation, reason = "a part of a scale")]
+        let said = match colouring {
+            Colouring::Deviation => scale_at(colouring, &palette, (length / 2.0) as f32),
+            Colouring::Direction => {
+                let turn = e[1].atan2(e[0]) / std::f64::consts::TAU;
+                scale_at(colouring, &palette, turn as f32)
+            }
+            Colouring::Load => scale_at(colouring, &palette, 0.25),
+            Colouring::State if within => palette.within,
+            // No temperature is known.
+            _ => palette.surface,
+        };
+        let (edge, half) = match (within, colouring) {
+            (false, _) => (palette.outside, 0.7 * point),
+            (true, Colouring::State) => (palette.within, 0.0),
+            (true, _) => (palette.text, 0.5 * f64::from(OUTLINE) * point),
+        };
+        let [fill, edge] = [said, edge].map(as_parts);
+        let beyond = |x: f64, y: f64| {
+            if within {
+                x.hypot(y) - 2.8 * size
+            } else {
+                (x.abs() + y.abs() - 4.2 * size) / 2.0_f64.sqrt()
+            }
+        };
+        let middle = [
+            point * (120.0 + 2.0 * f64::from(at[0])),
+            point * (80.0 - 2.0 * f64::from(at[1])),
+        ];
+        let first = middle.map(|m| crate::gui::units::whole(m - 6.0 * size));
+        let number = crate::gui::units::whole(12.0 * size);
+        for (i, k) in (0..number).flat_map(|k| (0..number).map(move |i| (i, k))) {
+            let pixel = [first[0] + i, first[1] + k];
+            let [x, y] = [0, 1].map(|k| pixel[k] as f64 - middle[k]);
+            let filled = covered(|x, y| beyond(x, y) <= 0.0, x, y);
+            let stroked = covered(|x, y| beyond(x, y).abs() <= half, x, y);
+            let found = picture.at(pixel[0], pixel[1]);
+            for k in 0..3 {
+                let beneath = surface[k] + filled * (fill[k] - surface[k]);
+                let wanted = beneath + stroked * (edge[k] - beneath);
+                let off = (found[k] - wanted).abs();
+                let says = format!("{colouring:?} {at:?} {x} {y}: {} {wanted}", found[k]);
+                assert!(off < 0.25, "{says}");
+                // Away from every edge the colour is exact.
+                if beyond(x + 0.5, y + 0.5).abs() > half + 1.5 {
+                    assert!(off < 0.01, "{says}");
+                }
+            }
+        }
+    }
+    assert_eq!(kinds.map(|n| n > 0), [true, true], "{kinds:?}");
+}
+
+#[test]
+fn marks_carry_what_colour_says_and_their_shape_says_whether_they_are_within() {
+    if !can_draw() {
+        return;
+    }
+    compare_marks(1.0, LIGHT, Colouring::State);
+    compare_marks(2.0, DARK, Colouring::Deviation);
+    compare_marks(1.5, LIGHT, Colouring::Direction);
+    compare_marks(1.0, DARK, Colouring::Load);
+    compare_marks(2.0, LIGHT, Colouring::Temperature);
 }
 
 #[test]

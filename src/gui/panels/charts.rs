@@ -6,7 +6,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::help::{self, Word};
 use crate::gui::pictures::Plot;
 use crate::gui::plots::{
-    correction, deviation, effect, histogram, orders, picture, strip, waterfall,
+    correction, deviation, effect, gestures, histogram, orders, picture, strip, waterfall,
 };
 use crate::gui::subject::Component;
 use crate::gui::tokens::{Palette, size, space};
@@ -16,7 +16,7 @@ use crate::gui::widgets;
 use super::copies;
 
 /// Room for the marks at the right end of the bar, points.
-const MARKS: f32 = 92.0;
+const MARKS: f32 = 120.0;
 /// Room for a list, points.
 const LIST: f32 = 104.0;
 /// Space beside each name where charts stand side by side: as much as there is room for.
@@ -149,7 +149,7 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
     let left = room - beside.map_or(f32::INFINITY, |beside| charts.width(ui, beside));
     let wide = |c: &Choice<Component>| LIST + left >= c.width(ui, BESIDE[0]);
     let components_beside = components.as_ref().filter(|c| wide(c)).map(|_| BESIDE[0]);
-    ui.horizontal(|ui| {
+    widgets::row(ui, |ui| {
         ui.spacing_mut().item_spacing.x = space::ROW;
         if let Some(chart) = charts.show(ui, beside) {
             commands.push(Command::Chart(chart));
@@ -164,6 +164,9 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
             ui.spacing_mut().item_spacing.x = space::TIGHT;
             if has_picture(workbench, chart) {
                 picture(ui, plot_of(chart), commands);
+            }
+            if chart != Chart::Gap {
+                gestures::fit(ui, "Fit chart to view", Command::FitChart, commands);
             }
             copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
             widgets::question(ui, word(chart));

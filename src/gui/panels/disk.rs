@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, Ui};
+use egui::{Align, Frame, Label, Layout, Margin, RichText, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::keeping::disk::Fate;
@@ -26,34 +26,29 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             "What was read is here still: saving writes it again, or put the file back",
         ),
     };
-    let frame = Frame::NONE
-        .fill(palette.inset)
-        .inner_margin(Margin::symmetric(14, 10));
-    Panel::top("on disk")
-        .resizable(false)
-        .frame(frame)
-        .show(ui, |ui| {
-            ui.horizontal_top(|ui| {
-                ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-                    if ui.button("Keep this").clicked() {
-                        commands.push(Command::KeepMine);
+    let frame = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
+    frame.show(ui, |ui| {
+        ui.horizontal_top(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+                if ui.button("Keep this").clicked() {
+                    commands.push(Command::KeepMine);
+                }
+                match on_disk.fate {
+                    Fate::Changed if ui.button("Reload").clicked() => {
+                        commands.push(Command::Reload);
                     }
-                    match on_disk.fate {
-                        Fate::Changed if ui.button("Reload").clicked() => {
-                            commands.push(Command::Reload);
-                        }
-                        Fate::Vanished => save_again(ui, workbench, &on_disk.path, commands),
-                        Fate::Changed => {}
-                    }
-                    ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                        ui.spacing_mut().item_spacing.y = 3.0;
-                        let title = RichText::new(title).font(strong(size::BODY));
-                        ui.add(Label::new(title.color(palette.warning)).wrap());
-                        ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
-                    });
+                    Fate::Vanished => save_again(ui, workbench, &on_disk.path, commands),
+                    Fate::Changed => {}
+                }
+                ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                    ui.spacing_mut().item_spacing.y = 3.0;
+                    let title = RichText::new(title).font(strong(size::BODY));
+                    ui.add(Label::new(title.color(palette.warning)).wrap());
+                    ui.add(Label::new(RichText::new(says).size(size::NOTE)).wrap());
                 });
             });
         });
+    });
 }
 
 /// Offers to write what is gone. Where it is the samples the document still says where they belong;

@@ -10,6 +10,7 @@ use crate::gui::preview::Made;
 use crate::gui::reporting::About;
 use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::units::with_minus_signs;
 use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::kinematics::JointKind;
@@ -225,7 +226,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             }
         }
         for line in made.remainder.says() {
-            widgets::hint(ui, line);
+            widgets::hint(ui, with_minus_signs(&line));
         }
     });
     widgets::card(ui, |ui| {
@@ -233,7 +234,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         // The export's own notes, which the terminal prints, are these and what stands above.
         let said = [&made.sign, &made.example].into_iter().flatten();
         for line in said.chain(&made.said) {
-            widgets::hint(ui, line);
+            widgets::hint(ui, with_minus_signs(line));
         }
     });
     widgets::card(ui, |ui| {

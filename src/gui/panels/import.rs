@@ -34,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     widgets::hint(ui, file::found_out(now));
     let mut next = now.said.clone();
     let height = (window.height() - AROUND).max(200.0);
-    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+    let scrolled = ScrollArea::vertical().max_height(height).show(ui, |ui| {
         // Beside what scrolls, not over it.
         ui.set_width(ui.available_width() - f32::from(space::PANEL));
         file::show(ui, now, &mut next);
@@ -46,6 +46,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
         beside::base_frame(ui, now, &mut next, commands);
         beside::reflectors(ui, &mut next, commands);
         result::show(ui, now);
+        ui.max_rect().width()
     });
     let missing = if next == now.said {
         now.missing()
@@ -58,7 +59,12 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
         ui.set_min_height(FOOT);
         foot(ui, workbench, (now, &next), missing.as_deref(), commands);
     });
-    if super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands) {
+    // They end where what is above them ends.
+    let pressed = ui.scope(|ui| {
+        ui.set_max_width(scrolled.inner);
+        super::sheets::buttons_without_enter(ui, "Import", missing.is_none(), commands)
+    });
+    if pressed.inner {
         commands.push(Command::Import);
     } else if next != now.said {
         commands.push(Command::Say(Box::new(next)));
@@ -139,9 +145,12 @@ fn path(
 ) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
-        let room = (ui.available_width() - 92.0).max(80.0);
+        let text = egui::WidgetText::from("Choose…");
+        let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
+        let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
+        let room = ui.available_width() - button - ui.spacing().item_spacing.x;
         let field = TextEdit::singleline(typed).hint_text(hint);
-        let field = ui.add_sized([room, space::CONTROL], field);
+        let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
         name(ui, &field, label);
         changed = field.changed();
         let button = ui.button("Choose…");

@@ -6,7 +6,7 @@ use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
 use crate::effects::find;
 use crate::export::EXPORTERS;
 use crate::gui::commands::Workbench;
-use crate::gui::known::{Known, PARTS};
+use crate::gui::known::Known;
 use crate::gui::search::STAGES;
 use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::trimmed;
@@ -174,7 +174,7 @@ fn strip(ui: &mut Ui, known: &Known) {
     let painter = ui.painter();
     painter.rect_filled(rect, f32::from(space::ROUND) / 2.0, palette.inset);
     let most = known.cover.iter().copied().max().unwrap_or(0).max(1) as f32;
-    let width = rect.width() / PARTS as f32;
+    let width = rect.width() / known.cover.len().max(1) as f32;
     for (k, count) in known.cover.iter().enumerate().filter(|(_, c)| **c > 0) {
         let height = HEIGHT * (0.25 + 0.75 * *count as f32 / most);
         let left = rect.left() + k as f32 * width;

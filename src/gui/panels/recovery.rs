@@ -46,7 +46,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     } else {
                         ("Put it aside", "Ask me later")
                     };
-                    if widgets::secondary(&mut columns[0], discard).clicked() {
+                    if widgets::other(&mut columns[0], discard).clicked() {
                         commands.push(if left.kept.is_ok() {
                             Command::DiscardLeft(index)
                         } else {

@@ -8,7 +8,7 @@ use crate::gui::given;
 use crate::gui::outcome::Answer;
 use crate::gui::room::Room;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::{Units, trimmed};
+use crate::gui::units::{Units, number_of, trimmed};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::identification::{Estimate, Gap, RegionResult};
@@ -34,7 +34,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mu
     if workbench.view().step == Step::Gap && side == Side::Results {
         return super::findings::show(ui, workbench, commands);
     }
-    ui.horizontal(|ui| {
+    widgets::row(ui, |ui| {
         widgets::heading(ui, "Results");
         if !alone {
             return;
@@ -269,12 +269,17 @@ pub(super) fn named(parameter: &str) -> (String, &'static str) {
     (parameter.replace('_', " "), "")
 }
 
+/// Room for the numbers of a region beside its name, points.
+const NUMBERS: f32 = 212.0;
+
 fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
     let palette = Palette::of(ui);
     let units = workbench.units();
     let is_given = workbench.document().given.is_some();
     title(ui, "Correction of each region");
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    // The numbers keep their places, however long a name is.
+    let longest = (ui.available_width() - NUMBERS).max(44.0);
     Grid::new("region results")
         .num_columns(4)
         .spacing([16.0, 6.0])
@@ -294,13 +299,16 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
             for result in results {
                 let correction = &result.correction;
                 let says = format!(
-                    "{}° … {}°, {} samples",
+                    "{}: {}° … {}°, {}",
+                    correction.name,
                     trimmed(deg_from_rad(correction.from_rad), 2),
                     trimmed(deg_from_rad(correction.to_rad), 2),
-                    correction.samples
+                    number_of(correction.samples, "sample")
                 );
-                ui.label(RichText::new(&correction.name).font(strong(size::BODY)))
-                    .on_hover_text(says);
+                let color = palette.text;
+                let font = strong(size::BODY);
+                let name = widgets::cut(ui, &correction.name, font, color, longest);
+                ui.label(name).on_hover_text(says);
                 let in_degrees = result.theta_ci95.map(|ends| ends.map(deg_from_rad));
                 let numbers = [
                     (deg_from_rad(correction.theta_rad), in_degrees, "°"),

@@ -22,13 +22,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = workbench.view();
-    // A sample that was chosen elsewhere is brought into sight once.
-    let id = ui.scope_id().with("shown sample");
-    let last = ui
-        .data_mut(|data| data.get_temp::<Option<usize>>(id))
-        .flatten();
-    let scroll = last != view.selected;
-    ui.data_mut(|data| data.insert_temp(id, view.selected));
+    let brought = brought(ui, workbench);
     copies::button(ui, "samples", || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
@@ -44,8 +38,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .columns(Column::exact(wide), 3)
         .column(Column::exact(MARK))
         .auto_shrink([false, false]);
-    if let Some(row) = view.selected.filter(|_| scroll) {
-        table = table.scroll_to_row(row, Some(Align::Center));
+    if let Some((row, align)) = brought {
+        table = table.scroll_to_row(row, align).animate_scrolling(false);
     }
     let length = units.length_name();
     let angle = if subject.turns() {
@@ -116,6 +110,24 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if before.flatten() != hovered {
         commands.push(Command::Hover(hovered));
     }
+}
+
+/// The row that is brought into sight in this frame, and to where. A sample that is chosen or pointed
+/// at elsewhere is brought once; under the pointer nothing moves.
+fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
+    let view = workbench.view();
+    let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
+    let elsewhere = view.hovered.filter(|_| !here);
+    let wanted = elsewhere.or(view.selected);
+    let id = ui.scope_id().with("shown sample");
+    let last: Option<Option<usize>> = ui.data_mut(|data| data.get_temp(id));
+    ui.data_mut(|data| data.insert_temp(id, wanted));
+    if here || last.flatten() == wanted {
+        return None;
+    }
+    // What is only pointed at moves the table no farther than it must.
+    let align = elsewhere.is_none().then_some(Align::Center);
+    wanted.map(|row| (row, align))
 }
 
 /// The head of a column; the last is a mark, and needs a name all the same.

@@ -8,6 +8,7 @@ use crate::gui::edit::Edit;
 use crate::gui::simulate::Form;
 use crate::gui::subject::Origin;
 use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::units::grouped;
 use crate::gui::view::{Sheet, Step};
 use crate::gui::widgets;
 
@@ -87,9 +88,10 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     }
     let held_out = subject.overview.held_out;
     let samples = if held_out > 0 {
-        format!("{}, {held_out} held out", subject.len())
+        let (all, held_out) = (grouped(subject.len()), grouped(held_out));
+        format!("{all}, {held_out} held out")
     } else {
-        subject.len().to_string()
+        grouped(subject.len())
     };
     widgets::fact(ui, "samples", samples);
     if session.targets.len() > 1 {

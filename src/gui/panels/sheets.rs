@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use egui::{Grid, Id, Key, Margin, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::plots::gestures;
 use crate::gui::tasks::What;
-use crate::gui::tokens::{Palette, space};
+use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::view::Sheet;
 use crate::gui::widgets;
 
@@ -198,7 +199,7 @@ fn export(
 
 fn keys(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.set_width(600.0);
-    widgets::heading(ui, "Keyboard shortcuts");
+    widgets::heading(ui, "Keyboard and mouse");
     let others: [(&str, &str); 6] = [
         ("← →", "move the boundary that has the focus"),
         ("Shift+← →", "move it further"),
@@ -217,6 +218,10 @@ fn keys(ui: &mut Ui, commands: &mut Vec<Command>) {
             key_rows(column, part);
         }
     });
+    ui.add_space(space::ROW);
+    ui.label(RichText::new("The mouse, in the plots").font(strong(size::BODY)));
+    let mouse = gestures::GESTURES.map(|(how, what)| (how.to_owned(), what));
+    key_rows(ui, &mouse);
     done(ui, commands);
 }
 

@@ -208,7 +208,14 @@ pub(crate) fn keys(ctx: &Context, action: Action) -> String {
 /// Keys as they stand on the keyboard.
 pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
     let text = ctx.format_shortcut(&keys);
-    text.replace("Comma", ",").replace("Period", ".")
+    let signs = [
+        ("Comma", ","),
+        ("Period", "."),
+        ("Plus", "+"),
+        ("Minus", "−"),
+    ];
+    let write = |text: String, (name, sign): (&str, &str)| text.replace(name, sign);
+    signs.into_iter().fold(text, write)
 }
 
 /// How the window is divided now.

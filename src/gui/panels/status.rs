@@ -7,6 +7,7 @@ use crate::fonts;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::tokens::{Palette, size};
+use crate::gui::units::number_of;
 use crate::gui::widgets;
 
 /// Where the work stands, in one line.
@@ -19,8 +20,7 @@ pub(crate) fn line(workbench: &Workbench) -> String {
         );
     }
     let units = workbench.units();
-    let count = subject.len();
-    let samples = if count == 1 { "sample" } else { "samples" };
+    let samples = number_of(subject.len(), "sample");
     let unit = units.length_name();
     let mm = |mm: f64| units.length_number(mm);
     let gap = match (workbench.answer(), &subject.gap_before) {
@@ -50,7 +50,7 @@ pub(crate) fn line(workbench: &Workbench) -> String {
     let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
         format!(" · floor {} {unit} ({from})", mm(floor_mm))
     });
-    format!("{count} {samples} · {gap}{floor}")
+    format!("{samples} · {gap}{floor}")
 }
 
 /// Where a noise floor comes from, in a word.

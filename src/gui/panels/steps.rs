@@ -6,6 +6,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::document::Method;
 use crate::gui::room::Room;
 use crate::gui::tokens::space;
+use crate::gui::units::number_of;
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Progress, StepRow};
 
@@ -81,9 +82,8 @@ fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
             ("a model, nothing measured".to_owned(), Progress::Done)
         }
         Step::Session => {
-            let n = workbench.subject().len();
-            let samples = if n == 1 { "sample" } else { "samples" };
-            (format!("{n} {samples}"), Progress::Done)
+            let samples = number_of(workbench.subject().len(), "sample");
+            (samples, Progress::Done)
         }
         Step::Regions if workbench.subject().is_empty() && document.regions.is_empty() => {
             ("nothing measured".to_owned(), Progress::Open)
@@ -92,10 +92,9 @@ fn state(workbench: &Workbench, step: Step) -> (String, Progress) {
             ("not for this robot".to_owned(), Progress::Open)
         }
         Step::Regions => {
-            let n = document.regions.len();
-            let regions = if n == 1 { "region" } else { "regions" };
             let used = document.identified && document.method == Method::Regional;
-            (format!("{n} {regions}"), done(used))
+            let regions = number_of(document.regions.len(), "region");
+            (regions, done(used))
         }
         Step::Identify => {
             let caption = match (document.identified, document.method) {

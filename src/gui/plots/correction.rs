@@ -1,12 +1,12 @@
 //! The exported table as a curve: what is added to each command, for each side.
 
 use egui::{Color32, Role, Stroke, Ui, WidgetInfo};
-use egui_plot::{Axis, Line, Plot, PlotPoints};
+use egui_plot::{Axis, Line, PlotPoints};
 
 use crate::compensation::SortedTable;
 use crate::gui::commands::Workbench;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
-use crate::gui::plots::{LEAST_SPAN, MOST_POINTS, axis, steps, stride, thinned};
+use crate::gui::plots::{LEAST_SPAN, MOST_POINTS, axis, gestures, steps, stride, thinned};
 use crate::gui::preview::Made;
 use crate::gui::tokens::Palette;
 use crate::gui::units::{cell, plain_number};
@@ -45,11 +45,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let has_sides = table.forward != table.reverse;
     let reverse = has_sides.then(|| curve(&table.reverse));
     let [low, high] = span(forward.iter().chain(reverse.iter().flatten()));
-    let plot = Plot::new(("correction", workbench.view().fitted))
-        .show_x(false)
-        .show_y(false)
-        .show_background(false)
-        .show_crosshair(false)
+    let plot = gestures::plot(("correction", workbench.view().fitted.chart))
         .grid_color(palette.line)
         .include_y(low)
         .include_y(high)
@@ -73,7 +69,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             .stroke(Stroke::new(2.0, color))
             .allow_hover(false)
     };
-    let shown = plot.show(ui, |plot| {
+    let shown = gestures::show(ui, plot, |plot| {
         plot.line(line("forward", forward, palette.after));
         if let Some(reverse) = reverse {
             plot.line(

@@ -7,6 +7,7 @@ pub(crate) mod correction;
 pub(crate) mod deviation;
 mod drawing;
 pub(crate) mod effect;
+pub(crate) mod gestures;
 pub(crate) mod histogram;
 mod marks;
 pub(crate) mod orders;

@@ -27,6 +27,7 @@ use super::outcome::Outcome;
 use super::preview::{Preview, Wanted};
 use super::search::Search;
 use super::subject::Subject;
+use super::units::number_of;
 
 /// How tasks run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -211,7 +212,10 @@ impl Tasks {
     }
 
     fn answer(&mut self, question: Question) {
-        let what = format!("identifying, {} samples", question.subject.len());
+        let what = format!(
+            "identifying, {}",
+            number_of(question.subject.len(), "sample")
+        );
         self.spawn(what, Kind::Identifies, move |watch| {
             Report::Answered(Box::new(Outcome::of(question, watch)))
         });

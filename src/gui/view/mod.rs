@@ -71,6 +71,16 @@ pub(crate) enum Side {
     Samples,
 }
 
+/// A part of the middle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Part {
+    /// Where the robot was.
+    #[default]
+    Workspace,
+    /// The chart below it.
+    Chart,
+}
+
 /// A file that is open and is not on the disk as it was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OnDisk {
@@ -89,6 +99,23 @@ pub(crate) struct Message {
     pub(crate) title: String,
     /// What exactly, and what to do next; one line each.
     pub(crate) details: Vec<String>,
+}
+
+/// Counts up when a plot is to show everything again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Fitted {
+    /// The upper plot.
+    pub(crate) workspace: u64,
+    /// The chart below it.
+    pub(crate) chart: u64,
+}
+
+impl Fitted {
+    /// Both of them.
+    pub(crate) fn everywhere(&mut self) {
+        self.workspace += 1;
+        self.chart += 1;
+    }
 }
 
 /// See the module.
@@ -122,6 +149,8 @@ pub(crate) struct ViewState {
     pub(crate) marked: Vec<usize>,
     /// What the right-hand side shows.
     pub(crate) side: Side,
+    /// What is shown where workspace and chart would both be too low.
+    pub(crate) part: Part,
     /// What is charted; `None`: what suits the step.
     pub(crate) chart: Option<Chart>,
     /// The joint that charts are about, counted from 0.
@@ -144,8 +173,8 @@ pub(crate) struct ViewState {
     pub(crate) leaving: bool,
     /// What the user has to know.
     pub(crate) message: Option<Message>,
-    /// Counts up when the plots are to show everything again.
-    pub(crate) fitted: u64,
+    /// How often the plots were to show everything again.
+    pub(crate) fitted: Fitted,
 }
 
 impl ViewState {
@@ -172,6 +201,7 @@ impl Default for ViewState {
             selected: None,
             marked: Vec::new(),
             side: Side::default(),
+            part: Part::default(),
             chart: None,
             joint: 0,
             effect: 0,
@@ -183,7 +213,7 @@ impl Default for ViewState {
             sheet: None,
             leaving: false,
             message: None,
-            fitted: 0,
+            fitted: Fitted::default(),
         }
     }
 }

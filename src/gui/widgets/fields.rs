@@ -24,11 +24,26 @@ pub(crate) fn number(ui: &mut Ui, name: &str, field: DragValue<'_>) -> Response 
     row.inner
 }
 
+/// A row in which everything stands at one height, the tallest controls included: what comes before
+/// one of them would else stand higher.
+pub(crate) fn row<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let usual = ui.spacing().interact_size.y;
+    ui.scope(|ui| {
+        ui.spacing_mut().interact_size.y = space::ROW_HEIGHT;
+        let row = ui.horizontal(|ui| {
+            ui.spacing_mut().interact_size.y = usual;
+            contents(ui)
+        });
+        row.inner
+    })
+    .inner
+}
+
 /// A row of a form on a sheet: its name, as wide as all the others, and what is chosen.
 pub(crate) fn form_row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
     const NAMES: f32 = 136.0;
     let muted = Palette::of(ui).muted;
-    ui.horizontal(|ui| {
+    row(ui, |ui| {
         let room = vec2(NAMES, space::CONTROL);
         ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(NAMES);

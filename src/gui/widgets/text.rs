@@ -1,9 +1,27 @@
 //! Words: what stands over, beside and below controls, and numbers with their names.
 
-use egui::{Align, Layout, Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use std::sync::Arc;
+
+use egui::text::{LayoutJob, TextWrapping};
+use egui::{
+    Align, Color32, FontId, Layout, Response, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2,
+};
 
 use crate::gui::help::{self, Word};
 use crate::gui::tokens::{Palette, size, space, strong};
+
+/// A text on one line, ended by … where it is wider than its room.
+pub(crate) fn cut(
+    ui: &Ui,
+    text: &str,
+    font: FontId,
+    color: Color32,
+    room: f32,
+) -> Arc<egui::Galley> {
+    let mut job = LayoutJob::simple_singleline(text.to_owned(), font, color);
+    job.wrap = TextWrapping::truncate_at_width(room.max(1.0));
+    ui.painter().layout_job(job)
+}
 
 /// What a panel is about.
 pub(crate) fn heading(ui: &mut Ui, text: &str) {

@@ -23,7 +23,7 @@ use crate::gui::simulate::Form;
 use crate::gui::subject::{Component, Subject};
 use crate::gui::tasks::What;
 use crate::gui::view::{
-    AngleUnit, Canvas, Chart, Colouring, LengthUnit, Plane, Sheet, Side, Step, Then,
+    AngleUnit, Canvas, Chart, Colouring, LengthUnit, Part, Plane, Sheet, Side, Step, Then,
 };
 use crate::kinematics::JointKind;
 use crate::progress::{Progress, unwatched};
@@ -282,6 +282,16 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     }
 }
 
+/// What is shown of the plots, and how much of them.
+fn look(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..4) {
+        0 => Command::Fit,
+        1 => Command::FitWorkspace,
+        2 => Command::FitChart,
+        _ => Command::Part(pick(random, &[Part::Workspace, Part::Chart])),
+    }
+}
+
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     let sample = |random: &mut ChaCha8Rng| {
@@ -373,7 +383,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         149 => Command::DismissLetters,
         // Private ones: no walk depends on the fonts of the machine.
         150 => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
-        151 => Command::Fit,
+        151 => look(random),
         _ => {
             // A session beside which models and regions make sense again.
             let files = [Arc::clone(workbench.subject())];

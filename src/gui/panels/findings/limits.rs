@@ -7,14 +7,15 @@ use crate::effects::find;
 use crate::gui::panels::copies;
 use crate::gui::panels::results::named;
 use crate::gui::tokens::{Palette, size};
-use crate::gui::units::significant;
+use crate::gui::units::{number_of, significant};
 use crate::gui::widgets::{self};
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     if d.not_found.is_empty() {
         return;
     }
-    let text = format!("What would have been seen: {} effects", d.not_found.len());
+    let number = number_of(d.not_found.len(), "effect");
+    let text = format!("What would have been seen: {number}");
     folded(ui, text, |ui| {
         for limit in &d.not_found {
             ui.label(find(limit.effect).map_or(limit.effect, |e| e.about().title));
@@ -38,7 +39,10 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
     if d.not_testable.is_empty() {
         return;
     }
-    let text = format!("Not testable: {} effects", d.not_testable.len());
+    let text = format!(
+        "Not testable: {}",
+        number_of(d.not_testable.len(), "effect")
+    );
     folded(ui, text, |ui| {
         for one in &d.not_testable {
             ui.label(find(one.effect).map_or(one.effect, |e| e.about().title));

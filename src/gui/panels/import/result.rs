@@ -4,6 +4,7 @@ use egui::Ui;
 
 use crate::diagnostic::Severity;
 use crate::gui::foreign::{Foreign, Trial};
+use crate::gui::units::number_of;
 use crate::gui::widgets;
 
 /// Lines that are shown.
@@ -40,7 +41,7 @@ fn contents(ui: &mut Ui, now: &Foreign) {
 
 fn brings(ui: &mut Ui, trial: &Trial) {
     let subject = &trial.subject;
-    let mut says = format!("{} samples", subject.len());
+    let mut says = number_of(subject.len(), "sample");
     if let Some(gap) = &subject.gap_before {
         says += &format!(", {:.4} mm from the nominal robot", gap.rms_mm);
     }

@@ -1,11 +1,13 @@
 //! The other menus: edit, view, help.
 
-use egui::Ui;
+use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
+use egui::{Button, Context, Ui};
 
 use crate::gui::panels::shortcuts::{self, Action};
+use crate::gui::preferences::ZOOM;
 use crate::gui::view::{AngleUnit, LengthUnit, Plane, Step};
 
-use super::items::Menu;
+use super::items::{Menu, named};
 use super::results_says;
 
 pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
@@ -66,12 +68,40 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     let dark = ui.visuals().dark_mode;
     let other = if dark { "Light" } else { "Dark" };
     menu.item(ui, other, Action::OtherTheme, true);
-    egui::gui_zoom::zoom_menu_buttons(ui);
+    ui.separator();
+    let now = ui.ctx().zoom_factor();
+    for (text, keys, change, enabled) in [
+        (
+            "Larger",
+            kb_shortcuts::ZOOM_IN,
+            zoom_in as fn(&Context),
+            now < *ZOOM.end(),
+        ),
+        (
+            "Smaller",
+            kb_shortcuts::ZOOM_OUT,
+            zoom_out,
+            now > *ZOOM.start(),
+        ),
+        (
+            "Usual size",
+            kb_shortcuts::ZOOM_RESET,
+            |ctx: &Context| ctx.set_zoom_factor(1.0),
+            (now - 1.0).abs() > 1e-3,
+        ),
+    ] {
+        let button = Button::new(text).shortcut_text(shortcuts::in_words(ui.ctx(), keys));
+        let response = ui.add_enabled(enabled, button);
+        if named(response, text).clicked() {
+            change(ui.ctx());
+            ui.close();
+        }
+    }
 }
 
 pub(super) fn help(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.set_min_width(240.0);
     menu.item(ui, "What the words mean", Action::Words, true);
-    menu.item(ui, "Keyboard shortcuts", Action::Keys, true);
+    menu.item(ui, "Keyboard and mouse", Action::Keys, true);
     menu.item(ui, "About truepose", Action::About, true);
 }

@@ -4,7 +4,7 @@ mod file;
 mod items;
 mod lists;
 
-use egui::{Align, Label, Layout, MenuBar, RichText, Ui};
+use egui::{Align, FontId, Label, Layout, MenuBar, RichText, Ui};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::subject::Origin;
@@ -13,10 +13,13 @@ use crate::gui::widgets;
 
 use super::shortcuts;
 
-use items::Menu;
+use items::{Menu, header};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
+
+/// With less room it is not said where the session comes from, points.
+const LEAST_ORIGIN: f32 = 80.0;
 
 /// Room for the buttons at the right, points.
 const BUTTONS: f32 = 190.0;
@@ -45,10 +48,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     workbench,
                     commands,
                 };
-                ui.menu_button("File", |ui| file::show(ui, menu));
-                ui.menu_button("Edit", |ui| lists::edit(ui, menu));
-                ui.menu_button("View", |ui| lists::view(ui, menu));
-                ui.menu_button("Help", |ui| lists::help(ui, menu));
+                header(ui, "File", |ui| file::show(ui, menu));
+                header(ui, "Edit", |ui| lists::edit(ui, menu));
+                header(ui, "View", |ui| lists::view(ui, menu));
+                header(ui, "Help", |ui| lists::help(ui, menu));
             });
         });
         // The session's name stands over the plots, which are its own, and leaves room for the
@@ -88,7 +91,7 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     let palette = Palette::of(ui);
     let subject = workbench.subject();
     let title = RichText::new(&subject.session.name).font(strong(size::BODY));
-    ui.add(Label::new(title).truncate());
+    let title = ui.add(Label::new(title).truncate());
     let file_name = |path: &std::path::Path| {
         let name = path.file_name();
         name.map_or_else(String::new, |name| name.to_string_lossy().into_owned())
@@ -111,6 +114,16 @@ fn name(ui: &mut Ui, workbench: &Workbench) {
     } else {
         origin
     };
-    let says = RichText::new(says).size(size::SMALL).color(palette.muted);
-    ui.add(Label::new(says).truncate());
+    let font = FontId::proportional(size::SMALL);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(says.clone(), font, palette.muted);
+    // Of a short name a few letters would say nothing.
+    let room = ui.available_width();
+    if galley.size().x <= room || room > LEAST_ORIGIN {
+        let says = RichText::new(says).size(size::SMALL).color(palette.muted);
+        ui.add(Label::new(says).truncate());
+    } else {
+        title.on_hover_text(says);
+    }
 }

@@ -65,14 +65,14 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Division::Given => 1,
         Division::Adaptive(_) => 2,
     };
-    let chosen = ui.horizontal(|ui| {
+    let chosen = widgets::row(ui, |ui| {
         let chosen = widgets::segmented(ui, &kinds, now);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             widgets::question(ui, help::REGION);
         });
         chosen
     });
-    match chosen.inner {
+    match chosen {
         Some(0) => commands.push(Command::Edit(Edit::Divide(number))),
         Some(1) if present > 0 => commands.push(Command::Edit(Edit::KeepRegions)),
         Some(1) => commands.push(Command::Edit(Edit::RegionsOfSession)),
@@ -102,7 +102,7 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         let field = DragValue::new(&mut number)
             .range(1..=MOST_EVEN)
             .speed(0.1)
-            .suffix(" regions");
+            .suffix(if before == 1 { " region" } else { " regions" });
         let response = widgets::cell_number(ui, "Number of regions", 110.0, field);
         let divide = present == 0 && ui.button("Divide").clicked();
         if number != before || divide {

@@ -1,13 +1,13 @@
 //! The regions, one row each: name, boundaries, samples, and what can be done with it.
 
-use egui::{Id, Key, Modifiers, RichText, TextEdit, Ui, UiBuilder, vec2};
+use egui::{Align, Id, Key, Layout, Modifiers, RichText, TextEdit, Ui, UiBuilder, vec2};
 
 use crate::gui::angles::Count;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::placing::{self, End, Joint, Typed};
 use crate::gui::tokens::{Palette, size, space};
-use crate::gui::units::Units;
+use crate::gui::units::{Units, number_of};
 use crate::gui::widgets;
 use crate::identification::regions::Assignment;
 use crate::sessions::Region;
@@ -17,7 +17,7 @@ use super::row;
 /// More regions than this are too many to be listed with fields.
 const MOST_LISTED: usize = 60;
 /// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
-pub(super) const COLUMNS: [f32; 5] = [40.0, 60.0, 60.0, 40.0, 26.0];
+pub(super) const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
 /// Widest field for an end: all digits that a boundary is shown with.
 const WIDEST: f32 = 76.0;
 /// Between the columns.
@@ -82,8 +82,14 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
         "samples".to_owned(),
     ];
     ui.horizontal(|ui| {
-        for (name, width) in names.into_iter().zip(columns) {
-            ui.allocate_ui(vec2(width, 16.0), |ui| {
+        for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
+            // The head of the samples ends where their numbers end.
+            let layout = if k < 3 {
+                Layout::left_to_right(Align::Center)
+            } else {
+                Layout::right_to_left(Align::Center)
+            };
+            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
                 ui.set_min_width(width);
                 let name = RichText::new(name).size(size::SMALL).color(muted);
                 ui.add(egui::Label::new(name).extend());
@@ -94,11 +100,7 @@ fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
 
 /// What a region with few samples can and cannot do.
 fn few(count: Count) -> Option<String> {
-    let measured = match count.all {
-        0 => "no sample".to_owned(),
-        1 => "1 sample".to_owned(),
-        n => format!("{n} samples"),
-    };
+    let measured = number_of(count.all, "sample");
     match count.fitted {
         0 if count.all == 0 => {
             Some("no sample, so no correction: measure here, or merge it with the next".to_owned())
@@ -140,13 +142,14 @@ fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
     let mut text = typed.unwrap_or_else(|| name.to_owned());
     let edit = TextEdit::singleline(&mut text)
         .id(id)
-        .margin(egui::Margin::symmetric(6, 4))
+        .margin(egui::Margin::symmetric(4, 4))
         .align(egui::Align2::LEFT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
     ui.ctx().accesskit_node_builder(field.id, |node| {
         node.set_label(format!("Name of region {name}"));
     });
+    let field = field.on_hover_text(name);
     let escaped = ui.input(|i| i.key_pressed(Key::Escape));
     if field.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text));
@@ -188,7 +191,7 @@ fn angle(
     let palette = Palette::of(ui);
     let edit = TextEdit::singleline(&mut text)
         .id(id)
-        .margin(egui::Margin::symmetric(6, 4))
+        .margin(egui::Margin::symmetric(4, 4))
         .align(egui::Align2::RIGHT_CENTER)
         .clip_text(true);
     let field = ui.add_sized([width, HEIGHT], edit);
@@ -330,7 +333,11 @@ fn samples(
     }
     let says = match count.all {
         1 => format!("Show the sample of region {}", region.name),
-        n => format!("Show the {n} samples of region {}", region.name),
+        n => format!(
+            "Show the {} of region {}",
+            number_of(n, "sample"),
+            region.name
+        ),
     };
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label(says.clone()));

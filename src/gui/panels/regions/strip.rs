@@ -5,6 +5,8 @@ use egui::{Align2, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2
 use crate::gui::angles::Count;
 use crate::gui::commands::Workbench;
 use crate::gui::tokens::{Palette, size, strong};
+use crate::gui::units::number_of;
+use crate::gui::widgets;
 
 const HEIGHT: f32 = 40.0;
 /// Of that, for the samples.
@@ -47,8 +49,10 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             } else {
                 region.name.clone()
             };
-            let clipped = painter.with_clip_rect(part);
-            clipped.text(at, Align2::CENTER_CENTER, name, strong(size::SMALL), color);
+            let font = strong(size::SMALL);
+            let galley = widgets::cut(ui, &name, font, color, part.width() - 4.0);
+            let place = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+            painter.galley(place.min, galley, color);
         }
     }
     let width = (high - low) / f64::from(BINS);
@@ -88,8 +92,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     label(band.left(), Align2::LEFT_CENTER, low);
     label(band.right(), Align2::RIGHT_CENTER, high);
     let says = format!(
-        "{} regions from {} to {}, and where the samples are",
-        regions.len(),
+        "{} from {} to {}, and where the samples are",
+        number_of(regions.len(), "region"),
         units.angle(low),
         units.angle(high)
     );
@@ -104,11 +108,11 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
             .position(|r| (r.from_rad..=r.to_rad).contains(&at));
         ui.label(match inside {
             Some(k) => format!(
-                "region {}, {} … {}: {} samples",
+                "region {}, {} … {}: {}",
                 regions[k].name,
                 units.angle(regions[k].from_rad),
                 units.angle(regions[k].to_rad),
-                counts[k].all
+                number_of(counts[k].all, "sample")
             ),
             None => "in no region".to_owned(),
         });

@@ -7,7 +7,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::over::{Over, Scale, Variable};
 use crate::gui::plots::sketch::Sketch;
 use crate::gui::plots::strip::{self, Entry, Sign};
-use crate::gui::plots::{Drawing, figure, marks, thinned, workspace};
+use crate::gui::plots::{Drawing, figure, gestures, marks, thinned, workspace};
 use crate::gui::subject::Component;
 use crate::gui::tokens::Palette;
 use crate::gui::units::Units;
@@ -207,7 +207,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mu
     );
     let emphasised = view.hovered.or(view.selected);
     let drawn = &shown;
-    let plotted = frame.plot(id, view, &palette).show(ui, |plot| {
+    let plot = frame.plot(id, view, &palette);
+    let plotted = gestures::show(ui, plot, |plot| {
         let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             let axes = &drawn.axes;
             ground(shapes, transform, drawn, &palette);

@@ -10,7 +10,7 @@ use crate::gui::plots::over::Scale;
 use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
 use crate::gui::plots::waterfall::lower;
-use crate::gui::plots::{Drawing, LEAST_SPAN, figure, marks, stride, thinned, workspace};
+use crate::gui::plots::{Drawing, LEAST_SPAN, figure, gestures, marks, stride, thinned, workspace};
 use crate::gui::tokens::Palette;
 use crate::gui::units::plain_number;
 
@@ -171,7 +171,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let at =
         |spot: &Spot| PlotPoint::new(scale.shown(spot.x), units.length_value(spot.residual_mm));
     let painter = ui.painter().clone();
-    let plotted = plot.show(ui, |plot| {
+    let plotted = gestures::show(ui, plot, |plot| {
         let draw = |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             sketch.shapes(&painter, transform, &palette, shapes);
             let marked = workspace::marked(view, workbench.subject().len());

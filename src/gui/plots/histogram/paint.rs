@@ -7,7 +7,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::charting::Charted;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
-use crate::gui::plots::{Drawing, figure};
+use crate::gui::plots::{Drawing, figure, gestures};
 use crate::gui::subject::Component;
 use crate::gui::tokens::Palette;
 use crate::gui::units::{plain_number, significant};
@@ -247,7 +247,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         Rect::from_x_y_ranges(at(from)..=at(to), transform.frame().y_range())
     };
     let painter = ui.painter().clone();
-    let plotted = plot.show(ui, |plot| {
+    let plotted = gestures::show(ui, plot, |plot| {
         let draw = |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             sketch.shapes(&painter, transform, &palette, shapes);
             if let Some(bin) = in_bin {

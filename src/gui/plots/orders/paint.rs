@@ -7,7 +7,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::charting::Charted;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
-use crate::gui::plots::{Drawing, LEAST_SPAN, figure};
+use crate::gui::plots::{Drawing, LEAST_SPAN, figure, gestures};
 use crate::gui::tokens::Palette;
 use crate::gui::units::{plain_number, whole};
 use crate::gui::widgets;
@@ -234,7 +234,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let id = ("orders", component, only_after(workbench));
     let plot = sketch.plot(id, workbench.view(), &palette);
     let painter = ui.painter().clone();
-    let plotted = plot.show(ui, |plot| {
+    let plotted = gestures::show(ui, plot, |plot| {
         let draw = |transform: &PlotTransform, shapes: &mut Vec<egui::Shape>| {
             sketch.shapes(&painter, transform, &palette, shapes);
         };

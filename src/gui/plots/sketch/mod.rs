@@ -9,7 +9,7 @@ use egui_plot::{Plot, PlotPoint, PlotTransform};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::view::ViewState;
 
-use super::{axis, marks, named_axis, steps};
+use super::{axis, gestures, marks, named_axis, steps};
 
 /// What something stands for; it decides the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,11 +104,7 @@ impl Sketch {
         } else {
             named_axis(self.across.clone(), palette, labels)
         };
-        Plot::new((id, view.fitted))
-            .show_x(false)
-            .show_y(false)
-            .show_background(false)
-            .show_crosshair(false)
+        gestures::plot((id, view.fitted.chart))
             .set_margin_fraction(egui::Vec2::ZERO)
             .grid_color(palette.line)
             .show_grid([self.ticks.is_empty(), true])

@@ -5,9 +5,11 @@ use egui::{Align2, Pos2, Shape, Stroke, Ui, pos2};
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::commands::Workbench;
-use crate::gui::layers::{WEDGE, WIDTH, scale_at};
+use crate::gui::layers::{OUTLINE, WEDGE, WIDTH, scale_at};
 use crate::gui::plots::marks;
 use crate::gui::tokens::{Palette, size};
+use crate::gui::view::Colouring;
+use crate::gui::widgets;
 use crate::sessions::Region;
 
 use super::layout::{self, HANDLE, SECTOR};
@@ -132,14 +134,25 @@ pub(super) fn points(
     palette: &Palette,
 ) {
     let size = scene.look.mark;
+    let thin = (size + 0.25).min(1.0);
+    let colouring = scene.look.colouring;
     for point in &scene.points {
         let at = screen(transform, point.at_mm);
-        shapes.push(match point.within {
-            None => marks::disc(at, 2.6 * size, palette.text),
-            Some(true) => marks::disc(at, 2.8 * size, palette.within),
-            Some(false) => {
-                let edge = Stroke::new(1.4, palette.outside);
-                marks::diamond(at, 4.2 * size, palette.surface, edge)
+        // Where nothing is known the mark is left open.
+        let said = point
+            .says
+            .map_or(palette.surface, |part| scale_at(colouring, palette, part));
+        let radius = if point.within.is_some() { 2.8 } else { 2.6 } * size;
+        shapes.push(match (point.within, colouring) {
+            (Some(false), _) => {
+                let edge = Stroke::new(1.4 * thin, palette.outside);
+                marks::diamond(at, 4.2 * size, said, edge)
+            }
+            (None, Colouring::State) => marks::disc(at, radius, palette.text),
+            (Some(true), Colouring::State) => marks::disc(at, radius, palette.within),
+            (_, _) => {
+                let edge = Stroke::new(OUTLINE * thin, palette.text);
+                marks::pointing(at, radius, 0.0, said, edge)
             }
         });
         if point.suspected {
@@ -197,6 +210,9 @@ fn in_plane(workbench: &Workbench, sample: usize) -> Option<[f64; 2]> {
     Some(workbench.view().plane.axes().map(|axis| measured[axis]))
 }
 
+/// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.
+const NAMES: f64 = 0.42;
+
 pub(super) fn names_of_regions(
     ui: &Ui,
     scene: &Scene,
@@ -210,8 +226,32 @@ pub(super) fn names_of_regions(
     let painter = ui.painter().with_clip_rect(*transform.frame());
     for region in regions {
         let middle = 0.5 * (region.from_rad + region.to_rad);
-        let at = screen(transform, dial.at(middle, 0.42 * dial.radius_mm));
+        let at = screen(transform, dial.at(middle, NAMES * dial.radius_mm));
         let font = crate::gui::tokens::strong(size::BODY);
-        painter.text(at, Align2::CENTER_CENTER, &region.name, font, palette.muted);
+        // As wide as the sector is there.
+        let sides = [region.from_rad, region.to_rad];
+        let sides = sides.map(|q| screen(transform, dial.at(q, NAMES * dial.radius_mm)));
+        let room = if region.to_rad - region.from_rad < std::f64::consts::PI {
+            sides[0].distance(sides[1])
+        } else {
+            2.0 * at.distance(screen(transform, dial.centre_mm))
+        };
+        let galley = widgets::cut(
+            ui,
+            &region.name,
+            font.clone(),
+            palette.muted,
+            room.max(24.0),
+        );
+        let place = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+        if galley.elided && ui.rect_contains_pointer(place) {
+            // Whole, over whatever is there, while the pointer is on it.
+            let whole = painter.layout_no_wrap(region.name.clone(), font, palette.text);
+            let place = Align2::CENTER_CENTER.anchor_size(at, whole.size());
+            painter.rect_filled(place.expand(3.0), 3.0, palette.surface);
+            painter.galley(place.min, whole, palette.text);
+        } else {
+            painter.galley(place.min, galley, palette.muted);
+        }
     }
 }

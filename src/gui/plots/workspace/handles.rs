@@ -13,7 +13,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::tally::Held;
 use crate::gui::tokens::Palette;
-use crate::gui::units::{Units, trimmed};
+use crate::gui::units::{Units, number_of, trimmed};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::layout::HANDLE;
@@ -206,8 +206,8 @@ fn says(name: &str, held: &Held, units: Units) -> String {
     match held.correction() {
         None => format!("{name}: no samples"),
         Some((theta_rad, l1_mm, left_mm)) => format!(
-            "{name}: {} samples, Δθ {}, Δl1 {}, left {}",
-            held.samples,
+            "{name}: {}, Δθ {}, Δl1 {}, left {}",
+            number_of(held.samples, "sample"),
             units.angle(theta_rad),
             units.length(l1_mm),
             units.length(left_mm)

@@ -1,11 +1,14 @@
 //! The scale of the vectors, what marks and colours mean, and what is not shown: in rows above the
 //! plot, so that nothing of it ever covers what was measured, however small the plot is.
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo};
-use egui::{pos2, vec2};
+use egui::{
+    Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
+};
+use egui::{Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::commands::Workbench;
+use crate::gui::layers::{OUTLINE, scale_at};
 use crate::gui::plots::marks;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
@@ -30,8 +33,11 @@ enum Sign {
     Line(Color32, f32),
     Dashes(Color32),
     Disc(Color32),
+    /// Filled with what colour says.
+    Filled(Color32),
     Ring(Color32),
-    Diamond(Color32),
+    /// What it is filled with, and its edge.
+    Diamond(Color32, Color32),
     Triangle(f64),
     Tube,
     Band(Color32),
@@ -52,12 +58,16 @@ impl Sign {
             Self::Disc(color) => {
                 painter.add(marks::disc(at, 2.8, color));
             }
+            Self::Filled(color) => {
+                let edge = Stroke::new(OUTLINE, palette.text);
+                painter.add(marks::pointing(at, 4.0, 0.0, color, edge));
+            }
             Self::Ring(color) => {
                 painter.add(marks::ring(at, 3.4, Stroke::new(1.2, color)));
             }
-            Self::Diamond(color) => {
+            Self::Diamond(fill, color) => {
                 let edge = Stroke::new(1.4, color);
-                painter.add(marks::diamond(at, 4.2, palette.surface, edge));
+                painter.add(marks::diamond(at, 4.2, fill, edge));
             }
             Self::Triangle(side) => {
                 let edge = Stroke::new(1.2, palette.muted);
@@ -122,9 +132,10 @@ pub(super) fn show(
     palette: &Palette,
 ) -> Option<Rect> {
     let mut scale = None;
-    rows(ui, |ui| {
-        if !workbench.subject().is_empty() {
-            scale = Some(entry(ui, SCALE, "", palette));
+    let measured = !workbench.subject().is_empty();
+    let low = ui.available_height() < LOW;
+    let marks = |ui: &mut Ui| {
+        if measured {
             meanings(ui, workbench, scene, palette);
         }
         // Whether somebody points at a sample or not: nothing moves under the pointer.
@@ -138,12 +149,39 @@ pub(super) fn show(
                 None => {}
             }
         }
-        scales::show(ui, scene, workbench, palette);
+    };
+    rows(ui, |ui| {
+        if measured {
+            scale = Some(entry(ui, SCALE, "", palette));
+        }
+        if !low {
+            marks(ui);
+        }
+        scales::show(ui, scene, workbench, low, palette);
+        if low {
+            folded(ui, marks);
+        }
         for says in notes {
             note(ui, says, palette);
         }
     });
     scale
+}
+
+/// A plot that would be lower than this has its marks explained behind a button, points.
+pub(super) const LOW: f32 = 330.0;
+
+/// A word that shows what the marks mean when it is pressed.
+fn folded(ui: &mut Ui, marks: impl FnOnce(&mut Ui)) {
+    let word = RichText::new("legend").size(size::SMALL);
+    let word = ui.add(Link::new(word));
+    Popup::menu(&word)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| {
+            ui.set_max_width(160.0);
+            ui.spacing_mut().item_spacing = vec2(10.0, 1.0);
+            marks(ui);
+        });
 }
 
 /// The scale's arrow, where there is room for it.
@@ -200,11 +238,28 @@ fn meanings(ui: &mut Ui, workbench: &Workbench, scene: &Scene, palette: &Palette
         sign(ui, "before", Sign::Line(faint, 1.5), palette);
         sign(ui, "after", Sign::Line(palette.after, 1.8), palette);
     }
+    // Where colour says something else, shape alone says what is within the tolerance.
+    let colouring = scene.look.colouring;
+    let plain = colouring == Colouring::State;
+    let middle = scale_at(colouring, palette, 0.5);
+    let disc = |color| {
+        if plain {
+            Sign::Disc(color)
+        } else {
+            Sign::Filled(middle)
+        }
+    };
     if workbench.document().tolerance_mm.is_some() {
-        sign(ui, "within", Sign::Disc(palette.within), palette);
-        sign(ui, "outside", Sign::Diamond(palette.outside), palette);
+        let inner = if plain { palette.surface } else { middle };
+        sign(ui, "within", disc(palette.within), palette);
+        sign(
+            ui,
+            "outside",
+            Sign::Diamond(inner, palette.outside),
+            palette,
+        );
     } else {
-        sign(ui, "measured", Sign::Disc(palette.text), palette);
+        sign(ui, "measured", disc(palette.text), palette);
     }
 }
 
@@ -213,9 +268,8 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
     let answered = workbench.answer().is_some();
     let only_after = workbench.view().only_after && answered;
     let many = workbench.around().is_some();
-    rows(ui, |ui| {
-        let says = super::polar::scale(polar, workbench.units());
-        note(ui, &says, palette);
+    let low = ui.available_height() < LOW;
+    let marks = |ui: &mut Ui| {
         sign(
             ui,
             "nominal circle",
@@ -242,6 +296,15 @@ pub(super) fn polar(ui: &mut Ui, workbench: &Workbench, polar: &Polar, palette: 
         }
         if polar.tolerance_mm.is_some() {
             sign(ui, "tolerance", Sign::Band(palette.within), palette);
+        }
+    };
+    rows(ui, |ui| {
+        let says = super::polar::scale(polar, workbench.units());
+        note(ui, &says, palette);
+        if low {
+            folded(ui, marks);
+        } else {
+            marks(ui);
         }
         if many {
             note(

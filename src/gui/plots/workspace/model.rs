@@ -33,6 +33,8 @@ pub(crate) struct Point {
     pub(crate) within: Option<bool>,
     /// Whether it is a suspected outlier.
     pub(crate) suspected: bool,
+    /// What its colour says, as its vector's does.
+    pub(crate) says: Option<f32>,
 }
 
 /// How angles of joint 1 lie in the plane.
@@ -136,6 +138,7 @@ impl Scene {
             at_mm: flat(subject.measured(sample)),
             within: tolerance_mm.map(|t| length(shown(sample)) <= t),
             suspected: answer.is_some_and(|a| a.suspected[sample]),
+            says: says(subject, &look, sample, shown(sample)),
         });
         let measured_mm = subject.overview.measured_mm.map(flat);
         Self {
@@ -189,6 +192,7 @@ fn look(workbench: &Workbench) -> Look {
     let (view, subject) = (workbench.view(), workbench.subject());
     let answered = workbench.answer().is_some();
     let magnification = magnification(view, subject);
+    let colouring = offered(subject, view.colouring);
     Look {
         plane: view.plane,
         centre_mm: subject.cloud.centre_mm,
@@ -197,12 +201,15 @@ fn look(workbench: &Workbench) -> Look {
         magnification,
         long_mm: long_mm(subject.overview.reach_mm, magnification),
         tolerance_mm: workbench.document().tolerance_mm,
-        colouring: offered(subject, view.colouring),
-        // Many points stand close together, and small ones apart.
-        mark: match subject.overview.usable.len() {
-            0..=80 => 1.0,
-            81..=5_000 => 0.75,
-            _ => 0.5,
+        colouring,
+        // Many points stand close together, and small ones apart. A colour needs room to be seen.
+        mark: match (subject.overview.usable.len(), colouring) {
+            (0..=80, Colouring::State) => 1.0,
+            (0..=80, _) => 1.5,
+            (81..=5_000, Colouring::State) => 0.75,
+            (81..=5_000, _) => 1.25,
+            (_, Colouring::State) => 0.5,
+            (_, _) => 0.75,
         },
     }
 }

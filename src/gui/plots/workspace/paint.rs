@@ -1,10 +1,10 @@
 //! The workspace plot in egui.
 
 use egui::{CursorIcon, Role, Ui, WidgetInfo};
-use egui_plot::{Axis, Plot, PlotTransform};
+use egui_plot::{Axis, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
-use crate::gui::plots::{Drawing, axis, steps};
+use crate::gui::plots::{Drawing, axis, gestures, steps};
 use crate::gui::tokens::Palette;
 use crate::gui::view::{Canvas, Step, ViewState};
 
@@ -55,19 +55,25 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let names = ["x", "y", "z"];
     let [right, up] = view.plane.axes();
     let units = workbench.units();
-    let name = move |axis: usize| format!("{}, {}", names[axis], units.length_name());
-    let hints = |side, k: usize| axis(side, name(k), &palette, move |mm| units.length_value(mm));
+    // In a low plot the axis below goes without its name, which the bar says as well.
+    let low = ui.available_height() < legend::LOW;
+    let name = move |side, axis: usize| {
+        if low && side == Axis::X {
+            return String::new();
+        }
+        format!("{}, {}", names[axis], units.length_name())
+    };
+    let hints = |side, k: usize| {
+        let name = name(side, k);
+        axis(side, name, &palette, move |mm| units.length_value(mm))
+    };
     let measured = !workbench.subject().is_empty();
     let editing = view.step == Step::Regions && measured;
     let regions = &workbench.document().regions;
     let notes = Notes::recall(ui, &scene);
     let scale = legend::show(ui, workbench, &scene, robot.as_ref(), &notes.said, &palette);
-    let plot = Plot::new(("workspace", view.plane.name(), view.fitted))
+    let plot = gestures::plot(("workspace", view.plane.name(), view.fitted.workspace))
         .data_aspect(1.0)
-        .show_x(false)
-        .show_y(false)
-        .show_background(false)
-        .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::splat(0.02))
         .grid_color(palette.line)
         .x_grid_spacer(|input| steps(input.bounds, false, 9.0))
@@ -76,7 +82,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .custom_y_axes(hints(Axis::Y, up));
     let emphasised = view.hovered.or(view.selected);
     let pixels = ui.pixels_per_point();
-    let shown = plot.show(ui, |plot| {
+    let shown = gestures::show(ui, plot, |plot| {
         plot.add(Drawing::new("workspace", bounds, |transform, shapes| {
             if let Some(dial) = &scene.dial {
                 sectors(shapes, transform, dial, regions, &palette, editing);

@@ -53,12 +53,21 @@ pub(crate) fn card(mark: Pos2, size: Vec2, gap: f32, plot: Rect, window: Rect) -
     let inwards = |place: &Rect| -(place.center() - plot.center()).length_sq();
     corners.sort_by(|a, b| inwards(a).total_cmp(&inwards(b)));
     let within = |frame: Rect| corners.iter().find(|p| frame.contains_rect(**p)).copied();
-    // Beside a plot there are words, which hide less than they say.
-    let band = Rect::from_x_y_ranges(window.x_range(), plot.top() - 60.0..=plot.bottom());
-    within(band.intersect(window))
-        .or_else(|| within(window))
-        .unwrap_or_else(|| pushed(mark, size, gap, window))
+    // Beside a plot there are words, which hide less than they say; above them are its controls.
+    let band = |bottom: f32| {
+        let band = Rect::from_x_y_ranges(window.x_range(), plot.top() - WORDS..=bottom);
+        band.intersect(window)
+    };
+    let bands = [plot.bottom(), window.bottom()].map(band);
+    if let Some(place) = within(bands[0]) {
+        return place;
+    }
+    let high = bands.into_iter().find(|band| band.height() >= size.y);
+    pushed(mark, size, gap, high.unwrap_or(window))
 }
+
+/// Height of the words above a plot, points.
+const WORDS: f32 = 22.0;
 
 /// On the side that has more room, pushed into the window along the mark.
 fn pushed(mark: Pos2, size: Vec2, gap: f32, window: Rect) -> Rect {
@@ -103,6 +112,20 @@ mod tests {
         for mark in [pos2(310.0, 100.0), pos2(920.0, 470.0), pos2(600.0, 450.0)] {
             let card = card(mark, vec2(200.0, 90.0), 14.0, plot, window);
             assert!(card.bottom() <= plot.bottom(), "{mark:?} {card:?}");
+        }
+    }
+
+    #[test]
+    fn the_card_stays_off_the_controls_of_a_low_chart() {
+        let window = rect(0.0, 0.0, 1280.0, 800.0);
+        let plot = rect(356.0, 598.0, 924.0, 720.0);
+        for size in [vec2(180.0, 98.0), vec2(260.0, 190.0)] {
+            for mark in [pos2(360.0, 600.0), pos2(480.0, 660.0), pos2(920.0, 715.0)] {
+                let card = card(mark, size, 26.0, plot, window);
+                assert!(card.top() >= 570.0, "{mark:?} {card:?}");
+                assert!(window.contains_rect(card), "{mark:?} {card:?}");
+                assert!(!card.expand(13.0).contains(mark), "{mark:?} {card:?}");
+            }
         }
     }
 

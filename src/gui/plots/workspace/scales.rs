@@ -14,8 +14,9 @@ use crate::gui::view::Colouring;
 use super::legend;
 use super::model::Scene;
 
-/// Length of a scale, points.
+/// Length of a scale, points; and in a low plot.
 const LONG: f32 = 96.0;
+const SHORT: f32 = 64.0;
 /// Length of a row of directions, points.
 const DIRECTIONS: f32 = 136.0;
 /// Thickness of a scale that says nothing by it, points.
@@ -78,7 +79,14 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
 }
 
 /// Shows them as entries of the legend.
-pub(super) fn show(ui: &mut Ui, scene: &Scene, workbench: &Workbench, palette: &Palette) {
+pub(super) fn show(
+    ui: &mut Ui,
+    scene: &Scene,
+    workbench: &Workbench,
+    low: bool,
+    palette: &Palette,
+) {
+    let long = if low { SHORT } else { LONG };
     for scale in scales(workbench, scene) {
         let Some([low, high]) = &scale.ends else {
             let name = &scale.name;
@@ -93,23 +101,23 @@ pub(super) fn show(ui: &mut Ui, scene: &Scene, workbench: &Workbench, palette: &
         };
         let ends = [number(low), number(high)];
         let wide: f32 = ends.iter().map(|end| end.size().x + 4.0).sum();
-        let room = legend::entry(ui, wide + LONG, &scale.name, palette);
+        let room = legend::entry(ui, wide + long, &scale.name, palette);
         let [low, high] = ends;
         let left = room.left() + low.size().x + 4.0;
         let y = |galley: &egui::Galley| room.center().y - 0.5 * galley.size().y;
         let at = [
             pos2(room.left(), y(&low)),
-            pos2(left + LONG + 4.0, y(&high)),
+            pos2(left + long + 4.0, y(&high)),
         ];
         ui.painter().galley(at[0], low, palette.muted);
         ui.painter().galley(at[1], high, palette.muted);
         let middle = pos2(left, room.center().y);
-        ui.painter().add(strip(middle, &scale, palette));
+        ui.painter().add(strip(middle, long, &scale, palette));
     }
 }
 
 /// From little to much; a wedge where the width of vectors says the same.
-fn strip(middle: Pos2, scale: &Scale, palette: &Palette) -> Shape {
+fn strip(middle: Pos2, long: f32, scale: &Scale, palette: &Palette) -> Shape {
     let wedge = scale.colouring.condition().is_some();
     let half = |part: f32| {
         let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
@@ -119,7 +127,7 @@ fn strip(middle: Pos2, scale: &Scale, palette: &Palette) -> Shape {
     for k in 0..=PIECES {
         let part = f32::from(k) / f32::from(PIECES);
         let color = scale_at(scale.colouring, palette, part);
-        let x = middle.x + part * LONG;
+        let x = middle.x + part * long;
         mesh.colored_vertex(pos2(x, middle.y - half(part)), color);
         mesh.colored_vertex(pos2(x, middle.y + half(part)), color);
         if k > 0 {

@@ -1,27 +1,64 @@
 //! The bar over the workspace plot: from where it is looked at, what is shown, and how.
 
-use egui::{Align, ComboBox, Layout, RichText, Slider, Stroke, Ui, vec2};
+use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::pictures::Plot;
-use crate::gui::plots::picture;
+use crate::gui::plots::{gestures, picture};
 use crate::gui::subject::Component;
-use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::tokens::{Palette, size, space};
 use crate::gui::units::{significant, trimmed};
 use crate::gui::view::{Colouring, Plane};
-use crate::gui::widgets::{self, Sign, caption, fine, sign, title};
+use crate::gui::widgets::{self, caption, fine, title};
 
 use super::model::{magnification as magnification_of, offers};
 
-/// Shows the bar.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+/// Something else that stands in the bar.
+pub(crate) type Beside = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+
+/// How much of the bar there is room for.
+#[derive(Clone, Copy, PartialEq)]
+enum Fold {
+    /// All of it side by side.
+    Open,
+    /// The length of vectors is behind a button.
+    Narrow,
+    /// So is how anything is drawn.
+    Tight,
+}
+
+/// Shows the bar; `beside` stands at its beginning.
+pub(crate) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    beside: Option<Beside>,
+    commands: &mut Vec<Command>,
+) {
     let view = workbench.view();
     let measured = !workbench.subject().is_empty();
-    let blends = measured && !view.polar() && workbench.answer().is_some();
-    let roomy = ui.available_width() > ROOMY;
-    ui.horizontal(|ui| {
+    let drawn = measured && !view.polar();
+    let around = measured && view.polar();
+    let blends = drawn && workbench.answer().is_some();
+    let room = ui.available_size();
+    let roomy = room.x > ROOMY && beside.is_none();
+    let fold = match room {
+        _ if room.y < TIGHT => Fold::Tight,
+        _ if room.x < WIDE => Fold::Narrow,
+        _ => Fold::Open,
+    };
+    if let Some(beside) = beside {
+        widgets::row(ui, |ui| {
+            beside(ui, workbench, commands);
+            if blends {
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    blend(ui, workbench, commands);
+                });
+            }
+        });
+    }
+    widgets::row(ui, |ui| {
         let least = if blends { WITH_BLEND } else { TITLED };
-        if ui.available_width() > least {
+        if ui.available_width() > least && beside.is_none() {
             title(ui, "Workspace");
         }
         let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
@@ -32,7 +69,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             Some(None) => commands.push(Command::LookAround),
             None => {}
         }
-        if measured && view.polar() {
+        if around && fold == Fold::Open {
             component(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -44,12 +81,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 };
                 picture(ui, plot, commands);
             }
-            fit(ui, commands);
-            if measured && view.polar() && workbench.answer().is_some() {
-                let shown = [(false, "both"), (true, "only after")];
-                if let Some(only) = widgets::segmented(ui, &shown, view.only_after) {
-                    commands.push(Command::OnlyAfter(only));
-                }
+            gestures::fit(ui, "Fit to view", Command::FitWorkspace, commands);
+            if around && fold == Fold::Open {
+                which(ui, workbench, commands);
+            }
+            if drawn && fold == Fold::Tight {
+                folded(ui, "drawn", "How it is drawn", |ui| {
+                    everything(ui, workbench, commands);
+                });
             }
             if blends && roomy {
                 ui.add_space(space::TIGHT);
@@ -57,18 +96,38 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
         });
     });
-    if !measured {
+    if around && fold != Fold::Open {
+        widgets::row(ui, |ui| {
+            component(ui, workbench, commands);
+            which(ui, workbench, commands);
+        });
+    }
+    if !drawn {
         return;
     }
-    if view.polar() {
-        return;
+    match fold {
+        Fold::Tight => {}
+        Fold::Narrow => {
+            widgets::row(ui, |ui| {
+                let now = significant(magnification_of(view, workbench.subject()), 2);
+                folded(ui, &format!("vectors × {now}"), "Length of vectors", |ui| {
+                    widgets::row(ui, |ui| magnification(ui, workbench, commands));
+                    widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+                });
+                heat(ui, workbench, commands);
+                colouring(ui, workbench, commands);
+            });
+        }
+        Fold::Open => {
+            widgets::row(ui, |ui| {
+                magnification(ui, workbench, commands);
+                scale_for(ui, workbench, commands);
+                heat(ui, workbench, commands);
+                colouring(ui, workbench, commands);
+            });
+        }
     }
-    ui.horizontal_wrapped(|ui| {
-        magnification(ui, workbench, commands);
-        heat(ui, workbench, commands);
-        colouring(ui, workbench, commands);
-    });
-    if blends && !roomy {
+    if blends && !roomy && beside.is_none() {
         ui.horizontal(|ui| {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 blend(ui, workbench, commands);
@@ -81,40 +140,39 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 const TITLED: f32 = 400.0;
 const WITH_BLEND: f32 = 540.0;
 const ROOMY: f32 = 420.0;
+/// With less room what is seldom changed stands behind a button, points.
+const WIDE: f32 = 590.0;
+/// With less height all of it does, points.
+const TIGHT: f32 = 270.0;
 
-/// Four corners: shows everything again. Says how to look at a part.
-fn fit(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let Sign {
-        response,
-        rect,
-        lit: _,
-        color,
-    } = sign(ui, "Fit to view");
-    let painter = ui.painter();
-    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
-    for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
-        let corner = vec![
-            at(6.5 * x, 2.5 * y),
-            at(6.5 * x, 6.5 * y),
-            at(2.5 * x, 6.5 * y),
-        ];
-        painter.line(corner, Stroke::new(1.5, color));
-    }
-    painter.add(crate::gui::plots::disc(rect.center(), 1.8, color));
-    let response = response.on_hover_ui(|ui| {
-        ui.set_max_width(280.0);
-        ui.label(RichText::new("Fit to view").font(strong(size::BODY)));
-        for (what, how) in [
-            ("everything", "Home, or a double click on the plot"),
-            ("closer", "pinch, or ctrl and the wheel"),
-            ("a part", "drag with the right button"),
-            ("move", "drag, or the wheel"),
-        ] {
-            ui.label(RichText::new(format!("{what}: {how}")).size(size::SMALL));
+/// A button that opens what there is no room for; `name` is what it is called.
+fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(&mut Ui)) {
+    let text = RichText::new(format!("{text} \u{2026}")).size(size::SMALL);
+    let button = ui.button(text);
+    ui.ctx()
+        .accesskit_node_builder(button.id, |node| node.set_label(name));
+    Popup::menu(&button)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| {
+            ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
+            contents(ui);
+        });
+}
+
+/// How vectors, map and colours are drawn, one below the other.
+fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::row(ui, |ui| magnification(ui, workbench, commands));
+    widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+    heat(ui, workbench, commands);
+    caption(ui, "colour");
+    let shown = coloured(workbench);
+    for colouring in Colouring::ALL {
+        if offers(workbench.subject(), colouring) {
+            let text = RichText::new(colouring.name()).size(size::SMALL);
+            if ui.radio(colouring == shown, text).clicked() && colouring != shown {
+                commands.push(Command::Colour(colouring));
+            }
         }
-    });
-    if response.clicked() {
-        commands.push(Command::Fit);
     }
 }
 
@@ -138,6 +196,17 @@ fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.ctx().accesskit_node_builder(list.response.id, |node| {
         node.set_label("Component of the polar view");
     });
+}
+
+/// Whether the polar view shows the deviation before as well, where there is another.
+fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        return;
+    }
+    let shown = [(false, "both"), (true, "only after")];
+    if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
+        commands.push(Command::OnlyAfter(only));
+    }
 }
 
 /// From before to after. What stands at the end that is shown is written stronger.
@@ -179,12 +248,10 @@ fn blend_says(blend: f32) -> String {
 
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let subject = workbench.subject();
-    let before = subject.overview.readable;
-    let now = magnification_of(workbench.view(), subject);
+    let now = magnification_of(workbench.view(), workbench.subject());
     caption(ui, "vectors");
     let mut factor = now;
-    fine(ui, 70.0);
+    fine(ui, 60.0);
     let slider = Slider::new(&mut factor, 1.0..=100_000.0)
         .logarithmic(true)
         .show_value(false);
@@ -195,14 +262,19 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
         commands.push(Command::Magnify(Some(factor)));
     }
     caption(ui, &format!("× {}", significant(now, 2)));
+}
+
+/// Whose lengths vectors and colours are made for.
+fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let Some(after) = workbench.after() else {
         return;
     };
-    let left = after.readable;
-    ui.add_space(space::ROW);
-    if ui.available_width() > SPELT_OUT {
-        caption(ui, "readable");
-    }
+    let subject = workbench.subject();
+    let (before, left) = (subject.overview.readable, after.readable);
+    let now = magnification_of(workbench.view(), subject);
+    let says = "how long vectors are drawn and where the colours of lengths end: so that the \
+                deviations before can be read, or those that are left after";
+    caption(ui, "scale for").on_hover_text(says);
     let options = [(Some(before), "before"), (Some(left), "after")];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
@@ -210,9 +282,6 @@ fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>
         None => {}
     }
 }
-
-/// With so much room the lengths at which vectors can be read have a name before them, points.
-const SPELT_OUT: f32 = 340.0;
 
 /// Whether the error between the samples is shown.
 fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -229,12 +298,7 @@ fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// What the colour of the vectors says.
 fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let now = workbench.view().colouring;
-    let shown = if offers(workbench.subject(), now) {
-        now
-    } else {
-        Colouring::State
-    };
+    let shown = coloured(workbench);
     caption(ui, "colour");
     let text = RichText::new(shown.name()).size(size::SMALL);
     let list = ComboBox::from_id_salt("colouring").selected_text(text);
@@ -251,4 +315,14 @@ fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     });
     ui.ctx()
         .accesskit_node_builder(list.response.id, |node| node.set_label("Colour of vectors"));
+}
+
+/// What colour says, where the session has it.
+fn coloured(workbench: &Workbench) -> Colouring {
+    let now = workbench.view().colouring;
+    if offers(workbench.subject(), now) {
+        now
+    } else {
+        Colouring::State
+    }
 }

@@ -1,12 +1,12 @@
 //! The polar view in egui: the rings, what they stand for, and what the pointer does.
 
 use egui::epaint::Mesh;
-use egui::{Align2, FontId, Pos2, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
-use egui_plot::{Plot, PlotPoint, PlotTransform};
+use egui::{Align2, FontId, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::plots::deviation::Envelope;
-use crate::gui::plots::{Drawing, marks};
+use crate::gui::plots::{Drawing, gestures, marks};
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::{Units, trimmed};
 
@@ -37,17 +37,14 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
     let only_after = view.only_after && workbench.answer().is_some();
     let envelope = workbench.around();
     let of = |sample: usize| Spot::of(subject, workbench.answer(), view.component, sample);
-    let plot = Plot::new(("polar", view.component.name(), only_after, view.fitted))
+    let name = view.component.name();
+    let plot = gestures::plot(("polar", name, only_after, view.fitted.workspace))
         .data_aspect(1.0)
-        .show_x(false)
-        .show_y(false)
         .show_axes(false)
         .show_grid(false)
-        .show_background(false)
-        .show_crosshair(false)
         .set_margin_fraction(egui::Vec2::splat(0.01));
     let emphasised = view.hovered.or(view.selected);
-    let shown = plot.show(ui, |plot| {
+    let shown = gestures::show(ui, plot, |plot| {
         let bounds = layout::bounds(polar);
         plot.add(Drawing::new("polar", bounds, |transform, shapes| {
             ground(shapes, transform, polar, bearing, &palette);
@@ -201,7 +198,8 @@ fn spoke(k: u8) -> f64 {
     std::f64::consts::TAU * f64::from(k) / f64::from(SPOKES)
 }
 
-/// Angles around, and what the rings stand for.
+/// Angles around, and what the rings stand for. What would lie on its neighbour is left out, and
+/// nothing is cut by the frame.
 fn names(
     ui: &Ui,
     transform: &PlotTransform,
@@ -210,10 +208,20 @@ fn names(
     units: Units,
     palette: &Palette,
 ) {
-    let painter = ui.painter().with_clip_rect(*transform.frame());
+    let frame = *transform.frame();
+    let painter = ui.painter().with_clip_rect(frame);
     let font = FontId::proportional(size::SMALL);
+    let galley = |text: String| painter.layout_no_wrap(text, font.clone(), palette.muted);
+    let around = |at: Pos2, size: egui::Vec2| {
+        let place = Align2::CENTER_CENTER.anchor_size(at, size);
+        inside(place, frame)
+    };
     let out = NOMINAL + polar.divisions[1] + 0.9;
-    for k in 0..SPOKES {
+    let mut taken: Vec<Rect> = Vec::new();
+    // The quarters first: they stay where there is room for few.
+    let mut spokes: Vec<u8> = (0..SPOKES).collect();
+    spokes.sort_by_key(|k| (k % 3 != 0, k % 2 != 0, *k));
+    for k in spokes {
         // Angles as joints have them: from −180° to 180°.
         let q = spoke(k);
         let named = if q > std::f64::consts::PI + 1e-9 {
@@ -221,20 +229,37 @@ fn names(
         } else {
             q
         };
-        let at = screen(transform, bearing.at(q, out));
-        let text = units.angle(named);
-        painter.text(at, Align2::CENTER_CENTER, text, font.clone(), palette.muted);
+        let galley = galley(units.angle(named));
+        let place = around(screen(transform, bearing.at(q, out)), galley.size());
+        if taken.iter().all(|other| !other.intersects(place)) {
+            taken.push(place.expand2(vec2(4.0, 1.0)));
+            painter.galley(place.min, galley, palette.muted);
+        }
     }
     let q = layout::names_at(polar);
-    let [inside, outside] = polar.divisions;
-    for divisions in [-inside, outside] {
+    let [inner, outer] = polar.divisions;
+    for divisions in [outer, -inner] {
         let at = screen(transform, bearing.at(q, NOMINAL + divisions));
         let value = units.length_value(divisions * polar.division_mm);
-        let text = format!("{} {}", trimmed(value, 6), units.length_name());
-        let galley = painter.layout_no_wrap(text, font.clone(), palette.muted);
-        let place = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+        let galley = galley(format!("{} {}", trimmed(value, 6), units.length_name()));
+        let place = around(at, galley.size());
         let back = place.expand2(vec2(3.0, 1.0));
-        painter.rect_filled(back, 2.0, palette.surface);
-        painter.galley(place.min, galley, palette.muted);
+        if taken.iter().all(|other| !other.intersects(back)) {
+            taken.push(back);
+            painter.rect_filled(back, 2.0, palette.surface);
+            painter.galley(place.min, galley, palette.muted);
+        }
     }
+}
+
+/// The same rectangle, moved so that it is within the frame.
+fn inside(place: Rect, frame: Rect) -> Rect {
+    let within = |low: f32, high: f32, from: f32, to: f32| (from - low).max((to - high).min(0.0));
+    let x = within(place.left(), place.right(), frame.left(), frame.right());
+    let y = within(place.top(), place.bottom(), frame.top(), frame.bottom());
+    // Where one looks at a part, the names of what is elsewhere stay there.
+    if x.abs() > place.width() || y.abs() > place.height() {
+        return place;
+    }
+    place.translate(vec2(x, y))
 }
