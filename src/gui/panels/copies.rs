@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use egui::{Button, Id, RichText, Ui, vec2};
+use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
 use crate::diagnosis::next_poses::NextPose;
 use crate::diagnosis::{Diagnosis, Sight};
@@ -69,7 +69,11 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
         remember(ui, id);
     }
     if is_recent(ui, id) {
-        button.show_tooltip_text("Copied");
+        // What lies beneath it can be clicked all the same.
+        Popup::from_response(&button)
+            .kind(PopupKind::Tooltip)
+            .interactable(false)
+            .show(|ui| ui.label("Copied"));
     }
 }
 

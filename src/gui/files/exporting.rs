@@ -1,0 +1,140 @@
+//! Writing tables, models and lists, whole or not at all.
+
+use std::path::{Path, PathBuf};
+
+use crate::atomic::{
+    Prepared, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
+};
+use crate::export::{Document, Job, find};
+use crate::model::format_v1::write_model;
+use crate::progress::Cancelled;
+
+use crate::gui::preview::Wanted;
+use crate::gui::tasks::{Report, Watch, What};
+use crate::gui::view::Message;
+
+use super::advice;
+
+/// Writes a table with what stands beside it, or a model: all of it, or nothing.
+pub(crate) fn export(wanted: &Wanted, what: What, path: &Path, replace: bool) -> Report {
+    let written =
+        documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
+    Report::Exported(match written {
+        Ok(()) => Ok(path.to_path_buf()),
+        Err(problem) => Err(not_written(path, problem)),
+    })
+}
+
+fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name = name.ok_or("expected the name of a file, in UTF-8")?;
+    let choice = wanted.choice;
+    let answer = wanted.outcome.answer.as_ref().map_err(Clone::clone)?;
+    if what == What::Model {
+        return Ok(vec![Document {
+            name: name.to_owned(),
+            bytes: write_model(&answer.calibration).into_bytes(),
+        }]);
+    }
+    // Not as it is shown: the documents say what the file is called.
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(&answer.calibration, name)
+    };
+    let format = find(choice.format).ok_or("there is no such format")?;
+    let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
+    Ok(export.documents)
+}
+
+fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let place = |k: usize, document: &Document| {
+        if k == 0 {
+            path.to_path_buf()
+        } else {
+            folder.join(&document.name)
+        }
+    };
+    let places = documents.iter().enumerate();
+    let places: Vec<PathBuf> = places.map(|(k, d)| place(k, d)).collect();
+    if let Some(there) = places.iter().find(|place| !replace && place.exists()) {
+        return Err(format!(
+            "{} exists already; allow replacing it, or choose another name",
+            there.display()
+        ));
+    }
+    // All of them are on the disk before the first has its name.
+    let write = |(place, document): (&PathBuf, &Document)| {
+        Prepared::write(place, replace, |file| file.write_all(&document.bytes))
+    };
+    let written: Result<Vec<Prepared>, WriteError> =
+        places.iter().zip(documents).map(write).collect();
+    let mut written = written.map_err(|error| advice(&error))?;
+    let committed = if written.len() == 2
+        && let (Some(second), Some(first)) = (written.pop(), written.pop())
+    {
+        commit_both(first, second)
+    } else {
+        written.into_iter().try_for_each(Prepared::commit)
+    };
+    committed.map_err(|error| advice(&error))
+}
+
+/// Writes a measuring list.
+pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Report {
+    let document = Document {
+        name: String::new(),
+        bytes: list.into_bytes(),
+    };
+    Report::Listed(match write_all(&[document], path, replace) {
+        Ok(()) => Ok(path.to_path_buf()),
+        Err(problem) => Err(not_written(path, problem)),
+    })
+}
+
+/// Writes one file, unless it was cancelled meanwhile.
+pub(crate) fn write_one(
+    path: &Path,
+    replace: bool,
+    bytes: &[u8],
+    watch: &Watch,
+) -> Result<(), String> {
+    let written = write_atomically(path, replace, |file| {
+        file.write_all(bytes)?;
+        // Until here nothing stands under its name; what was written goes away again.
+        if watch.stopped() {
+            return Err(Cancelled.into());
+        }
+        Ok(())
+    });
+    written.map_err(|error| advice(&error))
+}
+
+/// Whether a file may stand there: told before the work that it takes is begun.
+pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> Result<(), String> {
+    let inputs: Vec<&Path> = inputs.iter().map(PathBuf::as_path).collect();
+    refuse_to_replace_inputs(path, &inputs).map_err(|error| advice(&error))?;
+    if path.exists() && !path.is_file() {
+        return Err(advice(&WriteError::NotAFile(path.to_path_buf())));
+    }
+    if path.exists() && !replace {
+        return Err(advice(&WriteError::Exists(path.to_path_buf())));
+    }
+    let folder = path.parent().filter(|f| !f.as_os_str().is_empty());
+    match folder {
+        Some(folder) if !folder.is_dir() => {
+            Err("the folder is not there: choose another, or make it first".to_owned())
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Says that a file was not written.
+pub(crate) fn not_written(path: &Path, problem: String) -> Message {
+    Message {
+        wrong: true,
+        title: format!("{} was not written", path.display()),
+        details: vec![problem, "What was there before is there still".to_owned()],
+    }
+}

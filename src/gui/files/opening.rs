@@ -1,0 +1,139 @@
+//! Reading a session or a model, or making a session, with everything that follows from it.
+
+use std::fmt::Display;
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::diagnostic::Diagnostic;
+use crate::model::format_v1::is_model;
+use crate::model::format_v1::load_model;
+use crate::progress::{Cancelled, Part, Progress, ReadError};
+use crate::sessions::{self, Loaded};
+
+use crate::gui::foreign::Foreign;
+use crate::gui::given::Given;
+use crate::gui::keeping::disk::Print;
+use crate::gui::simulate::Form;
+use crate::gui::subject::{Origin, Subject};
+use crate::gui::tasks::{Report, Watch};
+use crate::gui::view::Message;
+
+use super::CANCELLED;
+
+/// Reads a session or a model: its key `format` says which it is.
+pub(crate) fn open(path: &Path, watch: &Watch) -> Report {
+    if is_model(path) {
+        return Report::OpenedModel(match load_model(path) {
+            Ok(calibration) => Ok(Arc::new(Given::new(calibration, path))),
+            Err(rejected) => Err(not_read(path.display(), "opened", &rejected.into())),
+        });
+    }
+    let told = watch.told();
+    let progress = Progress::new(&told);
+    let whole = progress.whole();
+    match Foreign::of(path, whole) {
+        None => {}
+        Some(Ok(foreign)) => return Report::Foreign(Box::new(foreign)),
+        Some(Err(error)) => {
+            return Report::Opened(Err(not_read(path.display(), "read", &error)));
+        }
+    }
+    let loaded = sessions::load_watched(path, whole.part(0.0, READING).watch());
+    let subject = loaded.and_then(|loaded| {
+        watch.doing(format!("checking {} samples", loaded.session.samples.len()));
+        let origin = Origin::File(path.to_path_buf());
+        Ok(looked_through(loaded, origin, whole.part(READING, 1.0))?)
+    });
+    Report::Opened(subject.map_err(|error| not_read(path.display(), "opened", &error)))
+}
+
+/// Everything that follows from a session that was read.
+pub(super) fn looked_through(
+    loaded: Loaded,
+    origin: Origin,
+    part: Part<'_>,
+) -> Result<Arc<Subject>, Cancelled> {
+    let in_a_file = !loaded.session.samples.line.is_empty();
+    let samples_file = loaded.files.last().filter(|_| in_a_file).cloned();
+    let findings = loaded.findings;
+    let mut subject = Subject::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
+    subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
+    subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+    part.reached(0.8)?;
+    if subject.single_revolute() {
+        // Sorted here, so that the window never waits for it.
+        subject.angles();
+    }
+    part.reached(1.0)?;
+    Ok(Arc::new(subject))
+}
+
+/// Says that a file was not opened, or not read.
+pub(super) fn not_read(name: impl Display, done: &str, error: &ReadError) -> Message {
+    Message {
+        wrong: true,
+        title: format!("{name} could not be {done}; nothing was changed"),
+        details: match error {
+            ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
+            ReadError::Cancelled(_) => vec![CANCELLED.to_owned()],
+        },
+    }
+}
+
+/// Which part of opening a session it is to read it; the rest is to look through it.
+const READING: f64 = 0.4;
+
+/// Findings as lines, no more than can be read.
+fn listed(findings: &[Diagnostic]) -> Vec<String> {
+    const MOST: usize = 8;
+    let mut lines: Vec<String> = findings
+        .iter()
+        .take(MOST)
+        .map(ToString::to_string)
+        .collect();
+    if findings.len() > MOST {
+        lines.push(format!("and {} more", findings.len() - MOST));
+    }
+    lines
+}
+
+/// Makes a session by simulation.
+pub(crate) fn simulate(form: &Form, watch: &Watch) -> Report {
+    Report::Opened(match form.session(watch.told()) {
+        Ok(session) => {
+            let subject = Subject::new(session, Vec::new(), Origin::Simulated);
+            Ok(Arc::new(subject))
+        }
+        Err(problems) => Err(Message {
+            wrong: true,
+            title: "The simulation needs other numbers".to_owned(),
+            details: problems,
+        }),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::files::EXAMPLES;
+    use crate::progress::testing::{assert_grows, no_at, told};
+
+    #[test]
+    fn looking_through_a_session_can_be_cancelled_wherever_it_tells_how_far_it_is() {
+        let example = &EXAMPLES[1];
+        let through = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
+            let loaded = {
+                let (document, samples) = example.files();
+                sessions::parse_with_csv(document, samples)
+            };
+            let progress = Progress::new(watch);
+            looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())
+        };
+        let (shares, subject) = told(through);
+        assert_grows(&shares);
+        assert_eq!(subject.map(|s| s.len()).ok(), Some(30));
+        for number in 0..shares.len() {
+            assert!(through(&no_at(number)).is_err(), "{number}");
+        }
+    }
+}
