@@ -4,7 +4,7 @@
 //! hears now and then which part is done, from 0 to 1 and never less than before, and answers
 //! whether to go on. Once it said no the work is [`Cancelled`], whatever it says later.
 //!
-//! Work is made of parts. A [`Part`] goes from 0 to 1 by itself, knows where in the whole it lies,
+//! Work is made of parts. A `Part` goes from 0 to 1 by itself, knows where in the whole it lies,
 //! and is cheap to hand on; whoever reads a file does not know what is done with it afterwards.
 
 use std::cell::Cell;
