@@ -78,13 +78,18 @@ impl Window {
         for _ in 0..4 {
             window.frame(Vec::new());
         }
-        let says = window.says.as_str();
-        let there = format!("{samples} samples · gap");
         assert!(
-            says.contains(&there) && says.contains('→'),
-            "not identified: {says}"
+            window.shows(samples) && window.says.contains('→'),
+            "not identified: {}",
+            window.says
         );
         window
+    }
+
+    /// Whether the status bar tells of so many samples. It groups their digits.
+    fn shows(&self, samples: usize) -> bool {
+        let plain = self.says.replace('\u{202F}', "");
+        plain.contains(&format!("{samples} samples · gap"))
     }
 
     fn opening(path: PathBuf, runner: Runner) -> Self {
@@ -106,8 +111,7 @@ impl Window {
         let mut window = Self::opening(path, Runner::Threads);
         // The handle is found where a screen reader finds it.
         window.ctx.enable_accesskit();
-        let there = format!("{samples} samples · gap");
-        window.wait("the session", |window| window.says.contains(&there));
+        window.wait("the session", |window| window.shows(samples));
         window.frame(vec![key(Key::Num2)]);
         window.wait("a boundary", |window| window.handle.is_some());
         // What the plots stand on is made in the background.
