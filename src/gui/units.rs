@@ -308,6 +308,32 @@ mod tests {
     }
 
     #[test]
+    fn a_value_and_its_interval_follow_the_chosen_units_and_the_decimal_sign() {
+        let units = Units {
+            length: LengthUnit::Micrometre,
+            angle: AngleUnit::Radian,
+        };
+        let shown = |value, half: f64, unit| {
+            let (value, half, unit) =
+                units.with_interval(value, Some([value - half, value + half]), unit);
+            format!("{value} {half} {unit}")
+        };
+        assert_eq!(shown(-1.3964, 0.0042, "mm"), "−1396.4 ± 4.2 µm");
+        assert_eq!(shown(180.0, 18.0, "°"), "3.14 ± 0.31 rad");
+        assert_eq!(
+            shown(47.9, 1.2, "ppm"),
+            "47.9 ± 1.2 ppm",
+            "no length, no angle"
+        );
+        write_numbers(Notation {
+            comma: true,
+            ..Notation::default()
+        });
+        assert_eq!(shown(0.0501, 0.0012, "s"), "0,0501 ± 0,0012 s");
+        write_numbers(Notation::default());
+    }
+
+    #[test]
     fn counts_are_grouped_and_agree_with_what_is_counted() {
         assert_eq!(number_of(1, "region"), "1 region");
         assert_eq!(number_of(0, "sample"), "0 samples");
