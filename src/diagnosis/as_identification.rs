@@ -9,7 +9,7 @@ use crate::effects::JointValues;
 use crate::identification::gap::{Spread, deviations};
 use crate::identification::problem::Problem;
 use crate::identification::{Estimate, Gap, Identification};
-use crate::model::Model;
+use crate::model::{Calibration, Model};
 use crate::sessions::Session;
 
 use super::Diagnosis;
@@ -24,15 +24,20 @@ impl Diagnosis {
 
     /// This answer as an identification. `fitted` is a plain fit of the same names to the same
     /// session; how well they are determined, and how the solver fared, is taken from it.
-    pub fn identification(&self, session: &Session, fitted: Identification) -> Identification {
-        let calibration = self.calibration(session);
+    /// `calibration` is this answer's own.
+    pub fn identification(
+        &self,
+        session: &Session,
+        calibration: &Calibration,
+        fitted: Identification,
+    ) -> Identification {
         let gap = self.gaps_of(session, &calibration.model, &fitted);
         let parameters = fitted.parameters.into_iter().map(|one| self.own(one));
         Identification {
             parameters: parameters.collect(),
-            covariance: calibration.covariance,
+            covariance: calibration.covariance.clone(),
             outliers: self.outliers.clone(),
-            model: calibration.model,
+            model: calibration.model.clone(),
             gap,
             ..fitted
         }

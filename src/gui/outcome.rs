@@ -15,7 +15,7 @@ use crate::identification::{
 };
 use crate::model::{Calibration, GapStep};
 
-use super::document::{Asks, Found, Question};
+use super::document::{Asks, Question};
 use super::layers::Remainder;
 use super::overview::{Lengths, readable};
 use super::subject::Subject;
@@ -109,12 +109,9 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     let values = JointValues::Commanded;
     let mut steps = vec![];
     let mut live = None;
+    let searched = searched(question);
     let (identification, after_mm) = match &question.asks {
-        Asks::Exact {
-            effects,
-            with,
-            found,
-        } => {
+        Asks::Exact { effects, with, .. } => {
             let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
             // How many passes there will be nobody knows; each takes a part of what is left.
             let left = Cell::new(1.0_f64);
@@ -133,8 +130,8 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
             } else {
                 first(with.len()).map_err(|e| e.to_string())?
             };
-            let identification = if let Some(diagnosis) = searched(found.as_ref(), with) {
-                diagnosis.identification(session, identification)
+            let identification = if let Some((diagnosis, calibration)) = &searched {
+                diagnosis.identification(session, calibration, identification)
             } else {
                 for n in 0..with.len() {
                     let before = first(n).map_err(|e| e.to_string())?;
@@ -162,15 +159,18 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     for outlier in &identification.outliers {
         suspected[outlier.sample] = true;
     }
-    let mut calibration = identification.calibration(session, &Inputs::new(session, values));
-    if let Asks::Exact { with, found, .. } = &question.asks {
-        if let Some(diagnosis) = searched(found.as_ref(), with) {
-            calibration = diagnosis.calibration(session);
-        } else if !with.is_empty() {
-            calibration.history.truncate(1);
-            calibration.history.extend(history(with, &steps));
+    let calibration = if let Some((_, calibration)) = searched {
+        calibration
+    } else {
+        let mut plain = identification.calibration(session, &Inputs::new(session, values));
+        if let Asks::Exact { with, .. } = &question.asks
+            && !with.is_empty()
+        {
+            plain.history.truncate(1);
+            plain.history.extend(history(with, &steps));
         }
-    }
+        plain
+    };
     Ok(Answer {
         identification,
         calibration,
@@ -182,14 +182,18 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     })
 }
 
-/// What a search says of all that it found, with its smooth correction only where that is asked for.
-fn searched(found: Option<&Found>, with: &[Term]) -> Option<Diagnosis> {
-    let diagnosis = found?.diagnosis()?.clone();
-    Some(if with.len() == diagnosis.found.len() {
-        diagnosis.uncorrected()
-    } else {
-        diagnosis
-    })
+/// What a search says, and its calibration, where all that it found is asked for; with its smooth
+/// correction only where that is asked for too.
+fn searched(question: &Question) -> Option<(Diagnosis, Calibration)> {
+    let Asks::Exact { with, found, .. } = &question.asks else {
+        return None;
+    };
+    let mut diagnosis = found.as_ref()?.diagnosis()?.clone();
+    if with.len() == diagnosis.found.len() {
+        diagnosis = diagnosis.uncorrected();
+    }
+    let calibration = diagnosis.calibration(&question.subject.session);
+    Some((diagnosis, calibration))
 }
 
 /// The gap after the identification and after each effect that was added.

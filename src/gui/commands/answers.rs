@@ -45,7 +45,7 @@ impl Workbench {
             let question = &outcome.question;
             document.identified
                 && Arc::ptr_eq(&question.subject, &document.subject)
-                && self.question().is_some_and(|asked| {
+                && document.question().is_some_and(|asked| {
                     std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
                 })
         })

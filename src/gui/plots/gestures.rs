@@ -4,12 +4,12 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use egui::{Context, Rect, Response, RichText, Stroke, Ui, Vec2, vec2};
+use egui::{Context, Rect, Response, RichText, Ui, Vec2, vec2};
 use egui_plot::{Plot, PlotResponse, PlotUi};
 
 use crate::gui::commands::Command;
 use crate::gui::tokens::{size, strong};
-use crate::gui::widgets::{Sign, sign};
+use crate::gui::widgets::sign;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
 pub(crate) const GESTURES: [(&str, &str); 5] = [
@@ -89,24 +89,19 @@ fn sound(plot: &PlotUi<'_>, closer: Vec2) -> bool {
 
 /// Four corners: shows everything again. Says how to look at a part.
 pub(crate) fn fit(ui: &mut Ui, name: &str, command: Command, commands: &mut Vec<Command>) {
-    let Sign {
-        response,
-        rect,
-        lit: _,
-        color,
-    } = sign(ui, name);
+    let sign = sign(ui, name);
     let painter = ui.painter();
-    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
+    let at = |x, y| sign.at(x, y);
     for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)] {
         let corner = vec![
             at(6.5 * x, 2.5 * y),
             at(6.5 * x, 6.5 * y),
             at(2.5 * x, 6.5 * y),
         ];
-        painter.line(corner, Stroke::new(1.5, color));
+        painter.line(corner, sign.stroke());
     }
-    painter.add(super::disc(rect.center(), 1.8, color));
-    let response = response.on_hover_ui(|ui| {
+    painter.add(super::disc(at(0.0, 0.0), 1.8, sign.color));
+    let response = sign.response.on_hover_ui(|ui| {
         ui.set_max_width(320.0);
         ui.label(RichText::new(name).font(strong(size::BODY)));
         for (how, what) in GESTURES {

@@ -88,6 +88,18 @@ pub(crate) struct Sign {
     pub(crate) color: Color32,
 }
 
+impl Sign {
+    /// A point of the drawing, from its middle.
+    pub(crate) fn at(&self, x: f32, y: f32) -> egui::Pos2 {
+        self.rect.center() + vec2(x, y)
+    }
+
+    /// Its lines.
+    pub(crate) fn stroke(&self) -> Stroke {
+        Stroke::new(1.5, self.color)
+    }
+}
+
 /// Room for a sign, called by its name.
 pub(crate) fn sign(ui: &mut Ui, name: &str) -> Sign {
     let palette = Palette::of(ui);
@@ -110,16 +122,10 @@ pub(crate) fn sign(ui: &mut Ui, name: &str) -> Sign {
 
 /// An arrow into a tray: saves what stands beside it.
 pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
-    let Sign {
-        response,
-        rect,
-        lit: _,
-        color,
-    } = sign(ui, name);
-    let painter = ui.painter();
-    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
+    let sign = sign(ui, name);
+    let at = |x, y| sign.at(x, y);
     let line = |points: Vec<egui::Pos2>| {
-        painter.line(points, Stroke::new(1.5, color));
+        ui.painter().line(points, sign.stroke());
     };
     line(vec![at(0.0, -6.5), at(0.0, 2.0)]);
     line(vec![at(-3.5, -1.5), at(0.0, 2.0), at(3.5, -1.5)]);
@@ -129,26 +135,22 @@ pub(crate) fn save_button(ui: &mut Ui, name: &str) -> Response {
         at(6.5, 6.0),
         at(6.5, 2.5),
     ]);
-    response.on_hover_text(name)
+    sign.response.on_hover_text(name)
 }
 
 /// Two sheets: copies what stands beside it.
 pub(crate) fn copy_button(ui: &mut Ui, name: &str) -> Response {
-    let Sign {
-        response,
-        rect,
-        lit,
-        color,
-    } = sign(ui, name);
+    let sign = sign(ui, name);
+    let sheet = |x, y| egui::Rect::from_min_size(sign.at(x, y), vec2(8.5, 9.5));
     let painter = ui.painter();
-    let sheet = |x: f32, y: f32| {
-        let corner = rect.center() + vec2(x, y);
-        egui::Rect::from_min_size(corner, vec2(8.5, 9.5))
-    };
-    let stroke = Stroke::new(1.5, color);
+    let stroke = sign.stroke();
     painter.rect_stroke(sheet(-2.0, -6.5), 1.5, stroke, StrokeKind::Middle);
     let palette = Palette::of(ui);
-    let ground = if lit { palette.inset } else { palette.surface };
+    let ground = if sign.lit {
+        palette.inset
+    } else {
+        palette.surface
+    };
     painter.rect(sheet(-6.5, -3.0), 1.5, ground, stroke, StrokeKind::Middle);
-    response.on_hover_text(name)
+    sign.response.on_hover_text(name)
 }

@@ -8,7 +8,7 @@ mod text;
 
 pub(crate) use buttons::{other, primary, secondary, segmented, segmented_named};
 pub(crate) use fields::{cell_number, form_row, number, row};
-pub(crate) use icons::{Sign, copy_button, history_button, save_button, side_button, sign};
+pub(crate) use icons::{copy_button, history_button, save_button, side_button, sign};
 pub(crate) use steps::{Progress, StepRow};
 pub(crate) use text::{
     caption, cell_right, cut, dense, explained, explained_effect, fact, facts, fine, heading, hint,
