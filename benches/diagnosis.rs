@@ -5,7 +5,8 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use truepose::diagnosis::{Options, diagnose};
+use truepose::diagnosis::Options;
+use truepose::pipeline::diagnose;
 use truepose::sessions::Session;
 use truepose::simulation::{parse_scenario, simulate, unwatched};
 

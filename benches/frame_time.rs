@@ -18,8 +18,8 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
 use egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use egui_plot::{Arrows, Plot, PlotPoints};
+use truepose::fit::regions::Assignment;
 use truepose::gui::{App, Runner};
-use truepose::identification::regions::Assignment;
 use truepose::sessions::Region;
 
 const SIZES: [usize; 3] = [1_000, 100_000, 1_000_000];

@@ -27,7 +27,8 @@ mod rig;
 mod unknown;
 
 use rig::{Design, Hidden, NAMES, Random, Rig};
-use truepose::diagnosis::{Allowed, Diagnosis, Options, diagnose};
+use truepose::diagnosis::{Allowed, Diagnosis, Options};
+use truepose::pipeline::diagnose;
 
 fn diagnosed(rig: &Rig, without: &[&str]) -> Diagnosis {
     let loaded = truepose::sessions::parse(rig.json("hidden").as_bytes()).expect("a good session");

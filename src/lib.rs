@@ -49,10 +49,12 @@ pub mod effects;
 
 pub mod model;
 
-pub mod identification;
+pub mod fit;
 pub mod simulation;
 
 pub mod diagnosis;
+
+pub mod design;
 
 pub mod compensation;
 

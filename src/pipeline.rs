@@ -4,11 +4,12 @@
 
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Verification, verify};
+use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues};
 use crate::export::{Export, ExportError, Format, Job};
-use crate::identification::regions::RegionChoice;
-use crate::identification::{
+use crate::fit::regions::RegionChoice;
+use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_exact, identify_regional,
 };
 use crate::model::Calibration;
@@ -105,4 +106,16 @@ pub fn identify(
     };
     let calibration = identification.calibration(session, &Inputs::new(session, values));
     Ok((identification, calibration))
+}
+
+/// Diagnoses a session: what is missing, how sure that is, and what to measure next.
+///
+/// # Errors
+/// See [`DiagnoseError`].
+pub fn diagnose(
+    session: &Session,
+    options: &Options,
+    watch: Watch,
+) -> Result<Diagnosis, DiagnoseError> {
+    crate::diagnosis::diagnose(session, options, &crate::design::next_poses::propose, watch)
 }

@@ -8,8 +8,8 @@ use truepose::compensation::{
     Compensation, Conditions, JointTable, Remainder, Side, Verification, verify,
 };
 use truepose::effects::{Inputs, JointValues};
-use truepose::identification::regions::RegionChoice;
-use truepose::identification::{identify_exact, identify_regional};
+use truepose::fit::regions::RegionChoice;
+use truepose::fit::{identify_exact, identify_regional};
 use truepose::model::format_v1::{model_hash, read_model, write_model};
 use truepose::model::{Calibration, Model};
 use truepose::sessions::Session;
@@ -39,7 +39,7 @@ fn exact(session: &Session, effects: &[&str]) -> Calibration {
     found.calibration(session, &Inputs::new(session, JointValues::default()))
 }
 
-fn regional(session: &Session) -> (Calibration, truepose::identification::Identification) {
+fn regional(session: &Session) -> (Calibration, truepose::fit::Identification) {
     let found =
         identify_regional(session, &RegionChoice::FromSession, JointValues::default()).unwrap();
     let inputs = Inputs::new(session, JointValues::default());

@@ -6,7 +6,8 @@
 mod rig;
 
 use rig::{Design, Hidden, Kind, NAMES, Random, Rig};
-use truepose::diagnosis::{Allowed, Diagnosis, Options, Progress, Verdict, diagnose};
+use truepose::diagnosis::{Allowed, Diagnosis, Options, Progress, Verdict};
+use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, parse};
 
 fn session(rig: &Rig) -> Session {

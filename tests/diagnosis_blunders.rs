@@ -5,8 +5,9 @@
 mod rig;
 
 use rig::{Design, Hidden, Random, Rig};
-use truepose::diagnosis::{Diagnosis, Options, Verdict, diagnose};
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
 use truepose::effects::JointValues;
+use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, parse};
 
 fn measured(design: &Design, ids: &[&str], lambda: f64, seed: u64) -> Rig {

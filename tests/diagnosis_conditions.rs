@@ -5,7 +5,8 @@
 mod rig;
 
 use rig::{Design, Hidden, Random, Rig};
-use truepose::diagnosis::{Diagnosis, Options, Verdict, diagnose};
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, parse};
 
 /// A session in which one effect is hidden.

@@ -6,7 +6,8 @@
 mod rig;
 
 use rig::{Design, Rig};
-use truepose::diagnosis::{Diagnosis, Options, Verdict, diagnose};
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, load, parse};
 
 const IDS: [&str; 8] = [

@@ -4,7 +4,7 @@
 
 use proptest::prelude::*;
 use truepose::effects::JointValues;
-use truepose::identification::{Identification, identify_exact};
+use truepose::fit::{Identification, identify_exact};
 use truepose::sessions::Session;
 use truepose::simulation::{Truth, parse_scenario, simulate, unwatched};
 
@@ -98,9 +98,7 @@ fn under_noise_the_intervals_hold_the_truth_about_as_often_as_they_say() {
         for term in &truth.effects {
             for parameter in term.parameters() {
                 let id = term.effect.about().id;
-                let of = |p: &&truepose::identification::Estimate| {
-                    p.effect == id && p.name == parameter.name
-                };
+                let of = |p: &&truepose::fit::Estimate| p.effect == id && p.name == parameter.name;
                 let [low, high] = found.parameters.iter().find(of).unwrap().ci95.unwrap();
                 all += 1;
                 inside += u32::from(low <= parameter.value && parameter.value <= high);

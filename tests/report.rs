@@ -13,10 +13,11 @@ use serde_json::{Value, json};
 mod tiny_font;
 
 use tiny_font::{Tiny, collection};
-use truepose::diagnosis::{DiagnoseError, Options, diagnose};
+use truepose::diagnosis::{DiagnoseError, Options};
 use truepose::fonts::{Library, Purpose, cannot_be_shown};
 use truepose::model::Calibration;
 use truepose::model::format_v1::model_hash;
+use truepose::pipeline::diagnose;
 use truepose::report::svg::svg_file;
 use truepose::report::{Extras, Report, ReportError, html, pdf, pdf_with, plots, stages};
 use truepose::sessions::{Session, load, parse};

@@ -7,7 +7,8 @@ use std::process::{Command, Output};
 
 use serde_json::{Value, json};
 
-use truepose::diagnosis::{Options, diagnose};
+use truepose::diagnosis::Options;
+use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, parse};
 use truepose::standards::format_v1::Document;
 use truepose::standards::standards;

@@ -1,7 +1,7 @@
 //! Designs that cannot decide, and the poses that do.
 
 use truepose::diagnosis::Diagnosis;
-use truepose::diagnosis::next_poses::NextPose;
+use truepose::diagnosis::NextPose;
 
 use crate::cells::row;
 use crate::rig::{Design, Random, Rig, Shot};

@@ -2,7 +2,7 @@
 //! fit has seen. Each session has as many held-out samples as fitted ones, from the same rig.
 
 use truepose::diagnosis::Diagnosis;
-use truepose::identification::Estimate;
+use truepose::fit::Estimate;
 
 use crate::absorbed::left_by_neighbours;
 use crate::cells::{count, details, in_parallel, row};

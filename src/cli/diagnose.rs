@@ -7,11 +7,12 @@ use clap::{Args, ValueEnum};
 
 use truepose::diagnosis::format_v1::Document;
 use truepose::diagnosis::{
-    Allowed, DiagnoseError, Diagnosis, Limit, Options, RegionalStart, Sight, Verdict, diagnose,
+    Allowed, DiagnoseError, Diagnosis, Limit, Options, RegionalStart, Sight, Verdict,
     regional_start,
 };
 use truepose::effects::JointValues;
-use truepose::identification::Estimate;
+use truepose::fit::Estimate;
+use truepose::pipeline::diagnose;
 
 use super::failure::Failure;
 use super::output;

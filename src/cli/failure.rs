@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use truepose::atomic::WriteError;
 use truepose::diagnostic::Rejected;
-use truepose::identification::IdentifyError;
+use truepose::fit::IdentifyError;
 
 /// The input or the arguments are wrong.
 pub(crate) const WRONG_INPUT: u8 = 2;

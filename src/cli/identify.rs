@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 use truepose::effects::JointValues;
-use truepose::identification::regions::RegionChoice;
-use truepose::identification::{Gap, Identification};
+use truepose::fit::regions::RegionChoice;
+use truepose::fit::{Gap, Identification};
 use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 

@@ -7,11 +7,12 @@ use clap::Args;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use truepose::diagnosis::needs::Locked;
-use truepose::diagnosis::next_poses::NextPose;
-use truepose::diagnosis::plan::{self, PlanError, PlanOptions, Subject};
-use truepose::diagnosis::plan_v1::Document;
-use truepose::diagnosis::{Options, Sight, measuring_list};
+use truepose::design::measuring_list;
+use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
+use truepose::design::plan_v1::Document;
+use truepose::diagnosis::NextPose;
+use truepose::design::needs::Locked;
+use truepose::diagnosis::{Options, Sight};
 
 use super::failure::Failure;
 use super::output;

@@ -15,7 +15,7 @@
 
 use crate::effects::Inputs;
 use crate::effects::term::JointFrame;
-use crate::identification::regions::Assignment;
+use crate::fit::regions::Assignment;
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus};
 use crate::model::RegionalCorrection;

@@ -20,10 +20,10 @@
 //! paper's method everything is in the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MeasuringFrame, Term};
-use crate::identification::alignment::best_rigid_motion;
-use crate::identification::gap::{Deviations, Spread};
-use crate::identification::problem::Problem;
-use crate::identification::robust::suspects;
+use crate::fit::alignment::best_rigid_motion;
+use crate::fit::gap::{Deviations, Spread};
+use crate::fit::problem::Problem;
+use crate::fit::robust::suspects;
 use crate::lanes::{add_scaled, minus};
 use crate::model::format_v1::model_hash;
 use crate::model::{Calibration, Model, Positions};

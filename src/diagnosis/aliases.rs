@@ -23,18 +23,18 @@ const MOST_FOR_PAIRS: usize = 5;
 
 /// Another explanation.
 #[derive(Debug, Clone)]
-pub(super) struct Rival {
+pub(crate) struct Rival {
     /// What it replaces.
-    pub(super) removed: Vec<Term>,
+    pub(crate) removed: Vec<Term>,
     /// By what.
-    pub(super) instead: Vec<Term>,
+    pub(crate) instead: Vec<Term>,
     /// The refitted model.
-    pub(super) fit: Fit,
+    pub(crate) fit: Fit,
 }
 
 impl Rival {
     /// Whether it differs by name, not only by setting.
-    pub(super) fn other_names(&self) -> bool {
+    pub(crate) fn other_names(&self) -> bool {
         let names = |terms: &[Term]| {
             let mut names: Vec<(&str, usize)> = terms.iter().map(name).collect();
             names.sort_unstable();
@@ -50,7 +50,7 @@ fn name(term: &Term) -> (&'static str, usize) {
 }
 
 /// Rivals without those that only add a name to another rival.
-pub(super) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
+pub(crate) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
     let names = |terms: &[Term]| -> Vec<(&'static str, usize)> { terms.iter().map(name).collect() };
     let idle = |one: &Rival| {
         let own = names(&one.instead);
@@ -64,6 +64,15 @@ pub(super) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
     rivals.iter().copied().filter(|r| !idle(r)).collect()
 }
 
+/// Rivals that the samples cannot rule out, by other names than the fit's, likeliest first.
+pub(crate) fn open_rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
+    let mut open = rivals(arena, fit);
+    open.retain(|r| r.other_names() && r.fit.ln_evidence > fit.ln_evidence - UNDECIDED);
+    let all: Vec<&Rival> = open.iter().collect();
+    let kept = without_idle_names(&all);
+    kept.into_iter().cloned().collect()
+}
+
 struct Trial {
     removed: Vec<Term>,
     rest: Fit,
@@ -72,7 +81,7 @@ struct Trial {
 }
 
 /// Rivals of a fit, likeliest first; those that are further off than [`CLOSE`] are left out.
-pub(super) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
+pub(crate) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
     let added: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
     let mut trials: Vec<Trial> = Vec::new();
     for (i, first) in added.iter().enumerate() {

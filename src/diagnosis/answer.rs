@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::identification::{Estimate, Outlier};
+use crate::fit::{Estimate, Outlier};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model};
 use crate::sessions::Session;
@@ -13,7 +13,7 @@ use super::candidates::NotTestable;
 use super::evidence::Noise;
 use super::familywise::FamilyP;
 use super::limits::Limit;
-use super::next_poses::NextPose;
+use super::next_pose::NextPose;
 use super::smooth::Correction;
 
 /// The short answer.

@@ -13,7 +13,7 @@ use std::cell::RefCell;
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
-use crate::identification::problem::Problem;
+use crate::fit::problem::Problem;
 use crate::model::Model;
 
 use super::anonymous::Shape;
@@ -37,51 +37,51 @@ const SEEN: f64 = 1e-6;
 
 /// A shape in a fit.
 #[derive(Debug, Clone)]
-pub(super) struct Placed {
-    pub(super) shape: Shape,
-    pub(super) white: DMatrix<f64>,
-    pub(super) raw: DMatrix<f64>,
-    pub(super) coefficients: DVector<f64>,
+pub(crate) struct Placed {
+    pub(crate) shape: Shape,
+    pub(crate) white: DMatrix<f64>,
+    pub(crate) raw: DMatrix<f64>,
+    pub(crate) coefficients: DVector<f64>,
 }
 
 /// A model fitted to the rows.
 #[derive(Debug, Clone)]
-pub(super) struct Fit {
-    pub(super) model: Model,
-    pub(super) shapes: Vec<Placed>,
-    pub(super) residual: DVector<f64>,
-    pub(super) basis: Basis,
-    pub(super) rss: f64,
-    pub(super) ln_evidence: f64,
+pub(crate) struct Fit {
+    pub(crate) model: Model,
+    pub(crate) shapes: Vec<Placed>,
+    pub(crate) residual: DVector<f64>,
+    pub(crate) basis: Basis,
+    pub(crate) rss: f64,
+    pub(crate) ln_evidence: f64,
 }
 
 /// What one candidate would do beside a fit.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Score {
-    pub(super) candidate: usize,
+pub(crate) struct Score {
+    pub(crate) candidate: usize,
     /// By how much the sum of squares would fall.
-    pub(super) gain: f64,
+    pub(crate) gain: f64,
     /// −ln p, less what the settings tried cost: the scale of the family-wise test.
-    pub(super) surprise: f64,
+    pub(crate) surprise: f64,
     /// Change of the logarithm of the evidence.
-    pub(super) ln_odds: f64,
+    pub(crate) ln_odds: f64,
 }
 
-pub(super) struct Arena<'a> {
-    pub(super) problem: Problem<'a>,
-    pub(super) rows: Rows,
-    pub(super) noise: Noise,
-    pub(super) table: Table,
-    pub(super) white: DMatrix<f64>,
+pub(crate) struct Arena<'a> {
+    pub(crate) problem: Problem<'a>,
+    pub(crate) rows: Rows,
+    pub(crate) noise: Noise,
+    pub(crate) table: Table,
+    pub(crate) white: DMatrix<f64>,
     /// Squared norms of the columns of `white`.
     norms: Vec<f64>,
-    pub(super) base: Model,
-    pub(super) seed: u64,
-    pub(super) familywise: RefCell<Familywise>,
+    pub(crate) base: Model,
+    pub(crate) seed: u64,
+    pub(crate) familywise: RefCell<Familywise>,
 }
 
 impl<'a> Arena<'a> {
-    pub(super) fn new(
+    pub(crate) fn new(
         problem: Problem<'a>,
         rows: Rows,
         noise: Noise,
@@ -105,7 +105,7 @@ impl<'a> Arena<'a> {
     }
 
     /// The same noise on other samples, with nothing to search for.
-    pub(super) fn on(&self, problem: Problem<'a>) -> Self {
+    pub(crate) fn on(&self, problem: Problem<'a>) -> Self {
         let rows = Rows::of(&problem);
         let table = self.table.emptied(&rows);
         let (noise, base) = (self.noise.clone(), self.base.clone());
@@ -113,12 +113,12 @@ impl<'a> Arena<'a> {
     }
 
     /// Number of rows.
-    pub(super) fn m(&self) -> f64 {
+    pub(crate) fn m(&self) -> f64 {
         self.rows.len() as f64
     }
 
     /// Fits a model and shapes, starting from their coefficients.
-    pub(super) fn fit(&self, start: &Model, shapes: Vec<Placed>) -> Fit {
+    pub(crate) fn fit(&self, start: &Model, shapes: Vec<Placed>) -> Fit {
         let mut model = start.clone();
         let mut shapes = shapes;
         let mut last = None;
@@ -207,11 +207,11 @@ impl<'a> Arena<'a> {
     }
 
     /// Scores every candidate beside a fit; those that the fit leaves nothing of are left out.
-    pub(super) fn scan(&self, fit: &Fit) -> Vec<Score> {
+    pub(crate) fn scan(&self, fit: &Fit) -> Vec<Score> {
         self.scan_beside(&fit.basis, &fit.residual, fit.rss)
     }
 
-    pub(super) fn scan_beside(
+    pub(crate) fn scan_beside(
         &self,
         basis: &Basis,
         residual: &DVector<f64>,
@@ -255,7 +255,7 @@ impl<'a> Arena<'a> {
     }
 
     /// The table's columns without what the fit explains.
-    pub(super) fn projected(&self, basis: &Basis) -> DMatrix<f64> {
+    pub(crate) fn projected(&self, basis: &Basis) -> DMatrix<f64> {
         let along = basis.q.transpose() * &self.white;
         let mut projected = self.white.clone();
         projected.gemm(-1.0, &basis.q, &along, 1.0);
@@ -282,7 +282,7 @@ impl<'a> Arena<'a> {
     }
 
     /// Cholesky factor of a candidate's projected columns.
-    pub(super) fn factor(
+    pub(crate) fn factor(
         &self,
         projected: &DMatrix<f64>,
         candidate: &Candidate,
@@ -303,7 +303,7 @@ impl<'a> Arena<'a> {
     }
 
     /// A shape ready to be fitted.
-    pub(super) fn placed(&self, shape: Shape) -> Placed {
+    pub(crate) fn placed(&self, shape: Shape) -> Placed {
         let raw = self.table.ground.columns(&shape);
         let white = self.noise.whitened(&self.rows, &raw);
         Placed {
@@ -315,7 +315,7 @@ impl<'a> Arena<'a> {
     }
 
     /// The fit with a candidate more.
-    pub(super) fn with(&self, fit: &Fit, what: &What) -> Fit {
+    pub(crate) fn with(&self, fit: &Fit, what: &What) -> Fit {
         let mut shapes = fit.shapes.clone();
         match what {
             What::Named(term) => self.fit(&fit.model.with_term(term.clone()), shapes),
@@ -327,26 +327,26 @@ impl<'a> Arena<'a> {
     }
 
     /// The fit without one of the terms that the search added.
-    pub(super) fn without_term(&self, fit: &Fit, term: &Term) -> Fit {
+    pub(crate) fn without_term(&self, fit: &Fit, term: &Term) -> Fit {
         let model = fit.model.without(|t| t.same_column(term));
         self.fit(&model, fit.shapes.clone())
     }
 
     /// The fit without one of its shapes.
-    pub(super) fn without_shape(&self, fit: &Fit, index: usize) -> Fit {
+    pub(crate) fn without_shape(&self, fit: &Fit, index: usize) -> Fit {
         let mut shapes = fit.shapes.clone();
         shapes.remove(index);
         self.fit(&fit.model, shapes)
     }
 
     /// Terms that the search added, in the order of the model.
-    pub(super) fn added<'f>(&self, fit: &'f Fit) -> Vec<&'f Term> {
+    pub(crate) fn added<'f>(&self, fit: &'f Fit) -> Vec<&'f Term> {
         let of_base = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
         fit.model.terms().iter().filter(|t| !of_base(t)).collect()
     }
 
     /// Estimated standard deviation of a whitened row.
-    pub(super) fn scale(&self, fit: &Fit) -> f64 {
+    pub(crate) fn scale(&self, fit: &Fit) -> f64 {
         let freedom = (self.m() - fit.basis.rank() as f64).max(1.0);
         (fit.rss / freedom).sqrt()
     }
@@ -358,7 +358,7 @@ const ROUNDING_MM: f64 = 1e-6;
 /// What a candidate pays in the family-wise test for the settings of its kind: the square root of
 /// their number, so that plain effects keep power beside the hundreds of gear orders; shapes pay
 /// three times as much as names.
-pub(super) fn weight_of(candidate: &Candidate) -> f64 {
+pub(crate) fn weight_of(candidate: &Candidate) -> f64 {
     let anonymous = if candidate.named() { 0.0 } else { 3.0_f64.ln() };
     0.5 * candidate.tried.max(1.0).ln() + anonymous
 }

@@ -6,9 +6,9 @@
 //! the next (`values`).
 
 use crate::effects::JointValues;
-use crate::identification::gap::{Spread, deviations};
-use crate::identification::problem::Problem;
-use crate::identification::{Estimate, Gap, Identification};
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
+use crate::fit::{Estimate, Gap, Identification};
 use crate::model::{Calibration, Model};
 use crate::sessions::Session;
 

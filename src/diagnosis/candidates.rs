@@ -4,8 +4,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{CATALOGUE, Effect, Setting, Survey, Term, rank};
-use crate::identification::problem::Problem;
-use crate::identification::scan;
+use crate::fit::problem::Problem;
+use crate::fit::scan;
 use crate::model::Model;
 
 use super::anonymous::{Direction, Profile, Shape, Variable};
@@ -197,7 +197,7 @@ impl Table {
     }
 
     /// A table for other rows, with nothing to try.
-    pub(super) fn emptied(&self, rows: &Rows) -> Self {
+    pub(crate) fn emptied(&self, rows: &Rows) -> Self {
         Self {
             candidates: Vec::new(),
             raw: DMatrix::zeros(rows.len(), 0),

@@ -2,13 +2,13 @@
 //! reflector) are evidence of an effect of that condition, not accidents: a session with few
 //! samples from the other side must not lose just these.
 
-use crate::identification::problem::Problem;
+use crate::fit::problem::Problem;
 
 /// Fewer suspects than this may be accidents.
 const FEWEST: usize = 3;
 
 /// Puts suspects back that are more than half of their condition.
-pub(super) fn keep(problem: &mut Problem, suspected: &[bool]) {
+pub(crate) fn keep(problem: &mut Problem, suspected: &[bool]) {
     let inputs = &problem.inputs;
     let n = suspected.len();
     let columns = inputs.dir.iter().chain(&inputs.speed).flatten();

@@ -4,10 +4,10 @@
 use std::borrow::Cow;
 
 use crate::effects::Term;
-use crate::identification::gap::{Deviations, Spread, deviations};
-use crate::identification::outliers;
-use crate::identification::problem::Problem;
-use crate::identification::robust::suspects;
+use crate::fit::gap::{Deviations, Spread, deviations};
+use crate::fit::outliers;
+use crate::fit::problem::Problem;
+use crate::fit::robust::suspects;
 use crate::kinematics::Range;
 use crate::model::{GapStep, Model};
 
@@ -15,10 +15,11 @@ use super::aliases;
 use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
 use super::arena::Fit;
 use super::blunders::Mended;
+use super::candidates::NotTestable;
 use super::floor::floor;
 use super::leftover::unexplained;
 use super::limits;
-use super::next_poses::{self, NextPose};
+use super::next_pose::NextPose;
 use super::prepare::Prepared;
 use super::search::Found as SearchEnd;
 use super::smooth;
@@ -26,15 +27,34 @@ use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::Values;
-use super::{DiagnoseError, Progress, Watch, unlock};
+use super::{DiagnoseError, Progress, Watch};
+
+/// What stays undecided, for whoever proposes poses.
+pub struct Undecided<'u, 'a> {
+    pub(crate) prepared: &'u Prepared<'a>,
+    pub(crate) fit: &'u Fit,
+    pub(crate) rivals: &'u [&'u aliases::Rival],
+    pub(crate) not_testable: &'u [NotTestable],
+}
+
+/// Poses to measure next, and for each rival what would tell it from the model.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Proposal {
+    pub(crate) poses: Vec<NextPose>,
+    pub(crate) separate_by: Vec<String>,
+}
+
+/// Proposes poses.
+pub(crate) type Planner<'p> = &'p dyn Fn(&Undecided) -> Proposal;
 
 /// At most so many rivals are listed.
 const MOST_EQUIVALENT: usize = 6;
 
-pub(super) fn answer(
+pub(crate) fn answer(
     mended: &Mended,
     prepared: &Prepared,
     end: &SearchEnd,
+    planner: Planner,
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     let arena = &prepared.arena;
@@ -83,15 +103,16 @@ pub(super) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = next_poses::open_rivals(arena, with_shapes);
+    let rivals = aliases::open_rivals(arena, with_shapes);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(arena, &base);
-    let next_poses = if equivalent.is_empty() {
-        unlock::worth_unlocking(prepared, with_shapes, &not_testable)
-    } else {
-        next_poses::separate(prepared, with_shapes, &equivalent, next_poses::MOST)
-    };
+    let proposal = planner(&Undecided {
+        prepared,
+        fit: with_shapes,
+        rivals: &equivalent,
+        not_testable: &not_testable,
+    });
     let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
     unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
@@ -128,12 +149,12 @@ pub(super) fn answer(
         held_out,
         identified: values.identified(arena),
         found,
-        equivalent: equivalents(&equivalent, with_shapes, &next_poses),
+        equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
         not_testable,
         not_found: limits::limits(arena, with_shapes),
         outliers,
-        next_poses,
+        next_poses: proposal.poses,
         noise: arena.noise.clone(),
         covariance: values.covariance(),
         model: values.model.settled(),
@@ -169,12 +190,12 @@ fn measured<'q>(columns: impl Iterator<Item = &'q [f64]>) -> Vec<Range> {
     columns.map(range).collect()
 }
 
-fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, poses: &[NextPose]) -> Vec<Equivalent> {
+fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Vec<Equivalent> {
     let ids = |terms: &[Term]| -> Vec<&'static str> {
         terms.iter().map(|t| t.effect.about().id).collect()
     };
     let mut all: Vec<Equivalent> = Vec::new();
-    for rival in rivals {
+    for (rival, separate_by) in rivals.iter().zip(&proposal.separate_by) {
         let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
         let known = all
             .iter()
@@ -186,7 +207,7 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, poses: &[NextPose]) -> Vec
             explanation,
             instead,
             odds: (fit.ln_evidence - rival.fit.ln_evidence).exp(),
-            separate_by: next_poses::separate_by(rival, poses),
+            separate_by: separate_by.clone(),
             model: rival.fit.model.clone(),
         });
     }

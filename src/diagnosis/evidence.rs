@@ -15,7 +15,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Inputs;
-use crate::identification::problem::Problem;
+use crate::fit::problem::Problem;
 use crate::model::Model;
 use crate::sessions::Sigma;
 

@@ -40,7 +40,7 @@ const TAIL: f64 = 0.03;
 
 /// Largest surprises of simulated residuals, kept for each size of model.
 #[derive(Debug, Default)]
-pub(super) struct Familywise {
+pub(crate) struct Familywise {
     null: Vec<Null>,
 }
 
@@ -83,7 +83,7 @@ pub struct FamilyP {
 impl Arena<'_> {
     /// The chance that noise alone surprises the search by `surprise`. `fit` is a model in which
     /// the candidate is already: its residual is noise if the candidate is right.
-    pub(super) fn family_p(&self, surprise: f64, fit: &Fit) -> FamilyP {
+    pub(crate) fn family_p(&self, surprise: f64, fit: &Fit) -> FamilyP {
         let candidates = self.table.candidates.len() as f64;
         let smallest = 1.0 / MOST as f64;
         // Beyond what all candidates together could do by chance there is nothing to simulate.
@@ -116,7 +116,7 @@ impl Arena<'_> {
     }
 
     /// The surprise that noise alone reaches with this chance.
-    pub(super) fn surprise_for(&self, chance: f64, fit: &Fit) -> f64 {
+    pub(crate) fn surprise_for(&self, chance: f64, fit: &Fit) -> f64 {
         let at = self.null_beside(fit);
         let null = &self.familywise.borrow().null[at];
         let (mut low, mut high) = (2.0, (self.table.candidates.len() as f64).ln() + 14.0);

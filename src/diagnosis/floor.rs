@@ -9,7 +9,7 @@ use super::prepare::Prepared;
 use super::search::mean_sigma_mm;
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit.
-pub(super) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
+pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
     let arena = &prepared.arena;
     if let Some(mm) = pure_error_mm(prepared) {
         return Floor {

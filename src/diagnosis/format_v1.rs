@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::identification::Estimate;
+use crate::fit::Estimate;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
@@ -10,7 +10,7 @@ use crate::units::deg_from_rad;
 use super::anonymous::Where;
 use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
 use super::limits::{Limit, Sight};
-use super::next_poses::NextPose;
+use super::next_pose::NextPose;
 
 mod correction;
 mod start;

@@ -14,10 +14,10 @@ use super::evidence::Rows;
 pub struct Ground {
     samples: usize,
     axes: Vec<usize>,
-    pub(super) variables: Vec<(Variable, Vec<f64>)>,
-    pub(super) tangential: Vec<DVector<f64>>,
-    pub(super) radial: Option<DVector<f64>>,
-    pub(super) axial: Option<DVector<f64>>,
+    pub(crate) variables: Vec<(Variable, Vec<f64>)>,
+    pub(crate) tangential: Vec<DVector<f64>>,
+    pub(crate) radial: Option<DVector<f64>>,
+    pub(crate) axial: Option<DVector<f64>>,
     angle: Vec<f64>,
 }
 
@@ -81,7 +81,7 @@ impl Ground {
     }
 }
 
-pub(super) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
+pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
     let inputs = &rows.inputs;
     let pick = |column: &[f64]| column.to_vec();
     let mut variables = Vec::new();

@@ -13,11 +13,11 @@ use super::linear::Basis;
 
 /// Which fold each sample of the rows is in.
 #[derive(Debug, Clone)]
-pub(super) struct Folds {
+pub(crate) struct Folds {
     fold: Vec<usize>,
     count: usize,
     /// In words.
-    pub(super) how: String,
+    pub(crate) how: String,
 }
 
 const FOLDS: usize = 5;
@@ -25,11 +25,11 @@ const _: () = assert!(FOLDS == 5, "the answer speaks of fifths");
 /// Below this number of samples every sector is left out in turn.
 const FEW: usize = 60;
 /// Below this number of samples nothing is said about unseen ones.
-pub(super) const FEWEST: usize = 6;
+pub(crate) const FEWEST: usize = 6;
 
 impl Folds {
     /// Folds over the samples of an arena, by the angle of the first joint that moves most.
-    pub(super) fn new(arena: &Arena) -> Self {
+    pub(crate) fn new(arena: &Arena) -> Self {
         let q = &arena.rows.inputs.q;
         let range = |column: &[f64]| {
             let values = column.iter().copied();
@@ -70,12 +70,12 @@ impl Folds {
     }
 
     /// Whether there are enough samples to say anything.
-    pub(super) fn say_something(&self) -> bool {
+    pub(crate) fn say_something(&self) -> bool {
         self.fold.len() >= FEWEST
     }
 
     /// Root mean square length of the deviations of samples that the fit has not seen, mm.
-    pub(super) fn rms(&self, arena: &Arena, fit: &Fit) -> f64 {
+    pub(crate) fn rms(&self, arena: &Arena, fit: &Fit) -> f64 {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.

@@ -5,7 +5,7 @@
 //! handful of them looks like something that no name explains. They are few as a rule and are left
 //! out aloud. Where they are many the column itself is at fault, and they stay.
 
-use crate::identification::problem::Problem;
+use crate::fit::problem::Problem;
 use crate::sessions::Samples;
 
 use super::blunders::DataProblem;
@@ -14,7 +14,7 @@ use super::blunders::DataProblem;
 const MOST: f64 = 0.25;
 
 /// Leaves out the samples that lack a condition; what was done, in words.
-pub(super) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
+pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
     let samples = &problem.session.samples;
     let conditions = conditions(samples);
     let lacks = |sample: usize| conditions.iter().any(|c| c.lacks(sample));

@@ -8,7 +8,7 @@ use super::arena::Fit;
 use super::prepare::Prepared;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
 
-pub(super) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
+pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let arena = &prepared.arena;
     let fit = &end.fit;
     if fit.shapes.is_empty() {

@@ -53,7 +53,7 @@ pub struct Limit {
 }
 
 /// Limits of every name that was tried and is not in the model.
-pub(super) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
+pub(crate) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
     let projected = arena.projected(&fit.basis);
     let freedom = arena.m() - fit.basis.rank() as f64;
     let scale = arena.scale(fit).max(1e-300);

@@ -9,19 +9,19 @@ const DEPENDENT: f64 = 1e-6;
 
 /// `A = Q R` on the columns that are independent.
 #[derive(Debug, Clone)]
-pub(super) struct Basis {
+pub(crate) struct Basis {
     /// Orthonormal columns.
-    pub(super) q: DMatrix<f64>,
+    pub(crate) q: DMatrix<f64>,
     /// Upper triangular, one column for each kept column of `A`.
     r: DMatrix<f64>,
     /// Which columns of `A` were kept, in order.
-    pub(super) kept: Vec<usize>,
+    pub(crate) kept: Vec<usize>,
     columns: usize,
 }
 
 impl Basis {
     /// Takes a matrix apart.
-    pub(super) fn new(a: &DMatrix<f64>) -> Self {
+    pub(crate) fn new(a: &DMatrix<f64>) -> Self {
         let (m, p) = a.shape();
         let mut q = DMatrix::zeros(m, p);
         let mut r = DMatrix::zeros(p, p);
@@ -56,25 +56,25 @@ impl Basis {
     }
 
     /// Number of independent columns.
-    pub(super) fn rank(&self) -> usize {
+    pub(crate) fn rank(&self) -> usize {
         self.kept.len()
     }
 
     /// The coefficients that bring `A x` closest to `y`; zero for columns that were dropped.
-    pub(super) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
+    pub(crate) fn solve(&self, y: &DVector<f64>) -> DVector<f64> {
         let mut x = self.q.tr_mul(y);
         self.back_substitute(&mut x);
         self.spread(&x)
     }
 
     /// `y` without its part in the span.
-    pub(super) fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
+    pub(crate) fn reject(&self, y: &DVector<f64>) -> DVector<f64> {
         let along = self.q.tr_mul(y);
         y - &self.q * along
     }
 
     /// `(Aᵀ A)⁻¹` on the kept columns; zero elsewhere.
-    pub(super) fn inverse_gram(&self) -> DMatrix<f64> {
+    pub(crate) fn inverse_gram(&self) -> DMatrix<f64> {
         let rank = self.rank();
         let mut inverse_r = DMatrix::identity(rank, rank);
         for k in 0..rank {
@@ -93,7 +93,7 @@ impl Basis {
     }
 
     /// Share of row `i` that the fit explains by itself.
-    pub(super) fn leverage(&self, row: usize) -> f64 {
+    pub(crate) fn leverage(&self, row: usize) -> f64 {
         self.q.row(row).norm_squared()
     }
 
@@ -115,7 +115,7 @@ impl Basis {
 
 /// Cholesky factor (lower, row by row) of a small symmetric matrix; a pivot below the tolerance
 /// of its row is dropped: its row of the factor is zero.
-pub(super) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usize {
+pub(crate) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usize {
     let mut rank = 0;
     for i in 0..k {
         for j in 0..=i {
@@ -140,7 +140,7 @@ pub(super) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usiz
 }
 
 /// `‖L⁻¹ h‖²` for a factor of [`small_cholesky`]; overwrites `h` with `L⁻¹ h`.
-pub(super) fn small_gain(l: &[f64], k: usize, h: &mut [f64]) -> f64 {
+pub(crate) fn small_gain(l: &[f64], k: usize, h: &mut [f64]) -> f64 {
     let mut gain = 0.0;
     for i in 0..k {
         let mut sum = h[i];

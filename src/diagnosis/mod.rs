@@ -8,8 +8,8 @@
 //! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
 //! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
-//! 6. [`aliases`]: rivals that the samples cannot rule out; [`next_poses`]: poses that can;
-//!    [`unlock`]: poses that show what could not be seen; [`plan`]: both, and first measurements.
+//! 6. [`aliases`]: rivals that the samples cannot rule out. Poses that can are proposed by a planner
+//!    that the caller hands in ([`crate::pipeline::diagnose`] takes [`crate::design`]'s).
 //! 7. [`limits`]: what would have been seen, had it been there.
 //! 8. [`smooth`]: what no name explains, as a correction without a name.
 //!
@@ -29,43 +29,32 @@ pub mod anonymous;
 pub mod answer;
 pub mod blunders;
 pub mod candidates;
-pub mod duel;
 pub mod evidence;
 pub mod familywise;
-pub mod foresight;
 pub mod format_v1;
 pub mod limits;
-pub mod measuring_list;
-pub mod needs;
-pub mod next_poses;
-pub mod plan;
-pub mod plan_v1;
 pub mod regional_start;
 pub mod smooth;
-pub mod unlock;
 
-mod arena;
+pub(crate) mod arena;
 mod as_identification;
-mod classes;
-mod conclude;
-mod contest;
-mod first_measurement;
+pub(crate) mod classes;
+pub(crate) mod conclude;
 mod floor;
-mod ground;
+pub(crate) mod ground;
 mod held_out;
 mod incomplete;
-mod information;
 mod leftover;
-mod linear;
+pub(crate) mod linear;
 mod mending;
-mod offer;
+mod next_pose;
 mod place;
-mod prepare;
-mod search;
+pub(crate) mod prepare;
+pub(crate) mod search;
 mod shapes;
-mod significance;
+pub(crate) mod significance;
 mod steps;
-mod testable;
+pub(crate) mod testable;
 mod unseen;
 mod values;
 
@@ -73,9 +62,10 @@ pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
 pub use candidates::Allowed;
+pub(crate) use conclude::Planner;
 pub use limits::{Limit, Sight};
-pub use measuring_list::measuring_list;
 pub use mending::Mend;
+pub use next_pose::NextPose;
 pub use regional_start::{RegionalStart, regional_start};
 pub use smooth::Correction;
 
@@ -151,19 +141,20 @@ impl From<Cancelled> for DiagnoseError {
     }
 }
 
-/// Diagnoses a session.
+/// Diagnoses a session; `planner` proposes poses for what stays undecided.
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
-pub fn diagnose(
+pub(crate) fn diagnose(
     session: &Session,
     options: &Options,
+    planner: Planner,
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
-    conclude::answer(&mended, &prepared, &found, watch)
+    conclude::answer(&mended, &prepared, &found, planner, watch)
 }
 
 fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {
@@ -175,7 +166,7 @@ fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {
 }
 
 /// The session without its blunders.
-fn checked<'a>(
+pub(crate) fn checked<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,
@@ -185,7 +176,7 @@ fn checked<'a>(
 }
 
 /// The search, done again once with the names known: outliers and correlation look different then.
-fn searched<'a>(
+pub(crate) fn searched<'a>(
     session: &'a Session,
     options: &Options,
     watch: Watch,
@@ -200,7 +191,7 @@ fn searched<'a>(
 }
 
 impl Options {
-    fn check(&self) -> Result<(), DiagnoseError> {
+    pub(crate) fn check(&self) -> Result<(), DiagnoseError> {
         let named = self.allowed.without.iter();
         for id in named.chain(self.allowed.only.iter().flatten()) {
             if crate::effects::find(id).is_none() {

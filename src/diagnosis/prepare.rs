@@ -5,10 +5,10 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Survey, Term, find};
-use crate::identification::gap::deviations;
-use crate::identification::problem::Problem;
-use crate::identification::robust::suspects;
-use crate::identification::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::fit::robust::suspects;
+use crate::fit::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
 use crate::model::Model;
 use crate::sessions::Session;
 
@@ -27,21 +27,21 @@ const LONG: usize = 600;
 const MOST_SAMPLES: usize = 500;
 
 /// See the module.
-pub(super) struct Prepared<'a> {
+pub(crate) struct Prepared<'a> {
     /// All samples.
-    pub(super) problem: Problem<'a>,
-    pub(super) survey: Survey,
-    pub(super) arena: Arena<'a>,
-    pub(super) folds: Folds,
+    pub(crate) problem: Problem<'a>,
+    pub(crate) survey: Survey,
+    pub(crate) arena: Arena<'a>,
+    pub(crate) folds: Folds,
     /// Samples that `--held-out` locks away.
-    pub(super) locked: Vec<bool>,
+    pub(crate) locked: Vec<bool>,
     /// What was said of samples that lack a condition.
-    pub(super) incomplete: Option<DataProblem>,
+    pub(crate) incomplete: Option<DataProblem>,
     options: Options,
 }
 
 impl<'a> Prepared<'a> {
-    pub(super) fn new(session: &'a Session, options: &Options) -> Result<Self, DiagnoseError> {
+    pub(crate) fn new(session: &'a Session, options: &Options) -> Result<Self, DiagnoseError> {
         let mut problem = Problem::new(session, options.joint_values);
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
@@ -72,7 +72,7 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    pub(super) fn search(&self, options: &Options, watch: Watch) -> Result<Found, DiagnoseError> {
+    pub(crate) fn search(&self, options: &Options, watch: Watch) -> Result<Found, DiagnoseError> {
         let samples = self.arena.rows.samples.len();
         let cap = samples.div_ceil(10).min(12);
         let most = options.max_effects.map_or(cap, |most| most.min(cap));
@@ -85,13 +85,13 @@ impl<'a> Prepared<'a> {
         Ok(search.run()?)
     }
 
-    pub(super) fn options(&self) -> &Options {
+    pub(crate) fn options(&self) -> &Options {
         &self.options
     }
 
     /// Looks again at outliers and noise with what was found; whether the search has to be done
     /// again.
-    pub(super) fn reconsider(&mut self, found: &Found) -> bool {
+    pub(crate) fn reconsider(&mut self, found: &Found) -> bool {
         let before = self.problem.used.clone();
         let after = deviations(&self.problem, &found.fit.model);
         let suspected = suspects(&self.problem, &after);
@@ -105,7 +105,7 @@ impl<'a> Prepared<'a> {
         if self.problem.used == before && same_noise {
             return false;
         }
-        let base = crate::identification::solver::solve(&self.problem, &self.arena.base).model;
+        let base = crate::fit::solver::solve(&self.problem, &self.arena.base).model;
         let mut arena = arena(&self.problem, &base, &self.survey, &self.options);
         if !same_noise {
             arena = Arena::new(

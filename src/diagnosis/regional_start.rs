@@ -16,10 +16,10 @@
 
 use crate::effects::term::JointFrame;
 use crate::effects::{Inputs, JointValues};
-use crate::identification::gap::deviations;
-use crate::identification::problem::Problem;
-use crate::identification::regions::{Assignment, RegionChoice};
-use crate::identification::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::fit::regions::{Assignment, RegionChoice};
+use crate::fit::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};
 use crate::lanes::{cross, dot};
 use crate::model::Model;
 use crate::sessions::{Region, Session};

@@ -20,7 +20,7 @@ use super::{Cancelled, Progress, Watch};
 /// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less
 /// than one session of a hundred with three effects, and most of the one in a hundred for false
 /// alarms is left for what a simulation does not know of (tails, drifts, correlation).
-pub(super) const CHANCE: f64 = 0.002;
+pub(crate) const CHANCE: f64 = 0.002;
 /// An effect matters if its root mean square is above this share of the noise …
 const LEAST_OF_NOISE: f64 = 0.3;
 /// … or above this share of the tolerance.
@@ -30,28 +30,28 @@ const LEAST_MM: f64 = 2e-5;
 
 /// What may be added in a pass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Allow {
+pub(crate) enum Allow {
     Names,
     Everything,
 }
 
 /// How the search ended.
-pub(super) struct Found {
+pub(crate) struct Found {
     /// The model with everything that is accepted.
-    pub(super) fit: Fit,
+    pub(crate) fit: Fit,
     /// The best model of names alone.
-    pub(super) names_only: Fit,
+    pub(crate) names_only: Fit,
 }
 
-pub(super) struct Search<'s, 'a> {
-    pub(super) arena: &'s Arena<'a>,
-    pub(super) folds: &'s Folds,
-    pub(super) most: usize,
-    pub(super) watch: Watch<'s>,
+pub(crate) struct Search<'s, 'a> {
+    pub(crate) arena: &'s Arena<'a>,
+    pub(crate) folds: &'s Folds,
+    pub(crate) most: usize,
+    pub(crate) watch: Watch<'s>,
 }
 
 impl Search<'_, '_> {
-    pub(super) fn run(&self) -> Result<Found, Cancelled> {
+    pub(crate) fn run(&self) -> Result<Found, Cancelled> {
         let base = self.arena.fit(&self.arena.base, Vec::new());
         self.tell(&Progress::Searching { found: Vec::new() })?;
         let mut names_only = self.forward(base.clone(), Allow::Names)?;
@@ -132,7 +132,7 @@ impl Search<'_, '_> {
     }
 
     /// Whether a fall of the sum of squares by `gain` matters in practice.
-    pub(super) fn matters(&self, gain: f64, fit: &Fit) -> bool {
+    pub(crate) fn matters(&self, gain: f64, fit: &Fit) -> bool {
         let arena = self.arena;
         let n = arena.rows.samples.len() as f64;
         let in_noise = (gain / n).sqrt() / arena.scale(fit).max(1e-300);
@@ -326,7 +326,7 @@ fn gain_of(placed: &Placed, fit: &Fit) -> f64 {
 }
 
 /// Likeliest first; what is equally likely stays in the order of the catalogue.
-pub(super) fn by_odds(scores: &mut [Score]) {
+pub(crate) fn by_odds(scores: &mut [Score]) {
     let key = |s: &Score| (s.ln_odds * 1e5).round();
     scores.sort_by(|a, b| {
         key(b)
@@ -337,7 +337,7 @@ pub(super) fn by_odds(scores: &mut [Score]) {
 
 /// Whether a name may stand beside those that are there: lost motion is backlash with a setting,
 /// and two of a kind need different settings.
-pub(super) fn compatible(there: &[&Term], term: &Term) -> bool {
+pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
     let id = |t: &Term| t.effect.about().id;
     let plays = |t: &Term| matches!(id(t), "backlash" | "lost-motion");
     !there
@@ -346,7 +346,7 @@ pub(super) fn compatible(there: &[&Term], term: &Term) -> bool {
 }
 
 /// Root mean square of σ over the measured axes, mm.
-pub(super) fn mean_sigma_mm(arena: &Arena) -> f64 {
+pub(crate) fn mean_sigma_mm(arena: &Arena) -> f64 {
     let axes = &arena.rows.axes;
     let sum: f64 = axes.iter().map(|a| arena.noise.sigma_mm[*a].powi(2)).sum();
     (sum / axes.len().max(1) as f64).sqrt()

@@ -13,12 +13,12 @@ const FEWEST: usize = 4;
 
 /// Names that are not candidates and whose shapes nothing else would look for.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Missing {
-    pub(super) gear: bool,
-    pub(super) shift: bool,
+pub(crate) struct Missing {
+    pub(crate) gear: bool,
+    pub(crate) shift: bool,
 }
 
-pub(super) fn shapes(
+pub(crate) fn shapes(
     ground: &Ground,
     survey: &Survey,
     rows: &Rows,
@@ -266,7 +266,7 @@ fn plateaus(
 }
 
 /// Up to `count` values midway between neighbours, with at least [`FEWEST`] samples between them.
-pub(super) fn edges(values: &[f64], count: usize) -> Vec<f64> {
+pub(crate) fn edges(values: &[f64], count: usize) -> Vec<f64> {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let n = sorted.len();

@@ -14,7 +14,7 @@ const LAST: usize = 240;
 
 /// −ln p for one number of columns.
 #[derive(Debug, Clone)]
-pub(super) struct Significance {
+pub(crate) struct Significance {
     half_nu: f64,
     half_k: f64,
     table: Vec<f64>,
@@ -22,7 +22,7 @@ pub(super) struct Significance {
 
 impl Significance {
     /// For `columns` against `freedom` degrees of freedom that are left beside them.
-    pub(super) fn new(columns: usize, freedom: f64) -> Self {
+    pub(crate) fn new(columns: usize, freedom: f64) -> Self {
         let mut new = Self {
             half_nu: 0.5 * freedom.max(1.0),
             half_k: 0.5 * columns as f64,
@@ -35,7 +35,7 @@ impl Significance {
     }
 
     /// −ln p of a share R² of the residual.
-    pub(super) fn of(&self, r2: f64) -> f64 {
+    pub(crate) fn of(&self, r2: f64) -> f64 {
         let x = -self.half_nu * (-r2.min(1.0)).ln_1p();
         if !x.is_finite() {
             return 1e6;
@@ -53,7 +53,7 @@ impl Significance {
     }
 
     /// The share R² that a gain has to reach for a given −ln p.
-    pub(super) fn share_for(&self, minus_ln_p: f64) -> f64 {
+    pub(crate) fn share_for(&self, minus_ln_p: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0 - 1e-12);
         for _ in 0..80 {
             let middle = 0.5 * (low + high);

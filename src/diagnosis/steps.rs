@@ -9,13 +9,13 @@ use super::prepare::Prepared;
 use super::values::Values;
 
 /// One effect more, in the order of what each adds.
-pub(super) struct Step {
-    pub(super) term: Term,
-    pub(super) gap_mm: [f64; 2],
-    pub(super) held_out_mm: Option<[f64; 2]>,
+pub(crate) struct Step {
+    pub(crate) term: Term,
+    pub(crate) gap_mm: [f64; 2],
+    pub(crate) held_out_mm: Option<[f64; 2]>,
 }
 
-pub(super) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
+pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     let arena = &prepared.arena;
     let mut left: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
     let mut now = arena.fit(&base.model, fit.shapes.clone());
@@ -49,7 +49,7 @@ pub(super) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     steps
 }
 
-pub(super) fn found(
+pub(crate) fn found(
     prepared: &Prepared,
     with_shapes: &Fit,
     steps: &[Step],

@@ -4,7 +4,7 @@ use super::arena::{Arena, Fit};
 use super::candidates::NotTestable;
 
 /// What the conditions forbid, and names of which nothing is left beside the base.
-pub(super) fn not_testable(arena: &Arena, base: &Fit) -> Vec<NotTestable> {
+pub(crate) fn not_testable(arena: &Arena, base: &Fit) -> Vec<NotTestable> {
     let mut all = arena.table.not_testable.clone();
     let projected = arena.projected(&base.basis);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();

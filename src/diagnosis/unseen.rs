@@ -1,7 +1,7 @@
 //! The gap on samples that no fit has seen: those that the session or an option marks, else
 //! cross-fitted.
 
-use crate::identification::gap::{Deviations, Spread, deviations};
+use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::model::Model;
 
 use super::answer::{Gaps, HeldOut};
@@ -9,7 +9,7 @@ use super::arena::Fit;
 use super::prepare::Prepared;
 use super::values::Values;
 
-pub(super) fn held_out(
+pub(crate) fn held_out(
     prepared: &Prepared,
     base: &Fit,
     fit: &Fit,

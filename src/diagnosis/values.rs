@@ -15,11 +15,11 @@
 use nalgebra::DMatrix;
 
 use crate::effects::{Setting, Term};
-use crate::identification::gap::{Deviations, deviations};
-use crate::identification::problem::Problem;
-use crate::identification::solver::solve;
-use crate::identification::uncertainty::{estimates, half_width_factor};
-use crate::identification::{DEFAULT_EFFECTS, Estimate};
+use crate::fit::gap::{Deviations, deviations};
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
+use crate::fit::uncertainty::{estimates, half_width_factor};
+use crate::fit::{DEFAULT_EFFECTS, Estimate};
 use crate::model::Model;
 
 use super::arena::{Arena, Fit};
@@ -29,10 +29,10 @@ use super::prepare::Prepared;
 const MOST_WHITENED: usize = 6000;
 
 /// A model fitted to all samples that count, and how sure its coefficients are.
-pub(super) struct Values {
-    pub(super) model: Model,
+pub(crate) struct Values {
+    pub(crate) model: Model,
     /// Of the coefficients, inner units.
-    pub(super) covariance: DMatrix<f64>,
+    pub(crate) covariance: DMatrix<f64>,
     /// Coefficients that the samples determine.
     determined: Vec<usize>,
     freedom: usize,
@@ -40,7 +40,7 @@ pub(super) struct Values {
 
 impl Values {
     /// The names of a fit, fitted to the samples of a problem that count.
-    pub(super) fn of(prepared: &Prepared, problem: &Problem, fit: &Fit) -> Self {
+    pub(crate) fn of(prepared: &Prepared, problem: &Problem, fit: &Fit) -> Self {
         let searched = &prepared.arena;
         let count = problem.samples();
         if count == searched.rows.samples.len() && problem.used == searched.problem.used {
@@ -74,12 +74,12 @@ impl Values {
     }
 
     /// Of its coefficients; `None` where it has none.
-    pub(super) fn covariance(&self) -> Option<DMatrix<f64>> {
+    pub(crate) fn covariance(&self) -> Option<DMatrix<f64>> {
         (self.covariance.nrows() > 0).then(|| self.covariance.clone())
     }
 
     /// Estimates of one of its terms.
-    pub(super) fn parameters_of(&self, arena: &Arena, term: &Term) -> Vec<Estimate> {
+    pub(crate) fn parameters_of(&self, arena: &Arena, term: &Term) -> Vec<Estimate> {
         let mut first = 0;
         let mut own_term = term;
         for other in self.model.terms() {
@@ -111,7 +111,7 @@ impl Values {
     }
 
     /// Estimates of what belongs to every calibration.
-    pub(super) fn identified(&self, arena: &Arena) -> Vec<Estimate> {
+    pub(crate) fn identified(&self, arena: &Arena) -> Vec<Estimate> {
         let base = |t: &&Term| DEFAULT_EFFECTS.contains(&t.effect.about().id);
         let terms = self.model.terms().iter().filter(base);
         terms

@@ -37,7 +37,7 @@ pub use rules::{Directions, Rules, Says, Spacing};
 pub use sheet::Sheet;
 
 use crate::compensation::{Conditions, JointTable, TableError};
-use crate::identification::gap::Spread;
+use crate::fit::gap::Spread;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::sessions::Session;

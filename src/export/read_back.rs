@@ -3,7 +3,7 @@
 use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;
 use crate::compensation::verification::{gap_to_robot, gap_with_table};
-use crate::identification::gap::Spread;
+use crate::fit::gap::Spread;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Calibration;
 use crate::sessions::Session;

@@ -3,7 +3,7 @@ use std::process::Command;
 use super::*;
 use crate::compensation::UniformTable;
 use crate::effects::{Inputs, JointValues};
-use crate::identification::{identify_exact, identify_regional, regions::RegionChoice};
+use crate::fit::{identify_exact, identify_regional, regions::RegionChoice};
 use crate::model::{Calibration, Model};
 use crate::simulation::{Scenario, load_scenario, simulate, unwatched};
 

@@ -6,9 +6,9 @@
 //! ```
 //!
 //! Samples on a boundary are counted one angle at a time, by the rule of
-//! [`crate::identification::regions`].
+//! [`crate::fit::regions`].
 
-use crate::identification::regions::Assignment;
+use crate::fit::regions::Assignment;
 use crate::sessions::Region;
 
 /// Angles this close to a boundary are looked at one by one, rad: who owns them is decided within

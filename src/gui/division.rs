@@ -1,8 +1,8 @@
 //! How the joint's range came to be divided, and what the adaptive division decided and why.
 
 use crate::effects::JointValues;
-use crate::identification::identify_regional;
-use crate::identification::regions::RegionChoice;
+use crate::fit::identify_regional;
+use crate::fit::regions::RegionChoice;
 use crate::sessions::{Region, Session};
 
 use super::units::Units;

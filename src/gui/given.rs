@@ -7,10 +7,10 @@
 use std::path::{Path, PathBuf};
 
 use crate::compensation::{Verification, verify};
-use crate::identification::gap::Spread;
-use crate::identification::regions::Assignment;
-use crate::identification::uncertainty::estimates;
-use crate::identification::{Estimate, Gap, Identification, Outlier, Quality, RegionResult};
+use crate::fit::gap::Spread;
+use crate::fit::regions::Assignment;
+use crate::fit::uncertainty::estimates;
+use crate::fit::{Estimate, Gap, Identification, Outlier, Quality, RegionResult};
 use crate::model::{Calibration, RegionalCorrection};
 use crate::sessions::{Instrument, Region, Samples, Session, hash_of_samples};
 

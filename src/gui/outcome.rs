@@ -7,12 +7,10 @@ use crate::compensation::Verification;
 use crate::diagnosis::Diagnosis;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues, Term};
-use crate::identification::gap::deviations;
-use crate::identification::problem::Problem;
-use crate::identification::regions::{Assignment, RegionChoice};
-use crate::identification::{
-    Identification, Live, identify_live, identify_regional, identify_watched,
-};
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::fit::regions::{Assignment, RegionChoice};
+use crate::fit::{Identification, Live, identify_live, identify_regional, identify_watched};
 use crate::model::{Calibration, GapStep};
 
 use super::document::{Asks, Question};

@@ -271,7 +271,7 @@ pub(crate) fn shown(rad: f64, units: Units) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::identification::regions::testing::regions;
+    use crate::fit::regions::testing::regions;
 
     /// Types the end of a region, in degrees, on a joint that reaches from −180° to 180°.
     fn typed_at(

@@ -6,7 +6,7 @@ use crate::compensation::Remainder;
 use crate::effects::{Inputs, JointValues};
 use crate::export::sidecar::measured_poses;
 use crate::export::{Document, Export, Job, find, gap_after_export};
-use crate::identification::gap::Spread;
+use crate::fit::gap::Spread;
 
 use super::document::ExportChoice;
 use super::outcome::Outcome;

@@ -4,8 +4,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::diagnosis::diagnose;
 use crate::fonts::{self, Library};
+use crate::pipeline::diagnose;
 use crate::report::exported::sidecar_of;
 use crate::report::{self, ExportedTable, Extras};
 

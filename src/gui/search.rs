@@ -3,8 +3,9 @@
 
 use std::sync::Arc;
 
-use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress, diagnose};
+use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress};
 use crate::effects::Term;
+use crate::pipeline::diagnose;
 
 use super::subject::Subject;
 use super::tasks::Watch;

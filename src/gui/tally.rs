@@ -7,15 +7,15 @@
 //!
 //! Sorting costs n log n once, in the background; then a dragged boundary costs a few searches for
 //! each region, however many samples there are. ΔP = nominal − measured along the radial direction
-//! at home and a quarter turn further, as in [`crate::identification::sum_by_region`], with which a
+//! at home and a quarter turn further, as in [`crate::fit::sum_by_region`], with which a
 //! test compares it.
 
 use std::sync::OnceLock;
 
 use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
-use crate::identification::RegionSums;
-use crate::identification::problem::Problem;
+use crate::fit::RegionSums;
+use crate::fit::problem::Problem;
 use crate::lanes::dot;
 use crate::sessions::Region;
 
@@ -156,10 +156,10 @@ impl Tallied {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::regions::Assignment;
+    use crate::fit::regions::testing::regions;
+    use crate::fit::sum_by_region;
     use crate::gui::testing::workbench;
-    use crate::identification::regions::Assignment;
-    use crate::identification::regions::testing::regions;
-    use crate::identification::sum_by_region;
 
     /// Divisions of every kind; many boundaries are where samples are.
     fn divisions() -> Vec<Vec<Region>> {
@@ -217,8 +217,8 @@ mod tests {
 
     #[test]
     fn the_corrections_are_those_of_the_identification() {
-        use crate::identification::identify_regional;
-        use crate::identification::regions::RegionChoice;
+        use crate::fit::identify_regional;
+        use crate::fit::regions::RegionChoice;
         let workbench = workbench();
         let subject = workbench.subject();
         let regions = regions(&[(-90.0, -30.0), (-30.0, 27.0), (27.0, 90.0)]);

@@ -16,7 +16,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Point3, Vector3, Vector6};
 
-use crate::identification::alignment::rigid_motion;
+use crate::fit::alignment::rigid_motion;
 use crate::importers::path::Path;
 use crate::kinematics::Robot;
 

@@ -11,7 +11,7 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use crate::identification::alignment::rigid_motion;
+use crate::fit::alignment::rigid_motion;
 use crate::importers::clock::FARTHEST_MM;
 
 /// Up to so many points every triple is tried.

@@ -1,7 +1,7 @@
 //! The report of a model file: what it holds, and what only a session can show.
 
-use crate::identification::Estimate;
-use crate::identification::uncertainty::estimates;
+use crate::fit::Estimate;
+use crate::fit::uncertainty::estimates;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::units::deg_from_rad;

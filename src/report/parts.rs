@@ -1,7 +1,7 @@
 //! Pieces that reports of sessions and of models share.
 
 use crate::effects;
-use crate::identification::Estimate;
+use crate::fit::Estimate;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 

@@ -2,12 +2,13 @@
 
 use crate::compensation::{Remainder, Verification, verify};
 use crate::diagnosis::blunders::mend;
-use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch, diagnose};
+use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
+use crate::pipeline::diagnose;
 use crate::sessions::{Session, hash_of_samples};
 use crate::standards::standards;
 

@@ -3,8 +3,8 @@
 use crate::compensation::Verification;
 use crate::compensation::verification::moved_by_correction;
 use crate::effects::JointValues;
-use crate::identification::gap::{Deviations, deviations};
-use crate::identification::problem::Problem;
+use crate::fit::gap::{Deviations, deviations};
+use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
 use crate::sessions::Session;
 

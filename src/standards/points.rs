@@ -9,7 +9,7 @@ use nalgebra::Point3;
 
 use crate::compensation::verification::{VerifyError, moved_by_correction};
 use crate::effects::{Inputs, JointValues};
-use crate::identification::problem::Problem;
+use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Session;

@@ -5,7 +5,7 @@
 
 use truepose::effects::{Inputs, JointValues, Term};
 use truepose::export::{Export, ExportError, Job, find};
-use truepose::identification::identify_exact;
+use truepose::fit::identify_exact;
 use truepose::kinematics::Range;
 use truepose::model::{Calibration, Model};
 use truepose::sessions::{Session, parse};

@@ -4,9 +4,9 @@ use nalgebra::Isometry3;
 
 use crate::diagnosis::Mend;
 use crate::effects::{JointValues, Term, find};
-use crate::identification::alignment::best_rigid_motion;
-use crate::identification::problem::Problem;
-use crate::identification::solver::solve;
+use crate::fit::alignment::best_rigid_motion;
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;

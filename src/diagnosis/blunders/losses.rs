@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::diagnosis::{Mend, Options};
 use crate::effects::{Term, find};
-use crate::identification::problem::{Problem, unusable};
+use crate::fit::problem::{Problem, unusable};
 use crate::model::Model;
 use crate::sessions::Session;
 
@@ -14,7 +14,7 @@ use super::DataProblem;
 
 /// Samples where the instrument lost the reflector.
 pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
-    use crate::identification::problem::Unusable;
+    use crate::fit::problem::Unusable;
     let lost: Vec<usize> = (0..session.samples.len())
         .filter(|i| unusable(session, *i) == Some(Unusable::LostReflector))
         .collect();
@@ -38,7 +38,7 @@ pub(super) fn mislocked(session: &Session, options: &Options, problems: &mut Vec
     let mut problem = Problem::new(session, options.joint_values);
     let terms = find("joint-zero-offset").map(|e| Term::absent(e, 0, 0.0));
     let start = Model::new(session.robot.clone(), terms.into_iter().collect());
-    let fitted = crate::identification::fit_without_outliers(&mut problem, &start).model;
+    let fitted = crate::fit::fit_without_outliers(&mut problem, &start).model;
     let off: Vec<usize> = (0..problem.fit.len())
         .filter(|i| problem.fit[*i] && !problem.used[*i])
         .collect();

@@ -12,9 +12,9 @@ mod read_back;
 use std::borrow::Cow;
 
 use crate::effects::{Term, find};
-use crate::identification::gap::deviations;
-use crate::identification::problem::Problem;
-use crate::identification::solver::solve;
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::{Samples, Session, Setups};
@@ -147,7 +147,7 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
     {
         terms.push(Term::absent(find("link-length")?, 0, 0.0));
     }
-    terms.extend(crate::identification::free_frames(session, &problem));
+    terms.extend(crate::fit::free_frames(session, &problem));
     let start = Model::new(session.robot.clone(), terms);
     let fitted = solve(&problem, &start);
     let after = deviations(&problem, &fitted.model);

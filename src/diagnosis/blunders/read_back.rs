@@ -10,9 +10,9 @@
 
 use crate::diagnosis::Options;
 use crate::effects::{JointValues, Term, find};
-use crate::identification::gap::{Spread, deviations};
-use crate::identification::problem::Problem;
-use crate::identification::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
+use crate::fit::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;

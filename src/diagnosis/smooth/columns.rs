@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::diagnosis::evidence::{Noise, Rows, SMALLEST_SIGMA_MM};
 use crate::effects::curve::{DIRECTIONS, Knots};
 use crate::effects::{Directions, Term};
-use crate::identification::problem::Problem;
+use crate::fit::problem::Problem;
 use crate::model::Model;
 
 use super::likelihood::Sums;

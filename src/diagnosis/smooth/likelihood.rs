@@ -21,7 +21,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::diagnosis::linear::Basis;
 use crate::effects::curve::DIRECTIONS;
-use crate::identification::solver::Spectrum;
+use crate::fit::solver::Spectrum;
 
 /// A name whose column has less than this in common with the curve's is orthogonal to it anyway.
 const ORTHOGONAL: f64 = 1e-9;

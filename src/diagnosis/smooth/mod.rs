@@ -16,9 +16,9 @@ mod likelihood;
 
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots};
-use crate::identification::gap::{Spread, deviations};
-use crate::identification::problem::Problem;
-use crate::identification::robust::suspects;
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
+use crate::fit::robust::suspects;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::units::deg_from_rad;

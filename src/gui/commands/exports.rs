@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::diagnosis::measuring_list;
+use crate::design::measuring_list;
 use crate::export::find;
 use crate::gui::files;
 use crate::gui::preview::Wanted;

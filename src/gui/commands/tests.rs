@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{Command, Workbench};
 use crate::gui::boundaries::boundaries;
 
+use crate::fit::Estimate;
 use crate::gui::document::Method;
 use crate::gui::edit::Edit;
 use crate::gui::reporting::About;
@@ -14,7 +15,6 @@ use crate::gui::subject::{Origin, Subject};
 use crate::gui::tasks::{Runner, Tasks, What};
 use crate::gui::testing::workbench;
 use crate::gui::view::Step;
-use crate::identification::Estimate;
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {

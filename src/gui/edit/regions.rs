@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use crate::fit::regions::RegionChoice;
 use crate::gui::boundaries;
 use crate::gui::division::Division;
 use crate::gui::document::{Document, Method};
 use crate::gui::placing;
 use crate::gui::units::Units;
-use crate::identification::regions::RegionChoice;
 use crate::sessions::Region;
 use crate::sessions::format_v1::degrees::degrees;
 use crate::units::rad_from_deg;

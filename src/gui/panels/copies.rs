@@ -5,14 +5,14 @@ use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
-use crate::diagnosis::next_poses::NextPose;
+use crate::diagnosis::NextPose;
 use crate::diagnosis::{Diagnosis, Sight};
 use crate::effects::find;
+use crate::fit::{Estimate, RegionResult};
 use crate::gui::commands::Workbench;
 use crate::gui::tokens::{size, space};
 use crate::gui::units::{cell, plain_number};
 use crate::gui::widgets;
-use crate::identification::{Estimate, RegionResult};
 use crate::kinematics::Robot;
 use crate::units::deg_from_rad;
 

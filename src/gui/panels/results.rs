@@ -3,6 +3,7 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::effects::find;
+use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::given;
 use crate::gui::outcome::Answer;
@@ -11,7 +12,6 @@ use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::{Units, number_of, trimmed};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
-use crate::identification::{Estimate, Gap, RegionResult};
 use crate::units::deg_from_rad;
 
 use super::{copies, model, samples};

@@ -16,7 +16,7 @@ pub use deviation::deviation;
 pub use waterfall::waterfall;
 pub use workspace::workspace;
 
-use crate::identification::gap::Deviations;
+use crate::fit::gap::Deviations;
 use crate::model::Positions;
 
 use super::drawing::Colour;

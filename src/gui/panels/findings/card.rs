@@ -4,6 +4,7 @@ use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Found};
 use crate::effects::find;
+use crate::fit::Estimate;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::help;
@@ -14,7 +15,6 @@ use crate::gui::tokens::{Palette, size, strong};
 use crate::gui::units::{Units, significant};
 use crate::gui::view::Chart;
 use crate::gui::widgets::{self, dense};
-use crate::identification::Estimate;
 
 use super::in_words;
 

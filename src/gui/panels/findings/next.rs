@@ -2,7 +2,7 @@
 
 use egui::{Grid, RichText, Ui};
 
-use crate::diagnosis::next_poses::NextPose;
+use crate::diagnosis::NextPose;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::panels::copies;
 use crate::gui::tasks::What;

@@ -2,6 +2,7 @@
 
 use egui::{Align, Id, Key, Layout, Modifiers, RichText, TextEdit, Ui, UiBuilder, vec2};
 
+use crate::fit::regions::Assignment;
 use crate::gui::angles::Count;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
@@ -9,7 +10,6 @@ use crate::gui::placing::{self, End, Joint, Typed};
 use crate::gui::tokens::{Palette, size, space};
 use crate::gui::units::{Units, number_of};
 use crate::gui::widgets;
-use crate::identification::regions::Assignment;
 use crate::sessions::Region;
 
 use super::row;

@@ -15,7 +15,7 @@ use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::Target;
 
 /// How far from the first reflector a second one can be held, mm: a light bar on the flange.
-pub(super) const REACH_MM: f64 = 300.0;
+pub(crate) const REACH_MM: f64 = 300.0;
 /// Travel of a joint whose limits nobody gave and that has no samples: a full turn, or ± half a
 /// metre.
 const FREE_TURN: Range = Range {
@@ -33,35 +33,35 @@ const VECTORS: usize = 60;
 
 /// What may be measured.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Choice {
-    pub(super) q: Vec<f64>,
-    pub(super) dir: Vec<f64>,
-    pub(super) speed: Vec<f64>,
+pub(crate) struct Choice {
+    pub(crate) q: Vec<f64>,
+    pub(crate) dir: Vec<f64>,
+    pub(crate) speed: Vec<f64>,
     /// Way since the joints reversed, as a share of each one's range; `None`: a long one.
-    pub(super) approach: Option<f64>,
-    pub(super) load_kg: f64,
-    pub(super) warmth_c: f64,
-    pub(super) target: u32,
-    pub(super) time_s: f64,
+    pub(crate) approach: Option<f64>,
+    pub(crate) load_kg: f64,
+    pub(crate) warmth_c: f64,
+    pub(crate) target: u32,
+    pub(crate) time_s: f64,
 }
 
 /// Conditions that are offered; every combination of them is a choice.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Menu {
+pub(crate) struct Menu {
     /// Multiples of each joint's unit of speed.
-    pub(super) speeds: Vec<f64>,
+    pub(crate) speeds: Vec<f64>,
     /// rad/s or mm/s, one for each joint.
-    pub(super) unit_of_speed: Vec<f64>,
-    pub(super) loads_kg: Vec<f64>,
-    pub(super) warmths_c: Vec<f64>,
-    pub(super) approaches: Vec<Option<f64>>,
-    pub(super) targets: Vec<u32>,
-    pub(super) time_s: f64,
+    pub(crate) unit_of_speed: Vec<f64>,
+    pub(crate) loads_kg: Vec<f64>,
+    pub(crate) warmths_c: Vec<f64>,
+    pub(crate) approaches: Vec<Option<f64>>,
+    pub(crate) targets: Vec<u32>,
+    pub(crate) time_s: f64,
 }
 
 impl Menu {
     /// Standstill, no load, 20 °C, long approaches, the first reflector.
-    pub(super) fn plain(robot: &Robot) -> Self {
+    pub(crate) fn plain(robot: &Robot) -> Self {
         Self {
             speeds: vec![0.0],
             unit_of_speed: robot.joints.iter().map(|j| usual_speed(j.kind)).collect(),
@@ -75,7 +75,7 @@ impl Menu {
 }
 
 /// A modest speed: 10°/s, or 50 mm/s.
-pub(super) fn usual_speed(kind: JointKind) -> f64 {
+pub(crate) fn usual_speed(kind: JointKind) -> f64 {
     match kind {
         JointKind::Revolute => 10.0_f64.to_radians(),
         JointKind::Prismatic => 50.0,
@@ -83,7 +83,7 @@ pub(super) fn usual_speed(kind: JointKind) -> f64 {
 }
 
 /// Where each joint may be sent: its limits, else what was measured, else a full turn.
-pub(super) fn ranges(robot: &Robot, measured: Option<&Inputs>) -> Vec<Range> {
+pub(crate) fn ranges(robot: &Robot, measured: Option<&Inputs>) -> Vec<Range> {
     let of = |(index, joint): (usize, &crate::kinematics::Joint)| {
         let free = match joint.kind {
             JointKind::Revolute => FREE_TURN,
@@ -101,7 +101,7 @@ pub(super) fn ranges(robot: &Robot, measured: Option<&Inputs>) -> Vec<Range> {
 }
 
 /// All combinations of places, sides and conditions.
-pub(super) fn choices(ranges: &[Range], menu: &Menu, seed: u64) -> Vec<Choice> {
+pub(crate) fn choices(ranges: &[Range], menu: &Menu, seed: u64) -> Vec<Choice> {
     let mut all = Vec::new();
     for q in &places(ranges, seed) {
         for side in [-1.0, 1.0] {
@@ -152,20 +152,20 @@ fn places(ranges: &[Range], seed: u64) -> Vec<Vec<f64>> {
 }
 
 /// The point of a range at this share of it, rounded to what a technician types.
-pub(super) fn at(range: &Range, share: f64) -> f64 {
+pub(crate) fn at(range: &Range, share: f64) -> f64 {
     let exact = range.from + (range.to - range.from) * share;
     exact.clamp(range.from, range.to)
 }
 
 /// Joint values anywhere within the ranges.
-pub(super) fn anywhere(ranges: &[Range], random: &mut impl Rng) -> Vec<f64> {
+pub(crate) fn anywhere(ranges: &[Range], random: &mut impl Rng) -> Vec<f64> {
     use rand::RngExt as _;
     let one = |range: &Range| at(range, random.random::<f64>());
     ranges.iter().map(one).collect()
 }
 
 /// The choices as the effects take them. Times are those of the choices where `timed`.
-pub(super) fn inputs(
+pub(crate) fn inputs(
     robot: &Robot,
     targets: &[Target],
     ranges: &[Range],
@@ -204,7 +204,7 @@ fn reflectors_of(robot: &Robot, targets: &[Target]) -> Vec<[f64; 3]> {
 
 /// Places for a second reflector within reach of the first, the likeliest to help first: further
 /// out and higher, across the first axis, and in towards it.
-pub(super) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target> {
+pub(crate) fn other_reflectors(robot: &Robot, targets: &[Target]) -> Vec<Target> {
     let joint = robot
         .joints
         .iter()

@@ -105,7 +105,7 @@ fn brought_along(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::identification::{DEFAULT_EFFECTS, identify_exact};
+    use crate::fit::{DEFAULT_EFFECTS, identify_exact};
     use crate::sessions::{Samples, Sigma, parse_with_csv};
 
     fn bundled() -> Session {

@@ -27,10 +27,10 @@
 
 use serde::Serialize;
 
-use super::duel::Separation;
-use super::format_v1::{Pose, poses};
 use super::needs::Locked;
+use super::pair_separation::Separation;
 use super::plan::{Plan, Subject};
+use crate::diagnosis::format_v1::{Pose, poses};
 
 /// The document.
 #[derive(Debug, Serialize)]
@@ -134,7 +134,7 @@ impl Document {
 }
 
 fn between(separation: &Separation) -> Between {
-    let named = |n: &super::duel::Named| Named {
+    let named = |n: &super::pair_separation::Named| Named {
         effect: n.id,
         joint: n.per_joint().then_some(n.joint + 1),
     };

@@ -15,17 +15,18 @@ use crate::kinematics::Robot;
 use crate::model::Model;
 use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
 
-use super::arena::{Arena, Fit};
-use super::candidates::NotTestable;
-use super::evidence::Noise;
+use super::candidate_poses::Choice;
 use super::first_measurement::SECONDS_PER_POSE;
-use super::limits::{self, Limit};
-use super::linear::Basis;
-use super::next_poses::{LATER_S, NextPose};
-use super::offer::Choice;
-use super::prepare::Prepared;
-use super::testable::not_testable;
-use super::{DiagnoseError, Options};
+use super::next_poses::LATER_S;
+use crate::diagnosis::NextPose;
+use crate::diagnosis::arena::{Arena, Fit};
+use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::evidence::Noise;
+use crate::diagnosis::limits::{self, Limit};
+use crate::diagnosis::linear::Basis;
+use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::testable::not_testable;
+use crate::diagnosis::{DiagnoseError, Options};
 
 /// Two effects that are more alike than this are worth a word.
 const ALIKE: f64 = 0.95;
@@ -55,7 +56,7 @@ pub struct Foresight {
 }
 
 /// A session as it would be measured with nothing hidden in it; with noise where a seed is given.
-pub(super) fn imagined(
+pub(crate) fn imagined(
     robot: &Robot,
     targets: &[Target],
     choices: &[Choice],
@@ -113,7 +114,7 @@ pub(super) fn imagined(
 }
 
 /// A session with these poses measured too, exactly as a model predicts them.
-pub(super) fn extended(
+pub(crate) fn extended(
     session: &Session,
     model: &Model,
     poses: &[NextPose],
@@ -189,7 +190,7 @@ pub(super) fn extended(
 }
 
 /// What an imagined session with this noise could tell.
-pub(super) fn foresee(
+pub(crate) fn foresee(
     session: &Session,
     sigma_mm: f64,
     options: &Options,
@@ -205,7 +206,7 @@ pub(super) fn foresee(
     }
     let mut not_testable = not_testable(&arena, &fit);
     // Names that belong to every calibration are in the base, not among the candidates.
-    not_testable.retain(|n| !crate::identification::DEFAULT_EFFECTS.contains(&n.effect));
+    not_testable.retain(|n| !crate::fit::DEFAULT_EFFECTS.contains(&n.effect));
     Ok(Foresight {
         limits: limits::limits(&arena, &fit),
         alike: alike(&arena, &fit),

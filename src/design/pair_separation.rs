@@ -12,10 +12,11 @@ use crate::effects::{Effect, Setting, Term, find};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::arena::Fit;
-use super::contest::{Contest, Prospect, choose, enough_for, inverse, prospects};
-use super::next_poses::{NextPose, Offer, axes_of, gram, menu, poses_of, reflector_sets};
-use super::prepare::Prepared;
+use super::comparison::{Contest, Prospect, choose, enough_for, inverse, prospects};
+use super::next_poses::{Offer, axes_of, gram, menu, poses_of, reflector_sets};
+use crate::diagnosis::NextPose;
+use crate::diagnosis::arena::Fit;
+use crate::diagnosis::prepare::Prepared;
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
@@ -59,7 +60,7 @@ pub struct Separation {
 }
 
 /// See the module. At most `most` poses.
-pub(super) fn separate_two(
+pub(crate) fn separate_two(
     prepared: &Prepared,
     fit: &Fit,
     between: [Named; 2],
@@ -109,7 +110,7 @@ pub(super) fn separate_two(
     }
 }
 
-pub(super) fn nothing(between: [Named; 2], because: &str) -> Separation {
+pub(crate) fn nothing(between: [Named; 2], because: &str) -> Separation {
     Separation {
         between,
         left_before: [0.0; 2],
@@ -259,7 +260,7 @@ fn terms_of(prepared: &Prepared, fit: &Fit, named: Named) -> Vec<Term> {
 
 fn settings_of(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Term> {
     let robot = &prepared.problem.session.robot;
-    let range = &super::offer::ranges(robot, Some(&prepared.problem.inputs))[joint];
+    let range = &super::candidate_poses::ranges(robot, Some(&prepared.problem.inputs))[joint];
     let settings: Vec<f64> = match effect.about().setting {
         Setting::None | Setting::Setup => vec![0.0],
         Setting::Order { from, to } => (from..=to.min(6)).map(f64::from).collect(),
@@ -374,7 +375,7 @@ impl Duel {
         let pull = known.select_rows(&columns).select_columns(&self.own) * direction;
         let there = known.select_rows(&self.own).select_columns(&self.own);
         let square = direction.dot(&(there * direction));
-        let enough = enough_for(super::aliases::UNDECIDED, 0.0);
+        let enough = enough_for(crate::diagnosis::aliases::UNDECIDED, 0.0);
         Contest::new(own.collect(), &gram, enough).starting(&pull, square)
     }
 }

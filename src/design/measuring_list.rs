@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 
 use crate::kinematics::Robot;
 
-use super::next_poses::NextPose;
+use crate::diagnosis::NextPose;
 
 type Cell<'a> = Box<dyn Fn(&NextPose) -> String + 'a>;
 

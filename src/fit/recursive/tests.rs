@@ -1,8 +1,8 @@
 //! The recursive fit against the batch fit, on sessions that grow.
 
 use crate::effects::{JointValues, Term, find};
-use crate::identification::problem::Problem;
-use crate::identification::solver::solve;
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
 use crate::model::Model;
 use crate::sessions::{Samples, Session};
 use crate::simulation::format_v1::parse_scenario;
@@ -71,7 +71,7 @@ fn apart(a: &Model, b: &Model) -> f64 {
     a.iter().zip(&b).map(one).fold(0.0, f64::max)
 }
 
-fn batch(session: &Session, start: &Model) -> crate::identification::solver::Solution {
+fn batch(session: &Session, start: &Model) -> crate::fit::solver::Solution {
     solve(&Problem::new(session, JointValues::Commanded), start)
 }
 

@@ -24,35 +24,35 @@ const LEAST_INFORMATION: f64 = 1e-9;
 
 /// Axes that are measured and their noise, mm.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Axes {
-    pub(super) axes: Vec<usize>,
-    pub(super) sigma_mm: [f64; 3],
+pub(crate) struct Axes {
+    pub(crate) axes: Vec<usize>,
+    pub(crate) sigma_mm: [f64; 3],
 }
 
 /// One choice in a contest, in units of the noise.
 #[derive(Debug, Clone)]
-pub(super) struct Prospect {
+pub(crate) struct Prospect {
     /// Difference of the predictions.
-    pub(super) difference: DVector<f64>,
+    pub(crate) difference: DVector<f64>,
     /// Columns of the model that is refitted.
-    pub(super) columns: DMatrix<f64>,
+    pub(crate) columns: DMatrix<f64>,
 }
 
 /// See the module.
 #[derive(Debug, Clone)]
-pub(super) struct Contest {
+pub(crate) struct Contest {
     prospects: Vec<Prospect>,
     covariance: DMatrix<f64>,
     refit: DVector<f64>,
     /// How far apart the models are so far.
-    pub(super) delta: f64,
+    pub(crate) delta: f64,
     /// How far apart they have to be.
-    pub(super) enough: f64,
+    pub(crate) enough: f64,
 }
 
 impl Contest {
     /// `gram` is that of the refitted model's columns over what was measured already.
-    pub(super) fn new(prospects: Vec<Prospect>, gram: &DMatrix<f64>, enough: f64) -> Self {
+    pub(crate) fn new(prospects: Vec<Prospect>, gram: &DMatrix<f64>, enough: f64) -> Self {
         let p = gram.nrows();
         let mut information = gram.clone();
         for k in 0..p {
@@ -73,21 +73,21 @@ impl Contest {
 
     /// Where the samples so far already part the models: the refit to them, and what it leaves.
     #[must_use]
-    pub(super) fn starting(mut self, pull: &DVector<f64>, square: f64) -> Self {
+    pub(crate) fn starting(mut self, pull: &DVector<f64>, square: f64) -> Self {
         self.refit = &self.covariance * pull;
         self.delta = (square - self.refit.dot(pull)).max(0.0);
         self
     }
 
     /// By how much one pose more would part the models.
-    pub(super) fn gain(&self, choice: usize) -> f64 {
+    pub(crate) fn gain(&self, choice: usize) -> f64 {
         let (left, spread) = self.innovation(choice);
         let solved = spread.cholesky().map(|c| c.solve(&left));
         solved.map_or(0.0, |s| s.dot(&left).max(0.0))
     }
 
     /// Measures a pose.
-    pub(super) fn take(&mut self, choice: usize) {
+    pub(crate) fn take(&mut self, choice: usize) {
         let (left, spread) = self.innovation(choice);
         let Some(factor) = spread.cholesky() else {
             return;
@@ -101,7 +101,7 @@ impl Contest {
     }
 
     /// Whether the odds will do.
-    pub(super) fn decided(&self) -> bool {
+    pub(crate) fn decided(&self) -> bool {
         self.delta >= self.enough
     }
 
@@ -120,7 +120,7 @@ impl Contest {
 }
 
 /// Inverse of an information matrix, well scaled or not.
-pub(super) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
+pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     let p = information.nrows();
     // What nothing depends on, such as where an absent effect fades, is left alone.
     let scale_of = |own: f64| if own > 1e-200 { 1.0 / own.sqrt() } else { 0.0 };
@@ -138,7 +138,7 @@ pub(super) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// What each choice shows of `truth` where `other` is refitted.
-pub(super) fn prospects(
+pub(crate) fn prospects(
     truth: &Model,
     other: &Model,
     inputs: &Inputs,
@@ -169,7 +169,7 @@ const SURE: f64 = 2.0;
 /// The Δ that brings the odds beyond `wanted` (a logarithm) whichever model is true, where they
 /// are `so_far`: `Δ/2 − SURE √Δ = wanted + |so far|`. For 20 : 1 from even odds it is 27. Poses
 /// for one contest serve the others as well, so that all of them together need hardly more.
-pub(super) fn enough_for(wanted: f64, so_far: f64) -> f64 {
+pub(crate) fn enough_for(wanted: f64, so_far: f64) -> f64 {
     let missing = wanted + so_far.abs();
     let root = SURE + (SURE * SURE + 2.0 * missing).sqrt();
     root * root
@@ -177,7 +177,7 @@ pub(super) fn enough_for(wanted: f64, so_far: f64) -> f64 {
 
 /// Chooses poses greedily until every contest is decided, or `most` are chosen, or nothing helps;
 /// no choice more than `repeats` times.
-pub(super) fn choose(
+pub(crate) fn choose(
     contests: &mut [Contest],
     choices: usize,
     most: usize,

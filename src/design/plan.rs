@@ -16,18 +16,19 @@ use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::{Session, Target};
 
-use super::candidates::NotTestable;
-use super::contest::{Axes, prospects};
-use super::duel::{self, Named, Separation};
+use super::comparison::{Axes, prospects};
+use super::enabling_poses;
+use super::expected_information::{self, Foresight};
 use super::first_measurement::{self, Brief, Stop, Way};
-use super::foresight::{self, Foresight};
 use super::needs::{self, Locked, TEST_LOAD_KG};
-use super::next_poses::{self, NextPose};
-use super::prepare::Prepared;
-use super::search::mean_sigma_mm;
-use super::testable::not_testable;
-use super::unlock;
-use super::{DiagnoseError, Options, Watch, checked, searched};
+use super::next_poses;
+use super::pair_separation::{self, Named, Separation};
+use crate::diagnosis::NextPose;
+use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::search::mean_sigma_mm;
+use crate::diagnosis::testable::not_testable;
+use crate::diagnosis::{DiagnoseError, Options, Watch, checked, searched};
 
 /// Noise of the instrument where nobody says it, mm: a laser tracker.
 pub const USUAL_SIGMA_MM: f64 = 0.03;
@@ -186,7 +187,7 @@ pub fn plan_session(
         .unwrap_or_else(|| mean_sigma_mm(arena) * arena.scale(fit).max(1e-6));
     let most = |usual: usize| options.poses.unwrap_or(usual);
     let base = arena.fit(&arena.base, Vec::new());
-    let locked_now = unlock::locked(&prepared, &not_testable(arena, &base));
+    let locked_now = enabling_poses::locked(&prepared, &not_testable(arena, &base));
     let name = session.name.clone();
     let (robot, targets) = (&session.robot, &session.targets);
     let mut plan = Plan::empty(Subject::Session, name, robot, targets, sigma_mm);
@@ -195,7 +196,7 @@ pub fn plan_session(
         plan.poses.clone_from(&separation.poses);
         plan.separation = Some(separation);
     } else {
-        let rivals = next_poses::open_rivals(arena, fit);
+        let rivals = crate::diagnosis::aliases::open_rivals(arena, fit);
         let rivals: Vec<_> = rivals.iter().collect();
         let ids =
             |terms: &[crate::effects::Term]| terms.iter().map(|t| t.effect.about().id).collect();
@@ -212,7 +213,7 @@ pub fn plan_session(
             .poses
             .iter()
             .find_map(|p| p.target_mm.map(|_| p.clone()));
-        let mut more = unlock::unlock(&prepared, fit, &locked_now, true, room);
+        let mut more = enabling_poses::unlock(&prepared, fit, &locked_now, true, room);
         same_reflector(&mut more, own_reflector.as_ref());
         plan.poses.extend(more);
     }
@@ -226,8 +227,9 @@ pub fn plan_session(
         let sharper = sharpen(&prepared, &plan, options, room);
         plan.poses.extend(sharper);
     }
-    let with_poses = foresight::extended(session, &fit.model, &plan.poses, &plan.targets);
-    plan.foresight = foresight::foresee(&with_poses, sigma_mm, &options.diagnosis)?;
+    let with_poses =
+        expected_information::extended(session, &fit.model, &plan.poses, &plan.targets);
+    plan.foresight = expected_information::foresee(&with_poses, sigma_mm, &options.diagnosis)?;
     let still = |l: &Locked| {
         let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
         plan.foresight.not_testable.iter().any(same)
@@ -259,7 +261,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
     let imagined = |stops: &[Stop]| {
         let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
         let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
-        foresight::imagined(robot, &targets, &choices, Some(noise))
+        expected_information::imagined(robot, &targets, &choices, Some(noise))
     };
     let mut decisive = Vec::new();
     if let Some(between) = between {
@@ -287,17 +289,18 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         return Ok(plan);
     }
     let model = crate::model::Model::nominal(robot.clone());
-    let session = foresight::extended(&imagined(&stops), &model, &decisive, &plan.targets);
-    plan.foresight = foresight::foresee(&session, sigma_mm, &options.diagnosis)?;
+    let session =
+        expected_information::extended(&imagined(&stops), &model, &decisive, &plan.targets);
+    plan.foresight = expected_information::foresee(&session, sigma_mm, &options.diagnosis)?;
     let prepared = Prepared::new(&session, &options.diagnosis)?;
-    plan.cannot = unlock::locked(&prepared, &plan.foresight.not_testable);
+    plan.cannot = enabling_poses::locked(&prepared, &plan.foresight.not_testable);
     Ok(plan)
 }
 
 /// Two effects, unless one of them cannot be seen by any measurement.
 fn two(
     prepared: &Prepared,
-    fit: &super::arena::Fit,
+    fit: &crate::diagnosis::arena::Fit,
     between: [Named; 2],
     most: usize,
 ) -> Separation {
@@ -306,10 +309,10 @@ fn two(
         let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
         if let Some(because) = obstacle {
             let because = format!("{} cannot be seen: {because}", named.id);
-            return duel::nothing(between, &because);
+            return pair_separation::nothing(between, &because);
         }
     }
-    duel::separate_two(prepared, fit, between, most)
+    pair_separation::separate_two(prepared, fit, between, most)
 }
 
 /// New reflectors of two lists of poses become one: a technician mounts one bar.
@@ -356,9 +359,10 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
         axes: prepared.arena.rows.axes.clone(),
         sigma_mm: [1.0; 3],
     };
-    let extended = foresight::extended(session, &prepared.arena.base, &plan.poses, &plan.targets);
+    let extended =
+        expected_information::extended(session, &prepared.arena.base, &plan.poses, &plan.targets);
     let inputs = crate::effects::Inputs::new(&extended, prepared.options().joint_values);
-    let ranges = super::offer::ranges(&session.robot, Some(&prepared.problem.inputs));
+    let ranges = super::candidate_poses::ranges(&session.robot, Some(&prepared.problem.inputs));
     let known = |model: &crate::model::Model| prospects(model, model, &inputs, &axes);
     let stops =
         first_measurement::extension(&session.robot, &plan.targets, &ranges, &brief, &known);
@@ -445,7 +449,7 @@ impl Plan {
     /// Detection limits once the poses are measured; what is called degrees is millimetres where
     /// a joint slides.
     pub fn seen_above(&self) -> Vec<SeenAbove> {
-        let one = |limit: &super::limits::Limit| {
+        let one = |limit: &crate::diagnosis::limits::Limit| {
             let kind = self.robot.joints[limit.joint.unwrap_or(0)].kind;
             let quantities = find(limit.effect).map(|e| e.about().form);
             let size = |(name, size): &(&'static str, f64)| {

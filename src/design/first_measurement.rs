@@ -22,13 +22,13 @@ use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::contest::Prospect;
+use super::candidate_poses::{self, Choice};
+use super::comparison::Prospect;
 use super::information::Information;
 use super::needs::WARMING_C;
-use super::offer::{self, Choice};
 
 /// Time for a pose, s, as far as drifts are concerned.
-pub(super) const SECONDS_PER_POSE: f64 = 10.0;
+pub(crate) const SECONDS_PER_POSE: f64 = 10.0;
 /// Load in each eighth of the measurement, as a share of the test load.
 const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
 /// Warmth in each quarter, as a share of the warming: cold, warming up, warm, cooling down.
@@ -40,15 +40,15 @@ const SHORT: [f64; 3] = [0.01, 0.03, 0.09];
 
 /// What a first measurement is made for.
 #[derive(Debug, Clone)]
-pub(super) struct Brief {
-    pub(super) poses: usize,
-    pub(super) load_kg: f64,
-    pub(super) seed: u64,
+pub(crate) struct Brief {
+    pub(crate) poses: usize,
+    pub(crate) load_kg: f64,
+    pub(crate) seed: u64,
 }
 
 /// How a pose is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Way {
+pub(crate) enum Way {
     /// From far.
     Long,
     /// After a reversal so many of the joint's ranges before.
@@ -59,34 +59,38 @@ pub(super) enum Way {
 
 /// One pose of the design.
 #[derive(Debug, Clone)]
-pub(super) struct Stop {
-    pub(super) choice: Choice,
-    pub(super) way: Way,
+pub(crate) struct Stop {
+    pub(crate) choice: Choice,
+    pub(crate) way: Way,
 }
 
 /// The reflectors of a first measurement: the tool's origin and one more, where something turns.
-pub(super) fn reflectors(robot: &Robot) -> Vec<Target> {
+pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
     let mut targets = vec![Target {
         name: "T1".to_owned(),
         position_mm: Point3::origin(),
     }];
     if robot.joints.iter().any(|j| j.kind == JointKind::Revolute) {
-        targets.extend(offer::other_reflectors(robot, &targets).into_iter().take(1));
+        targets.extend(
+            candidate_poses::other_reflectors(robot, &targets)
+                .into_iter()
+                .take(1),
+        );
     }
     targets
 }
 
 /// What was measured already, as a model's columns show it.
-pub(super) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prospect>;
+pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prospect>;
 
 /// The poses in measuring order.
-pub(super) fn design(robot: &Robot, targets: &[Target], brief: &Brief) -> Vec<Stop> {
-    let ranges = offer::ranges(robot, None);
+pub(crate) fn design(robot: &Robot, targets: &[Target], brief: &Brief) -> Vec<Stop> {
+    let ranges = candidate_poses::ranges(robot, None);
     extension(robot, targets, &ranges, brief, &|_| Vec::new())
 }
 
 /// More poses beside what is known.
-pub(super) fn extension(
+pub(crate) fn extension(
     robot: &Robot,
     targets: &[Target],
     ranges: &[Range],
@@ -172,7 +176,7 @@ impl Schedule {
             unit: robot
                 .joints
                 .iter()
-                .map(|j| offer::usual_speed(j.kind))
+                .map(|j| candidate_poses::usual_speed(j.kind))
                 .collect(),
             load_kg: brief.load_kg,
             speeds,
@@ -267,7 +271,7 @@ fn candidates(
     }
     let drawn = (0..information.candidates).map(|k| {
         // The ends belong to the travel: some candidates lie there.
-        let mut q = offer::anywhere(ranges, random);
+        let mut q = candidate_poses::anywhere(ranges, random);
         if k % 8 == 0 {
             let joint = random.random_range(0..ranges.len());
             let range = &ranges[joint];

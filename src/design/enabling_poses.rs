@@ -11,17 +11,18 @@ use crate::effects::{Effect, Setting, Term, find};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
-use super::arena::{Arena, Fit};
-use super::candidates::NotTestable;
-use super::contest::{Axes, Contest, Prospect, choose, enough_for, prospects};
+use super::candidate_poses::{self, Choice, Menu};
+use super::comparison::{Axes, Contest, Prospect, choose, enough_for, prospects};
 use super::needs::{Locked, Need, TEST_LOAD_KG, WARMING_C, lacks};
-use super::next_poses::{NextPose, Offer, axes_of, gram, later_s, poses_of};
-use super::offer::{self, Choice, Menu};
-use super::prepare::Prepared;
-use super::search::compatible;
+use super::next_poses::{Offer, axes_of, gram, later_s, poses_of};
+use crate::diagnosis::NextPose;
+use crate::diagnosis::arena::{Arena, Fit};
+use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::search::compatible;
 
 /// Every effect that cannot be seen, with what would change that.
-pub(super) fn locked(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<Locked> {
+pub(crate) fn locked(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<Locked> {
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
         let needs = find(n.effect).map_or_else(Vec::new, |effect| {
@@ -75,7 +76,7 @@ fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Me
         .any(|j| j.kind == JointKind::Revolute);
     if reflector && turns && targets.len() < 2 {
         targets.extend(
-            offer::other_reflectors(&session.robot, &targets)
+            candidate_poses::other_reflectors(&session.robot, &targets)
                 .into_iter()
                 .take(1),
         );
@@ -114,7 +115,7 @@ const SMALL: f64 = 1.5;
 
 /// A model with an effect more, at a size whose displacement has a root mean square of
 /// [`SMALL`] times the noise over the inputs.
-pub(super) fn with_effect(
+pub(crate) fn with_effect(
     model: &Model,
     effect: &'static dyn Effect,
     joint: usize,
@@ -161,7 +162,7 @@ const MOST_BESIDE: usize = 12;
 
 /// What a diagnosis proposes where nothing is ambiguous: poses for what the session recorded but
 /// never changed, and for the side of approach, which costs nothing. No new equipment.
-pub(super) fn worth_unlocking(
+pub(crate) fn worth_unlocking(
     prepared: &Prepared,
     fit: &Fit,
     not_testable: &[NotTestable],
@@ -185,7 +186,7 @@ const WEAK: f64 = 0.02;
 
 /// At most `most` poses that unlock what poses can unlock. Where `reflector` is false nothing has
 /// to be mounted.
-pub(super) fn unlock(
+pub(crate) fn unlock(
     prepared: &Prepared,
     fit: &Fit,
     locked: &[Locked],

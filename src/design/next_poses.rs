@@ -10,78 +10,45 @@ use crate::kinematics::JointKind;
 use crate::sessions::{Session, Target};
 use crate::units::deg_from_rad;
 
-use super::aliases::{Rival, UNDECIDED};
-use super::arena::{Arena, Fit};
-use super::contest::{Axes, Contest, choose, enough_for, prospects};
-use super::offer::{self, Choice, Menu};
-use super::prepare::Prepared;
-
-/// A pose to measure and its conditions.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NextPose {
-    /// Joint values, rad or mm.
-    pub q: Vec<f64>,
-    /// Side from which each joint comes.
-    pub dir: Vec<f64>,
-    /// Name of a reflector of the session, or of a new one; `None` where there is only one.
-    pub target: Option<String>,
-    /// Where a new reflector goes, tool frame, mm.
-    pub target_mm: Option<[f64; 3]>,
-    /// Signed speeds, rad/s or mm/s.
-    pub speed: Option<Vec<f64>>,
-    /// Load, kg.
-    pub load_kg: Option<f64>,
-    /// Temperature, °C.
-    pub temperature_c: Option<f64>,
-    /// Why.
-    pub why: String,
-}
-
-impl NextPose {
-    /// Whether it is measured under the same conditions as another.
-    pub fn repeats(&self, other: &Self) -> bool {
-        let but_why = Self {
-            why: String::new(),
-            ..self.clone()
-        };
-        let other = Self {
-            why: String::new(),
-            ..other.clone()
-        };
-        but_why == other
-    }
-}
+use super::candidate_poses::{self, Choice, Menu};
+use super::comparison::{Axes, Contest, choose, enough_for, prospects};
+use super::enabling_poses;
+use crate::diagnosis::NextPose;
+use crate::diagnosis::aliases::{Rival, UNDECIDED};
+use crate::diagnosis::arena::{Arena, Fit};
+use crate::diagnosis::conclude::{Proposal, Undecided};
+use crate::diagnosis::prepare::Prepared;
 
 /// Poses that are proposed at most.
-pub(super) const MOST: usize = 24;
+pub(crate) const MOST: usize = 24;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
 /// New poses are measured so long after the last one, s.
-pub(super) const LATER_S: f64 = 60.0;
+pub(crate) const LATER_S: f64 = 60.0;
 
 /// What is offered, and where: the session's reflectors and perhaps one more.
 #[derive(Debug, Clone)]
-pub(super) struct Offer {
-    pub(super) targets: Vec<Target>,
-    pub(super) ranges: Vec<crate::kinematics::Range>,
-    pub(super) choices: Vec<Choice>,
+pub(crate) struct Offer {
+    pub(crate) targets: Vec<Target>,
+    pub(crate) ranges: Vec<crate::kinematics::Range>,
+    pub(crate) choices: Vec<Choice>,
 }
 
 impl Offer {
-    pub(super) fn new(prepared: &Prepared, targets: Vec<Target>, menu: &Menu) -> Self {
+    pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, menu: &Menu) -> Self {
         let robot = &prepared.problem.session.robot;
-        let ranges = offer::ranges(robot, Some(&prepared.problem.inputs));
+        let ranges = candidate_poses::ranges(robot, Some(&prepared.problem.inputs));
         Self {
-            choices: offer::choices(&ranges, menu, prepared.options().seed),
+            choices: candidate_poses::choices(&ranges, menu, prepared.options().seed),
             ranges,
             targets,
         }
     }
 
-    pub(super) fn inputs(&self, prepared: &Prepared) -> crate::effects::Inputs<'static> {
+    pub(crate) fn inputs(&self, prepared: &Prepared) -> crate::effects::Inputs<'static> {
         let start = prepared.problem.inputs.start_s();
         let robot = &prepared.problem.session.robot;
-        offer::inputs(
+        candidate_poses::inputs(
             robot,
             &self.targets,
             &self.ranges,
@@ -91,17 +58,8 @@ impl Offer {
     }
 }
 
-/// Rivals that the samples cannot rule out, by other names than the fit's, likeliest first.
-pub(super) fn open_rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
-    let mut rivals = super::aliases::rivals(arena, fit);
-    rivals.retain(|r| r.other_names() && r.fit.ln_evidence > fit.ln_evidence - UNDECIDED);
-    let all: Vec<&Rival> = rivals.iter().collect();
-    let kept = super::aliases::without_idle_names(&all);
-    kept.into_iter().cloned().collect()
-}
-
 /// Poses that tell the fit from its rivals, at most `most`.
-pub(super) fn separate(
+pub(crate) fn separate(
     prepared: &Prepared,
     fit: &Fit,
     rivals: &[&Rival],
@@ -153,14 +111,30 @@ pub(super) fn separate(
     poses
 }
 
+/// What to measure next: poses that decide between the rivals, or where there are none, poses that
+/// make testable what the session cannot show.
+pub fn propose(undecided: &Undecided) -> Proposal {
+    let (prepared, fit) = (undecided.prepared, undecided.fit);
+    let poses = if undecided.rivals.is_empty() {
+        enabling_poses::worth_unlocking(prepared, fit, undecided.not_testable)
+    } else {
+        separate(prepared, fit, undecided.rivals, MOST)
+    };
+    let rivals = undecided.rivals.iter();
+    Proposal {
+        separate_by: rivals.map(|rival| separate_by(rival, &poses)).collect(),
+        poses,
+    }
+}
+
 /// The session's reflectors, and where there is but one, those with each place for another.
-pub(super) fn reflector_sets(prepared: &Prepared) -> Vec<Vec<Target>> {
+pub(crate) fn reflector_sets(prepared: &Prepared) -> Vec<Vec<Target>> {
     let session = prepared.problem.session;
     let turns = |j: &crate::effects::survey::JointSurvey| j.kind == JointKind::Revolute;
     if session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns) {
         return vec![session.targets.clone()];
     }
-    let others = offer::other_reflectors(&session.robot, &session.targets);
+    let others = candidate_poses::other_reflectors(&session.robot, &session.targets);
     let with = |other: Target| session.targets.iter().cloned().chain([other]).collect();
     let extended = others.into_iter().map(with);
     [session.targets.clone()]
@@ -170,7 +144,7 @@ pub(super) fn reflector_sets(prepared: &Prepared) -> Vec<Vec<Target>> {
 }
 
 /// Conditions that matter to these effects.
-pub(super) fn menu(prepared: &Prepared, terms: &[&Term], targets: usize) -> Menu {
+pub(crate) fn menu(prepared: &Prepared, terms: &[&Term], targets: usize) -> Menu {
     let survey = &prepared.survey;
     let inputs = &prepared.problem.inputs;
     let uses = |ids: &[&str]| terms.iter().any(|t| ids.contains(&t.effect.about().id));
@@ -203,7 +177,7 @@ pub(super) fn menu(prepared: &Prepared, terms: &[&Term], targets: usize) -> Menu
 }
 
 /// A time after the last sample, s.
-pub(super) fn later_s(prepared: &Prepared) -> f64 {
+pub(crate) fn later_s(prepared: &Prepared) -> f64 {
     let times = prepared.problem.inputs.time_s.as_deref().unwrap_or(&[]);
     times.iter().copied().fold(0.0, f64::max) + LATER_S
 }
@@ -229,13 +203,13 @@ fn contests(prepared: &Prepared, offer: &Offer, pairs: &[(&Fit, &Rival)]) -> Vec
 }
 
 /// Gram matrix of a model's columns over the samples.
-pub(super) fn gram(arena: &Arena, model: &crate::model::Model) -> nalgebra::DMatrix<f64> {
+pub(crate) fn gram(arena: &Arena, model: &crate::model::Model) -> nalgebra::DMatrix<f64> {
     let (_, columns) = arena.rows.extract(model);
     let white = arena.noise.whitened(&arena.rows, &columns);
     white.tr_mul(&white)
 }
 
-pub(super) fn axes_of(arena: &Arena) -> Axes {
+pub(crate) fn axes_of(arena: &Arena) -> Axes {
     Axes {
         axes: arena.rows.axes.clone(),
         sigma_mm: arena.noise.sigma_mm,
@@ -243,7 +217,7 @@ pub(super) fn axes_of(arena: &Arena) -> Axes {
 }
 
 /// What would tell a rival from the model, in words.
-pub(super) fn separate_by(rival: &Rival, poses: &[NextPose]) -> String {
+pub(crate) fn separate_by(rival: &Rival, poses: &[NextPose]) -> String {
     let words: Vec<&str> = rival
         .removed
         .iter()
@@ -294,7 +268,7 @@ fn why(rivals: &[&Rival]) -> String {
 }
 
 /// The pose of a choice; before a short approach the place where the joints reverse.
-pub(super) fn poses_of(
+pub(crate) fn poses_of(
     choice: &Choice,
     session: &Session,
     offer: &Offer,

@@ -1,7 +1,7 @@
 //! What an effect lacks before a session can show it: the effect is asked again with one condition
 //! after the other met, until nothing stands against it.
 
-use super::offer;
+use super::candidate_poses;
 use crate::effects::{Effect, Survey};
 
 /// Load for a test where the session says nothing about loads, kg.
@@ -68,14 +68,16 @@ impl Need {
     }
 
     /// The survey as it would be.
-    pub(super) fn met(self, survey: &Survey) -> Survey {
+    pub(crate) fn met(self, survey: &Survey) -> Survey {
         let mut survey = survey.clone();
         for joint in &mut survey.joints {
             match self {
                 Self::BothSides => joint.from_sides = [8, 8],
                 Self::Speeds => {
                     joint.speeds = joint.speeds.max(3);
-                    joint.largest_speed = joint.largest_speed.max(offer::usual_speed(joint.kind));
+                    joint.largest_speed = joint
+                        .largest_speed
+                        .max(candidate_poses::usual_speed(joint.kind));
                 }
                 Self::Travel => {
                     joint.values = crate::effects::survey::ENOUGH;
@@ -116,7 +118,7 @@ pub struct Locked {
 }
 
 /// A survey in which every condition that poses can meet is met.
-pub(super) fn all_met(survey: &Survey) -> Survey {
+pub(crate) fn all_met(survey: &Survey) -> Survey {
     let by_poses = NEEDS.into_iter().filter(|n| n.by_poses());
     by_poses
         .chain([Need::Times])
@@ -124,7 +126,7 @@ pub(super) fn all_met(survey: &Survey) -> Survey {
 }
 
 /// What an effect lacks; empty where nothing helps, or nothing is lacking.
-pub(super) fn lacks(effect: &dyn Effect, survey: &Survey, joint: usize) -> Vec<Need> {
+pub(crate) fn lacks(effect: &dyn Effect, survey: &Survey, joint: usize) -> Vec<Need> {
     let mut now = survey.clone();
     let mut needs: Vec<Need> = Vec::new();
     while let Some(reason) = effect.obstacle(&now, joint) {

@@ -10,30 +10,30 @@ use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::contest::{Axes, Prospect, inverse, prospects};
+use super::candidate_poses::{self, Choice};
+use super::comparison::{Axes, Prospect, inverse, prospects};
 use super::first_measurement::{SECONDS_PER_POSE, Stop, reflectors};
 use super::needs::{WARMING_C, all_met};
-use super::offer::{self, Choice};
 
 /// Settings of gear orders that stand for all of them.
 const ORDERS: [f64; 5] = [3.0, 4.0, 5.0, 7.0, 12.0];
 
 /// The information so far and how to add to it.
-pub(super) struct Information {
+pub(crate) struct Information {
     robot: Robot,
     targets: Vec<Target>,
     ranges: Vec<Range>,
-    pub(super) model: Model,
+    pub(crate) model: Model,
     scale: Vec<f64>,
     covariance: DMatrix<f64>,
-    pub(super) candidates: usize,
+    pub(crate) candidates: usize,
 }
 
 /// Multiplications that a design may take.
 const EFFORT: usize = 600_000_000;
 
 impl Information {
-    pub(super) fn new(
+    pub(crate) fn new(
         robot: &Robot,
         targets: &[Target],
         ranges: &[Range],
@@ -57,9 +57,12 @@ impl Information {
             .map(|k| {
                 let side = |_| if random.random::<bool>() { 1.0 } else { -1.0 };
                 let dir: Vec<f64> = (0..ranges.len()).map(side).collect();
-                let units = robot.joints.iter().map(|j| offer::usual_speed(j.kind));
+                let units = robot
+                    .joints
+                    .iter()
+                    .map(|j| candidate_poses::usual_speed(j.kind));
                 Choice {
-                    q: offer::anywhere(ranges, random),
+                    q: candidate_poses::anywhere(ranges, random),
                     speed: units.zip(&dir).map(|(u, d)| u * d).collect(),
                     dir,
                     approach: (k % 3 == 0).then_some(0.03),
@@ -82,7 +85,7 @@ impl Information {
     }
 
     /// Takes in what was measured already.
-    pub(super) fn learn(&mut self, known: &[Prospect]) {
+    pub(crate) fn learn(&mut self, known: &[Prospect]) {
         let p = self.scale.len();
         let mut precision = DMatrix::identity(p, p);
         for seen in known {
@@ -99,7 +102,7 @@ impl Information {
 
     fn seen(&self, choices: &[Choice], travel: Option<&[Vec<f64>]>) -> Vec<Prospect> {
         let mut inputs =
-            offer::inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
+            candidate_poses::inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
         if let Some(travel) = travel {
             for (own, travel) in inputs.travel.iter_mut().zip(travel) {
                 *own = Some(travel.clone());
@@ -127,7 +130,7 @@ impl Information {
     }
 
     /// The candidate that adds most; it is taken.
-    pub(super) fn best(&mut self, candidates: &[Stop], before: &[Stop]) -> usize {
+    pub(crate) fn best(&mut self, candidates: &[Stop], before: &[Stop]) -> usize {
         let choices: Vec<Choice> = candidates.iter().map(|s| s.choice.clone()).collect();
         let travel = travels(before, &choices);
         let mut scaled: Vec<DMatrix<f64>> = Vec::new();
@@ -228,7 +231,7 @@ fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
 
 /// The survey of a robot under all conditions that poses can meet.
 fn ideal_survey(robot: &Robot, ranges: &[Range]) -> Survey {
-    let session = super::foresight::imagined(robot, &reflectors(robot), &[], None);
+    let session = super::expected_information::imagined(robot, &reflectors(robot), &[], None);
     let inputs = crate::effects::Inputs::new(&session, crate::effects::JointValues::Commanded);
     let mut survey = all_met(&Survey::new(&session, &inputs));
     for (joint, range) in survey.joints.iter_mut().zip(ranges) {

@@ -1,0 +1,37 @@
+//! A pose that is worth measuring next, with its conditions.
+
+/// A pose to measure and its conditions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NextPose {
+    /// Joint values, rad or mm.
+    pub q: Vec<f64>,
+    /// Side from which each joint comes.
+    pub dir: Vec<f64>,
+    /// Name of a reflector of the session, or of a new one; `None` where there is only one.
+    pub target: Option<String>,
+    /// Where a new reflector goes, tool frame, mm.
+    pub target_mm: Option<[f64; 3]>,
+    /// Signed speeds, rad/s or mm/s.
+    pub speed: Option<Vec<f64>>,
+    /// Load, kg.
+    pub load_kg: Option<f64>,
+    /// Temperature, °C.
+    pub temperature_c: Option<f64>,
+    /// Why.
+    pub why: String,
+}
+
+impl NextPose {
+    /// Whether it is measured under the same conditions as another.
+    pub fn repeats(&self, other: &Self) -> bool {
+        let but_why = Self {
+            why: String::new(),
+            ..self.clone()
+        };
+        let other = Self {
+            why: String::new(),
+            ..other.clone()
+        };
+        but_why == other
+    }
+}
