@@ -192,7 +192,7 @@ fn told(rig: &Rig, answer: &Diagnosis, seen: &Seen, lambda: f64, k: usize) {
             .map(|e| (&e.explanation, &e.instead, e.odds))
             .collect();
         format!(
-            "λ {lambda} {k}: span {} shuffled {} hidden {:?}\n    found {:?} {} {} set {} worse {} {rivals:?} rho {}",
+            "λ {lambda} {k}: span {} shuffled {} hidden {:?}\n    found {:?} {} {} set {} worse {} {rivals:?} slow {:?}",
             rig.design.span_deg,
             rig.design.shuffled,
             rig.hidden,
@@ -201,7 +201,7 @@ fn told(rig: &Rig, answer: &Diagnosis, seen: &Seen, lambda: f64, k: usize) {
             answer.unexplained.resembles.join(" "),
             seen.in_the_set,
             seen.worse,
-            answer.noise.rho,
+            answer.noise.slow,
         )
     });
 }

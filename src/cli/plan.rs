@@ -8,10 +8,10 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use truepose::design::measuring_list;
+use truepose::design::needs::Locked;
 use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
 use truepose::design::plan_v1::Document;
 use truepose::diagnosis::NextPose;
-use truepose::design::needs::Locked;
 use truepose::diagnosis::{Options, Sight};
 
 use super::failure::Failure;

@@ -22,8 +22,8 @@
 use crate::effects::{Inputs, JointValues, MeasuringFrame, Term};
 use crate::fit::alignment::best_rigid_motion;
 use crate::fit::gap::{Deviations, Spread};
+use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
-use crate::fit::robust::suspects;
 use crate::lanes::{add_scaled, minus};
 use crate::model::format_v1::model_hash;
 use crate::model::{Calibration, Model, Positions};

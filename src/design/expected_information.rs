@@ -21,12 +21,12 @@ use super::next_poses::LATER_S;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::candidates::NotTestable;
-use crate::diagnosis::evidence::Noise;
 use crate::diagnosis::limits::{self, Limit};
-use crate::diagnosis::linear::Basis;
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, Options};
+use crate::fit::linear::Basis;
+use crate::fit::noise::Noise;
 
 /// Two effects that are more alike than this are worth a word.
 const ALIKE: f64 = 0.95;
@@ -215,21 +215,9 @@ pub(crate) fn foresee(
 }
 
 fn with_noise<'a>(prepared: &Prepared<'a>, sigma_mm: f64, seed: u64) -> Arena<'a> {
-    let arena = &prepared.arena;
-    let noise = Noise {
-        sigma_mm: [sigma_mm; 3],
-        rho: 0.0,
-        unequal: false,
-        rho_evidence: 0.0,
-    };
-    Arena::new(
-        arena.problem.clone(),
-        arena.rows.clone(),
-        noise,
-        arena.table.clone(),
-        arena.base.clone(),
-        seed,
-    )
+    let mut arena = prepared.arena.with_noise(Noise::white(sigma_mm));
+    arena.seed = seed;
+    arena
 }
 
 /// Columns of one name at one setting, orthonormal, beside the base.

@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::{Setting, Term};
 
 use super::arena::{Arena, Fit, Score};
-use super::linear::{small_cholesky, small_gain};
 use super::search::{by_odds, compatible};
+use crate::fit::linear::{small_cholesky, small_gain};
 
 /// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
 pub const UNDECIDED: f64 = 3.0;

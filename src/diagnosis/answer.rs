@@ -10,11 +10,11 @@ use crate::sessions::Session;
 use super::anonymous::{Shape, Where};
 use super::blunders::DataProblem;
 use super::candidates::NotTestable;
-use super::evidence::Noise;
 use super::familywise::FamilyP;
 use super::limits::Limit;
 use super::next_pose::NextPose;
 use super::smooth::Correction;
+use crate::fit::noise::Noise;
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,19 +9,21 @@
 //! ```
 
 use std::cell::RefCell;
+use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{Setting, Term};
+use crate::effects::{Form, Setting, Term};
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
 use super::anonymous::Shape;
 use super::candidates::{Candidate, Table, What};
-use super::evidence::{Noise, Rows};
 use super::familywise::Familywise;
-use super::linear::{Basis, small_cholesky, small_gain};
 use super::significance::Significance;
+use crate::fit::linear::{Basis, small_cholesky, small_gain};
+use crate::fit::noise::Noise;
+use crate::fit::regression::Rows;
 
 /// A shape has to be this much likelier than names to be preferred, as a logarithm …
 const PRICE_OF_A_SHAPE: f64 = 3.5;
@@ -71,27 +73,39 @@ pub(crate) struct Arena<'a> {
     pub(crate) problem: Problem<'a>,
     pub(crate) rows: Rows,
     pub(crate) noise: Noise,
-    pub(crate) table: Table,
+    pub(crate) table: Arc<Table>,
     pub(crate) white: DMatrix<f64>,
     /// Squared norms of the columns of `white`.
     norms: Vec<f64>,
     pub(crate) base: Model,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
+    /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
+    ln_noise: f64,
 }
+
+/// What a slow part of the noise pays for each of its numbers (a time constant and a size for each
+/// axis), as a logarithm: each is known to about a factor of e within a range of some e² (Laplace's
+/// ½ ln m would be that of a mean over all rows, which a variance of a few slow swings is not).
+const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
 impl<'a> Arena<'a> {
     pub(crate) fn new(
         problem: Problem<'a>,
         rows: Rows,
         noise: Noise,
-        table: Table,
+        table: Arc<Table>,
         base: Model,
         seed: u64,
     ) -> Self {
         let white = noise.whitened(&rows, &table.raw);
         let norms = white.column_iter().map(|c| c.norm_squared()).collect();
+        let numbers = noise.slow.map_or(0.0, |slow| {
+            1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
+        });
+        let ln_noise = -0.5 * noise.filter(&rows).ln_determinant() - PRICE_OF_A_VARIANCE * numbers;
         Self {
+            ln_noise,
             problem,
             rows,
             noise,
@@ -104,12 +118,16 @@ impl<'a> Arena<'a> {
         }
     }
 
-    /// The same noise on other samples, with nothing to search for.
-    pub(crate) fn on(&self, problem: Problem<'a>) -> Self {
-        let rows = Rows::of(&problem);
-        let table = self.table.emptied(&rows);
-        let (noise, base) = (self.noise.clone(), self.base.clone());
-        Self::new(problem, rows, noise, table, base, self.seed)
+    /// The same samples and candidates with another noise.
+    pub(crate) fn with_noise(&self, noise: Noise) -> Self {
+        Self::new(
+            self.problem.clone(),
+            self.rows.clone(),
+            noise,
+            Arc::clone(&self.table),
+            self.base.clone(),
+            self.seed,
+        )
     }
 
     /// Number of rows.
@@ -159,7 +177,8 @@ impl<'a> Arena<'a> {
             let empty = DMatrix::zeros(self.rows.len(), 0);
             (DVector::zeros(self.rows.len()), Basis::new(&empty), 0.0)
         });
-        let ln_evidence = self.ln_evidence(&model, &shapes, rss, basis.rank());
+        let ln_evidence =
+            self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
         Fit {
             model,
             shapes,
@@ -181,6 +200,46 @@ impl<'a> Arena<'a> {
             - 0.5 * rank as f64 * m.ln()
             - names.sum::<f64>()
             - anonymous.sum::<f64>()
+            + self.ln_noise
+    }
+
+    /// By how much too much the terms that were added pay: a vector of which one component is there
+    /// carries the information of one column and not of three. Each pays for its best subset of
+    /// components, and for the choice of it. What cannot be negative and is pays everything.
+    fn spared(&self, model: &Model, basis: &Basis, rss: f64) -> f64 {
+        let mut first = 0;
+        let mut spared = 0.0;
+        let mut covariance: Option<DMatrix<f64>> = None;
+        for term in model.terms() {
+            let own = first..first + term.coefficients.len();
+            first = own.end;
+            if self.base.terms().iter().any(|b| b.same_column(term)) {
+                continue;
+            }
+            if term.effect.about().never_negative && term.coefficients[0] < 0.0 {
+                return f64::NEG_INFINITY;
+            }
+            let vector = matches!(term.effect.about().form, Form::Plain(q) if q.len() > 1);
+            if !vector || !own.clone().all(|k| basis.kept.contains(&k)) {
+                continue;
+            }
+            let all = covariance.get_or_insert_with(|| basis.inverse_gram());
+            let best = subsets(own.len())
+                .filter_map(|dropped| {
+                    let at: Vec<usize> = dropped.iter().map(|k| own.start + k).collect();
+                    let c = all.select_rows(&at).select_columns(&at);
+                    let b = DVector::from_iterator(at.len(), dropped.iter().map(|k| term.coefficients[*k]));
+                    let lost = b.dot(&c.cholesky()?.solve(&b));
+                    Some(
+                        -0.5 * self.m() * (lost / self.rounded(rss)).ln_1p()
+                            + 0.5 * at.len() as f64 * self.m().ln()
+                            - choices(own.len(), at.len()),
+                    )
+                })
+                .fold(0.0, f64::max);
+            spared += best;
+        }
+        spared
     }
 
     /// A sum of squares cannot say more than the rounding of the numbers in a file.
@@ -194,16 +253,21 @@ impl<'a> Arena<'a> {
         rss + rounding * self.rows.samples.len() as f64
     }
 
-    fn price_of_term(&self, term: &Term) -> f64 {
+    pub(crate) fn price_of_term(&self, term: &Term) -> f64 {
         if term.effect.about().setting == Setting::None {
             return 0.0;
         }
+        let fraction = if term.setting.fract() != 0.0 && term.effect.about().setting.takes_fractions() {
+            PRICE_OF_A_SETTING + 0.5 * self.m().ln()
+        } else {
+            0.0
+        };
         let mut same = self.table.candidates.iter().filter(|c| {
             c.what.term().is_some_and(|t| {
                 t.effect.about().id == term.effect.about().id && t.joint == term.joint
             })
         });
-        same.next().map_or(0.0, |c| c.tried.ln())
+        fraction + same.next().map_or(0.0, |c| c.tried.ln())
     }
 
     /// Scores every candidate beside a fit; those that the fit leaves nothing of are left out.
@@ -225,7 +289,12 @@ impl<'a> Arena<'a> {
         let mut scores = Vec::new();
         for (index, candidate) in self.table.candidates.iter().enumerate() {
             let k = candidate.size;
-            let Some((gain, rank)) = self.gain(&projected, candidate, residual) else {
+            let Some(Gain {
+                all: gain,
+                rank,
+                parts,
+            }) = self.gain(&projected, candidate, residual)
+            else {
                 continue;
             };
             let nu = freedom - rank as f64;
@@ -237,13 +306,19 @@ impl<'a> Arena<'a> {
             }
             let test = tests[rank].get_or_insert_with(|| Significance::new(rank, nu));
             let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
-            let _ = k;
+            let worth = |gain: f64, rank: usize| {
+                let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
+                -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln()
+            };
+            let best_part = parts
+                .iter()
+                .map(|(size, gain)| worth(*gain, *size) - choices(k, *size))
+                .fold(worth(gain, rank), f64::max);
             scores.push(Score {
                 candidate: index,
                 gain,
                 surprise: test.of(r2) - weight_of(candidate),
-                ln_odds: -0.5 * m * (-r2).ln_1p()
-                    - 0.5 * rank as f64 * m.ln()
+                ln_odds: best_part
                     - candidate.tried.max(1.0).ln()
                     - match &candidate.what {
                         What::Named(_) => 0.0,
@@ -262,23 +337,46 @@ impl<'a> Arena<'a> {
         projected
     }
 
-    /// By how much a candidate lowers the sum of squares, and its rank; `None` where nothing of
-    /// it is left.
+    /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
+    /// where it would have to be negative and cannot.
     fn gain(
         &self,
         projected: &DMatrix<f64>,
         candidate: &Candidate,
         residual: &DVector<f64>,
-    ) -> Option<(f64, usize)> {
+    ) -> Option<Gain> {
         let k = candidate.size;
         let (factor, rank) = self.factor(projected, candidate);
         if rank == 0 {
             return None;
         }
-        let mut h: Vec<f64> = (0..k)
+        let pull: Vec<f64> = (0..k)
             .map(|i| projected.column(candidate.first + i).dot(residual))
             .collect();
-        Some((small_gain(&factor, k, &mut h), rank))
+        let about = candidate.what.term().map(|t| t.effect.about());
+        if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
+            return None;
+        }
+        let all = small_gain(&factor, k, &mut pull.clone());
+        let vector = about.is_some_and(|a| matches!(a.form, Form::Plain(q) if q.len() > 1));
+        let mut parts = Vec::new();
+        if vector && rank == k {
+            let gram = |i: usize, j: usize| -> f64 {
+                (0..=i.min(j)).map(|l| factor[i * k + l] * factor[j * k + l]).sum()
+            };
+            for kept in subsets(k).filter(|s| s.len() < k) {
+                let size = kept.len();
+                let mut own: Vec<f64> = (0..size * size)
+                    .map(|x| gram(kept[x / size], kept[x % size]))
+                    .collect();
+                let tolerance: Vec<f64> = (0..size).map(|i| 1e-9 * own[i * size + i]).collect();
+                if small_cholesky(&mut own, size, &tolerance) == size {
+                    let mut h: Vec<f64> = kept.iter().map(|i| pull[*i]).collect();
+                    parts.push((size, small_gain(&own, size, &mut h)));
+                }
+            }
+        }
+        Some(Gain { all, rank, parts })
     }
 
     /// Cholesky factor of a candidate's projected columns.
@@ -350,6 +448,25 @@ impl<'a> Arena<'a> {
         let freedom = (self.m() - fit.basis.rank() as f64).max(1.0);
         (fit.rss / freedom).sqrt()
     }
+}
+
+/// By how much a candidate lowers the sum of squares.
+struct Gain {
+    all: f64,
+    rank: usize,
+    /// The same for some of a vector's components alone: how many, and how much.
+    parts: Vec<(usize, f64)>,
+}
+
+/// Every choice of at least one of so few things.
+fn subsets(of: usize) -> impl Iterator<Item = Vec<usize>> {
+    (1_usize..1 << of).map(move |mask| (0..of).filter(|k| mask >> k & 1 == 1).collect())
+}
+
+/// Logarithm of the number of ways to choose `some` of `of` components.
+fn choices(of: usize, some: usize) -> f64 {
+    let ways = (0..some).map(|k| (of - k) as f64 / (k + 1) as f64);
+    ways.product::<f64>().ln()
 }
 
 /// Rounding of the measured coordinates, mm: files carry a tenth of a micrometre or better.

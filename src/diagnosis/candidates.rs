@@ -9,9 +9,9 @@ use crate::fit::scan;
 use crate::model::Model;
 
 use super::anonymous::{Direction, Profile, Shape, Variable};
-use super::evidence::Rows;
 use super::ground::{Ground, ground};
 use super::shapes::{Missing, shapes};
+use crate::fit::regression::Rows;
 
 /// What a candidate is.
 #[derive(Debug, Clone, PartialEq)]
@@ -195,16 +195,46 @@ impl Table {
         table.rich = rich(&table, rows.len());
         table
     }
+}
 
-    /// A table for other rows, with nothing to try.
-    pub(crate) fn emptied(&self, rows: &Rows) -> Self {
-        Self {
-            candidates: Vec::new(),
-            raw: DMatrix::zeros(rows.len(), 0),
-            rich: Vec::new(),
-            not_testable: Vec::new(),
-            ground: self.ground.clone(),
+impl Table {
+    /// The columns of the rich fit on other rows.
+    pub(crate) fn rich_on(&self, rows: &Rows, base: &Model) -> DMatrix<f64> {
+        let ground = self.ground.on(rows, base);
+        let mut all = DMatrix::zeros(rows.len(), 0);
+        let mut push = |own: &DMatrix<f64>, keep: &[usize]| {
+            for k in keep {
+                let at = all.ncols();
+                let wider = std::mem::replace(&mut all, DMatrix::zeros(0, 0));
+                all = wider.resize_horizontally(at + 1, 0.0);
+                all.set_column(at, &own.column(*k));
+            }
+        };
+        for candidate in &self.candidates {
+            let own = candidate.first..candidate.first + candidate.size;
+            let keep: Vec<usize> = own
+                .clone()
+                .filter(|k| self.rich.contains(k))
+                .map(|k| k - own.start)
+                .collect();
+            if keep.is_empty() {
+                continue;
+            }
+            match &candidate.what {
+                What::Named(term) => {
+                    let first: usize = {
+                        let with = base.with_term(term.clone());
+                        let before = with.terms().iter().take_while(|t| !t.same_column(term));
+                        before.map(|t| t.coefficients.len()).sum()
+                    };
+                    let (_, columns) = rows.extract(&base.with_term(term.clone()));
+                    let size = candidate.size;
+                    push(&columns.columns(first, size).into_owned(), &keep);
+                }
+                What::Anonymous(shape) => push(&ground.columns(shape), &keep),
+            }
         }
+        all
     }
 }
 

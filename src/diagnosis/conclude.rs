@@ -6,8 +6,8 @@ use std::borrow::Cow;
 use crate::effects::Term;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::outliers;
+use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
-use crate::fit::robust::suspects;
 use crate::kinematics::Range;
 use crate::model::{GapStep, Model};
 
@@ -82,8 +82,8 @@ pub(crate) fn answer(
     let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
-    let problem = &with_unlocked(prepared, fit);
-    let values = Values::of(prepared, problem, fit);
+    let problem = &with_unlocked(prepared, with_shapes);
+    let values = Values::of(prepared, problem, with_shapes);
     let identified = deviations(problem, &Values::of(prepared, problem, &base).model);
     let after = deviations(problem, &values.model);
     let suspected: Vec<bool> = suspects(problem, &after)
@@ -147,7 +147,7 @@ pub(crate) fn answer(
         floor,
         gap,
         held_out,
-        identified: values.identified(arena),
+        identified: values.identified(),
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
@@ -156,7 +156,7 @@ pub(crate) fn answer(
         outliers,
         next_poses: proposal.poses,
         noise: arena.noise.clone(),
-        covariance: values.covariance(),
+        covariance: values.covariance.clone(),
         model: values.model.settled(),
         history,
         measured: measured(problem.inputs.q.iter().map(|q| &**q)),

@@ -23,8 +23,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::arena::{Arena, Fit, weight_of};
-use super::linear::Basis;
 use super::significance::Significance;
+use crate::fit::linear::Basis;
 
 /// Simulations of a short session.
 const MOST: usize = 2000;

@@ -204,7 +204,14 @@ pub struct Pose {
 struct Noise {
     sigma_mm: [f64; 3],
     axes_differ: bool,
-    correlation_in_time: f64,
+    slow: Option<Slow>,
+}
+
+#[derive(Debug, Serialize)]
+struct Slow {
+    rms_mm: [f64; 3],
+    time_constant_s: f64,
+    says: String,
 }
 
 impl Document {
@@ -291,7 +298,11 @@ impl Document {
             noise: Noise {
                 sigma_mm: d.noise.sigma_mm,
                 axes_differ: d.noise.unequal,
-                correlation_in_time: d.noise.rho,
+                slow: d.noise.slow.map(|slow| Slow {
+                    rms_mm: slow.rms_mm,
+                    time_constant_s: slow.time_constant_s,
+                    says: slow.says(),
+                }),
             },
             start: None,
         }

@@ -7,7 +7,9 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 
 use super::anonymous::{Direction, Shape, Variable};
-use super::evidence::Rows;
+use super::arena::Placed;
+use crate::fit::problem::Problem;
+use crate::fit::regression::Rows;
 
 /// What shapes are made from: the values of every variable and the directions, row by row.
 #[derive(Debug, Clone)]
@@ -19,6 +21,8 @@ pub struct Ground {
     pub(crate) radial: Option<DVector<f64>>,
     pub(crate) axial: Option<DVector<f64>>,
     angle: Vec<f64>,
+    base: Model,
+    survey: Survey,
 }
 
 impl Ground {
@@ -39,6 +43,11 @@ impl Ground {
 
     /// The columns of a shape, mm.
     pub fn columns(&self, shape: &Shape) -> DMatrix<f64> {
+        self.columns_in(shape, self.range(shape.variable))
+    }
+
+    /// The same where the variable's range is that of other rows.
+    fn columns_in(&self, shape: &Shape, range: (f64, f64)) -> DMatrix<f64> {
         let directions: Vec<DVector<f64>> = match shape.direction {
             Direction::Tangential(j) => vec![self.tangential[j].clone()],
             Direction::Radial => self.radial.iter().cloned().collect(),
@@ -52,7 +61,7 @@ impl Ground {
                 all
             }
         };
-        let origin = shape.variable.origin(self.range(shape.variable));
+        let origin = shape.variable.origin(range);
         let constant = vec![0.0; self.samples];
         let values = self.values(shape.variable).unwrap_or(&constant);
         let count = shape.profile.count();
@@ -69,6 +78,41 @@ impl Ground {
                         columns[(row, k * directions.len() + d)] = value * direction[row];
                     }
                 }
+            }
+        }
+        columns
+    }
+
+    /// The same over other rows of the same session.
+    pub(crate) fn on(&self, rows: &Rows, base: &Model) -> Self {
+        let mut other = ground(rows, base, &self.survey);
+        other.tangential = tangential(rows, base, self.survey.joints.len());
+        other
+    }
+
+    /// The columns of placed shapes for every sample of a problem, as a fit takes them beside the
+    /// model.
+    pub(crate) fn on_all(&self, problem: &Problem, shapes: &[Placed]) -> Vec<[Vec<f64>; 3]> {
+        if shapes.is_empty() {
+            return Vec::new();
+        }
+        let mut all = problem.clone();
+        all.used.clone_from(&all.usable);
+        let rows = Rows::of(&all);
+        let ground = self.on(&rows, &self.base);
+        let n = rows.samples.len();
+        let mut columns = Vec::new();
+        for placed in shapes {
+            let own = ground.columns_in(&placed.shape, self.range(placed.shape.variable));
+            for k in 0..own.ncols() {
+                let mut column: [Vec<f64>; 3] =
+                    std::array::from_fn(|_| vec![0.0; problem.used.len()]);
+                for (a, axis) in rows.axes.iter().enumerate() {
+                    for (i, sample) in rows.samples.iter().enumerate() {
+                        column[*axis][*sample] = own[(a * n + i, k)];
+                    }
+                }
+                columns.push(column);
             }
         }
         columns
@@ -121,9 +165,24 @@ pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
         angle: pick(&inputs.q[0]),
         variables,
         tangential: Vec::new(),
+        base: base.clone(),
+        survey: survey.clone(),
         radial,
         axial,
     }
+}
+
+/// Derivatives of the rows by each joint's angle.
+fn tangential(rows: &Rows, base: &Model, joints: usize) -> Vec<DVector<f64>> {
+    let effect = crate::effects::CATALOGUE[1];
+    let one = |joint: usize| {
+        let probe = crate::effects::Term::absent(effect, joint, f64::MAX);
+        let model = base.with_term(probe.clone());
+        let before = model.terms().iter().take_while(|t| !t.same_column(&probe));
+        let first: usize = before.map(|t| t.coefficients.len()).sum();
+        rows.extract(&model).1.column(first).into_owned()
+    };
+    (0..joints).map(one).collect()
 }
 
 /// Radial and axial unit directions of every row, for a robot with a single revolute joint.

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::arena::{Arena, Fit};
-use super::linear::Basis;
+use crate::fit::linear::Basis;
 
 /// Which fold each sample of the rows is in.
 #[derive(Debug, Clone)]

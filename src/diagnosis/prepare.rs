@@ -5,9 +5,11 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Survey, Term, find};
-use crate::fit::gap::deviations;
+use nalgebra::DMatrix;
+
+use crate::fit::gap::{Deviations, deviations};
+use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
-use crate::fit::robust::suspects;
 use crate::fit::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
 use crate::model::Model;
 use crate::sessions::Session;
@@ -15,11 +17,12 @@ use crate::sessions::Session;
 use super::arena::{Arena, Fit};
 use super::blunders::DataProblem;
 use super::candidates::Table;
-use super::evidence::{Noise, Rows};
 use super::held_out::Folds;
 use super::incomplete;
 use super::search::{Found, Search};
 use super::{DiagnoseError, Options, Watch};
+use crate::fit::noise::Noise;
+use crate::fit::regression::Rows;
 
 /// A session of more samples than this is long …
 const LONG: usize = 600;
@@ -58,8 +61,7 @@ impl<'a> Prepared<'a> {
         let survey = Survey::new(session, &problem.inputs);
         let start = base_model(session, &problem, &survey, options);
         let base = fit_without_outliers(&mut problem, &start).model;
-        keep_clusters(&mut problem);
-        let arena = arena(&problem, &base, &survey, options);
+        let arena = arena(&mut problem, &base, &survey, options);
         let folds = Folds::new(&arena);
         Ok(Self {
             problem,
@@ -72,14 +74,17 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    pub(crate) fn search(&self, options: &Options, watch: Watch) -> Result<Found, DiagnoseError> {
-        let samples = self.arena.rows.samples.len();
-        let cap = samples.div_ceil(10).min(12);
-        let most = options.max_effects.map_or(cap, |most| most.min(cap));
+    /// The most that a search may add.
+    pub(crate) fn cap(&self) -> usize {
+        let cap = self.arena.rows.samples.len().div_ceil(10).min(12);
+        self.options.max_effects.map_or(cap, |most| most.min(cap))
+    }
+
+    pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
         let search = Search {
             arena: &self.arena,
             folds: &self.folds,
-            most,
+            most: self.cap(),
             watch,
         };
         Ok(search.run()?)
@@ -89,38 +94,98 @@ impl<'a> Prepared<'a> {
         &self.options
     }
 
-    /// Looks again at outliers and noise with what was found; whether the search has to be done
-    /// again.
+    /// Looks again at outliers with what was found; whether the search has to be done again.
     pub(crate) fn reconsider(&mut self, found: &Found) -> bool {
         let before = self.problem.used.clone();
-        let after = deviations(&self.problem, &found.fit.model);
-        let suspected = suspects(&self.problem, &after);
+        self.problem.beside = self.table().ground.on_all(&self.problem, &found.fit.shapes);
+        let left = deviations_beside(&self.problem, &found.fit);
+        let suspected = suspects(&self.problem, &left);
+        self.problem.beside.clear();
         for i in 0..before.len() {
             self.problem.used[i] = self.problem.fit[i] && !suspected[i];
         }
-        keep_clusters(&mut self.problem);
-        let noise = noise_beside(&self.arena, Some(&found.fit));
-        let same_noise = (noise.rho - self.arena.noise.rho).abs() < 0.1
-            && noise.unequal == self.arena.noise.unequal;
-        if self.problem.used == before && same_noise {
+        if found.fit.shapes.is_empty() {
+            keep_clusters(&mut self.problem);
+        }
+        let same = self.problem.used == before;
+        let noise = noise_beside_many(&self.arena, Some(&found.fit));
+        if same && noise.whitens_like(&self.arena.noise) {
             return false;
         }
-        let base = crate::fit::solver::solve(&self.problem, &self.arena.base).model;
-        let mut arena = arena(&self.problem, &base, &self.survey, &self.options);
-        if !same_noise {
-            arena = Arena::new(
-                arena.problem,
-                arena.rows,
-                Noise::clone(&noise),
-                arena.table,
-                arena.base,
-                self.options.seed,
-            );
+        if same {
+            self.arena = self.arena.with_noise(noise);
+        } else {
+            let base = crate::fit::solver::solve(&self.problem, &self.arena.base).model;
+            let arena = bare_arena(&self.problem, &base, &self.survey, &self.options);
+            self.arena = arena.with_noise(noise);
         }
-        self.folds = Folds::new(&arena);
-        self.arena = arena;
+        self.folds = Folds::new(&self.arena);
         true
     }
+
+    fn table(&self) -> &Table {
+        &self.arena.table
+    }
+
+    /// The same with the noise that a fit leaves: the null of a test belongs to the model that it
+    /// was made for. The fit is made again under it.
+    pub(crate) fn settled(&self, fit: &Fit) -> (Self, Fit) {
+        let mut now = self.with_noise(noise_of(&self.arena, fit));
+        let mut fit = now.refitted(fit);
+        for _ in 0..2 {
+            let noise = noise_of(&now.arena, &fit);
+            if noise.whitens_like(&now.arena.noise) {
+                break;
+            }
+            now = now.with_noise(noise);
+            fit = now.refitted(&fit);
+        }
+        (now, fit)
+    }
+
+    /// The same with the noise that the base alone leaves, where that has a slow part: the rival
+    /// of every name.
+    pub(crate) fn with_slow_noise(&self) -> Option<Self> {
+        let base = self.arena.fit(&self.arena.base, Vec::new());
+        let noise = noise_of(&self.arena, &base);
+        noise.slow.is_some().then(|| self.with_noise(noise))
+    }
+
+    fn with_noise(&self, noise: Noise) -> Self {
+        Self {
+            problem: self.problem.clone(),
+            survey: self.survey.clone(),
+            arena: self.arena.with_noise(noise),
+            folds: self.folds.clone(),
+            locked: self.locked.clone(),
+            incomplete: self.incomplete.clone(),
+            options: self.options.clone(),
+        }
+    }
+
+    /// A fit of another noise under this one.
+    pub(crate) fn refitted(&self, fit: &Fit) -> Fit {
+        let shapes = fit.shapes.iter().map(|s| self.arena.placed(s.shape));
+        self.arena.fit(&fit.model, shapes.collect())
+    }
+}
+
+/// What a fit with shapes leaves of every sample.
+fn deviations_beside(problem: &Problem, fit: &Fit) -> Deviations {
+    let mut left = deviations(problem, &fit.model);
+    let coefficients = fit.shapes.iter().flat_map(|s| s.coefficients.iter());
+    for (column, coefficient) in problem.beside.iter().zip(coefficients) {
+        for (axis, values) in column.iter().enumerate() {
+            for (e, value) in left.axes_mm[axis].iter_mut().zip(values) {
+                *e -= coefficient * value;
+            }
+        }
+    }
+    for i in 0..left.length_mm.len() {
+        let square: f64 = left.axes_mm.iter().map(|e| e[i] * e[i]).sum();
+        left.length_mm[i] = square.sqrt();
+    }
+    left
 }
 
 /// Terms that belong to every calibration: zero offset and link length, and free frames.
@@ -146,48 +211,83 @@ fn base_model(session: &Session, problem: &Problem, survey: &Survey, options: &O
     Model::new(session.robot.clone(), terms)
 }
 
-fn arena<'a>(problem: &Problem<'a>, base: &Model, survey: &Survey, options: &Options) -> Arena<'a> {
-    let problem = thinned(problem);
+/// The arena of a problem, whose outliers are looked for beside many columns at once first: what
+/// the base lacks does not pass for them, and does not hide them.
+fn arena<'a>(
+    problem: &mut Problem<'a>,
+    base: &Model,
+    survey: &Survey,
+    options: &Options,
+) -> Arena<'a> {
+    keep_clusters(problem);
+    let mut arena = bare_arena(problem, base, survey, options);
+    for _ in 0..2 {
+        let suspected = super::robust::suspected_beside_many(problem, &arena, MOST_SAMPLES);
+        let before = problem.used.clone();
+        for (sample, suspected) in suspected {
+            problem.used[sample] = problem.fit[sample] && !suspected;
+        }
+        keep_clusters(problem);
+        if problem.used == before {
+            break;
+        }
+        arena = bare_arena(problem, base, survey, options);
+    }
+    let noise = noise_beside_many(&arena, None);
+    arena.with_noise(noise)
+}
+
+/// An arena whose noise is not known yet.
+fn bare_arena<'a>(
+    problem: &Problem<'a>,
+    base: &Model,
+    survey: &Survey,
+    options: &Options,
+) -> Arena<'a> {
+    let problem = thinned(problem, MOST_SAMPLES);
     let rows = Rows::of(&problem);
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
-    let unit = Noise {
-        sigma_mm: [1.0; 3],
-        rho: 0.0,
-        unequal: false,
-        rho_evidence: 0.0,
-    };
-    let arena = Arena::new(problem, rows, unit, table, base.clone(), options.seed);
-    let noise = noise_beside(&arena, None);
     Arena::new(
-        arena.problem,
-        arena.rows,
-        noise,
-        arena.table,
-        arena.base,
+        problem,
+        rows,
+        Noise::white(1.0),
+        std::sync::Arc::new(table),
+        base.clone(),
         options.seed,
     )
 }
 
-/// Noise from a rich fit: the base (and what was found) with many candidates at once.
-fn noise_beside(arena: &Arena, found: Option<&Fit>) -> Noise {
+/// Noise beside the base (and what was found) with many candidates at once, so that what has not
+/// been found yet is not taken for noise.
+fn noise_beside_many(arena: &Arena, found: Option<&Fit>) -> Noise {
     let model = found.map_or(&arena.base, |f| &f.model);
-    let (residual, columns) = arena.rows.extract(model);
     let rich = arena.table.raw.select_columns(&arena.table.rich);
-    let shapes: usize = found.map_or(0, |f| f.shapes.iter().map(|s| s.raw.ncols()).sum());
-    let width = columns.ncols() + shapes + rich.ncols();
-    let mut all = nalgebra::DMatrix::zeros(arena.rows.len(), width);
-    all.columns_mut(0, columns.ncols()).copy_from(&columns);
-    let mut at = columns.ncols();
-    for shape in found.iter().flat_map(|f| &f.shapes) {
-        all.columns_mut(at, shape.raw.ncols()).copy_from(&shape.raw);
-        at += shape.raw.ncols();
-    }
-    all.columns_mut(at, rich.ncols()).copy_from(&rich);
-    Noise::estimate(&arena.problem, &arena.rows, &residual, &all)
+    let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &s.raw);
+    estimated(arena, model, shapes.chain([&rich]))
 }
 
-/// The same problem with at most [`MOST_SAMPLES`] samples that count, spread evenly.
-fn thinned<'a>(problem: &Problem<'a>) -> Problem<'a> {
+/// Noise beside a fit as it is.
+fn noise_of(arena: &Arena, fit: &Fit) -> Noise {
+    estimated(arena, &fit.model, fit.shapes.iter().map(|s| &s.raw))
+}
+
+fn estimated<'m>(
+    arena: &Arena,
+    model: &Model,
+    beside: impl Iterator<Item = &'m DMatrix<f64>>,
+) -> Noise {
+    let (residual, mut columns) = arena.rows.extract(model);
+    for more in beside {
+        let at = columns.ncols();
+        columns = columns.resize_horizontally(at + more.ncols(), 0.0);
+        columns.columns_mut(at, more.ncols()).copy_from(more);
+    }
+    let stated = arena.problem.session.instrument.sigma_mm;
+    Noise::estimate(stated, &arena.rows, &residual, &columns)
+}
+
+/// The same problem with at most so many samples that count, spread evenly.
+pub(crate) fn thinned<'a>(problem: &Problem<'a>, most: usize) -> Problem<'a> {
     let mut thinned = problem.clone();
     let used: Vec<usize> = (0..problem.used.len())
         .filter(|i| problem.used[*i])
@@ -197,10 +297,10 @@ fn thinned<'a>(problem: &Problem<'a>) -> Problem<'a> {
     }
     thinned.used.fill(false);
     // A step of the golden ratio inside each stretch, so that no rhythm of the poses is hit.
-    for k in 0..MOST_SAMPLES {
+    for k in 0..most {
         let (from, to) = (
-            k * used.len() / MOST_SAMPLES,
-            (k + 1) * used.len() / MOST_SAMPLES,
+            k * used.len() / most,
+            (k + 1) * used.len() / most,
         );
         let inside = (k as f64 * 0.618_033_988_749_894_9).fract();
         let at = from + ((to - from) as f64 * inside) as usize;

@@ -13,8 +13,8 @@ use super::anonymous::{Profile, Shape};
 use super::arena::{Arena, Fit, Placed, Score};
 use super::candidates::What;
 use super::held_out::Folds;
-use super::linear::Basis;
 use super::{Cancelled, Progress, Watch};
+use crate::fit::linear::Basis;
 
 /// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a
 /// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less

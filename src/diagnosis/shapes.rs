@@ -4,8 +4,8 @@
 use crate::effects::Survey;
 
 use super::anonymous::{Direction, Profile, Shape, Variable};
-use super::evidence::Rows;
 use super::ground::Ground;
+use crate::fit::regression::Rows;
 
 const HIGHEST_ORDER: u32 = 360;
 /// A shape must act on at least so many samples.

@@ -96,7 +96,7 @@ pub(crate) fn found(
         Found {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
-            parameters: values.parameters_of(arena, term),
+            parameters: values.parameters_of(term),
             p_family,
             share: if explained > 0.0 {
                 (share / explained).clamp(0.0, 1.0)

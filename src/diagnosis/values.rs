@@ -1,153 +1,78 @@
-//! Values of the parameters with their intervals, from all samples that may be fitted.
+//! Values of the parameters with their intervals: one fit to all samples that count, by the same
+//! estimator that `identify` uses, with what no name explains beside the model.
 //!
 //! A search looks at a part of a long session, and at none of the samples that an option locks
-//! away; the names that it found are fitted once more to all of them:
-//!
-//! ```text
-//! C = s² (Aᵀ A)⁻¹ · (n_searched / n_all) · (1 + r)/(1 − r)
-//! ```
-//!
-//! with s and A from the whitened rows. Up to [`MOST_WHITENED`] samples all rows are whitened and
-//! the two last factors are 1; beyond, the values come from plain least squares, and r is the
-//! correlation from one residual to the next over all samples (its effect on a slowly varying
-//! column; Priestley 1981, §5.3).
+//! away; the names that it found are fitted once more to all of them.
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Setting, Term};
-use crate::fit::gap::{Deviations, deviations};
+use crate::effects::Term;
 use crate::fit::problem::Problem;
-use crate::fit::solver::solve;
-use crate::fit::uncertainty::{estimates, half_width_factor};
-use crate::fit::{DEFAULT_EFFECTS, Estimate};
+use crate::fit::solver::{Solution, solve};
+use crate::fit::{DEFAULT_EFFECTS, Estimate, covariance_of, noise_beside, parameters_of};
 use crate::model::Model;
 
-use super::arena::{Arena, Fit};
+use super::arena::Fit;
 use super::prepare::Prepared;
 
-/// With more samples than this the fit to all of them is plain least squares.
-const MOST_WHITENED: usize = 6000;
+/// Values of shapes that a fit to all samples may carry at most.
+const MOST_BESIDE: usize = 20_000_000;
 
 /// A model fitted to all samples that count, and how sure its coefficients are.
-pub(crate) struct Values {
+pub(crate) struct Values<'a> {
+    pub(crate) problem: Problem<'a>,
+    pub(crate) solution: Solution,
     pub(crate) model: Model,
     /// Of the coefficients, inner units.
-    pub(crate) covariance: DMatrix<f64>,
-    /// Coefficients that the samples determine.
-    determined: Vec<usize>,
-    freedom: usize,
+    pub(crate) covariance: Option<DMatrix<f64>>,
+    /// One list for each term of the model.
+    estimates: Vec<Vec<Estimate>>,
 }
 
-impl Values {
+impl<'a> Values<'a> {
     /// The names of a fit, fitted to the samples of a problem that count.
-    pub(crate) fn of(prepared: &Prepared, problem: &Problem, fit: &Fit) -> Self {
-        let searched = &prepared.arena;
-        let count = problem.samples();
-        if count == searched.rows.samples.len() && problem.used == searched.problem.used {
-            return Self::of_fit(searched, fit);
+    pub(crate) fn of(prepared: &Prepared, problem: &Problem<'a>, fit: &Fit) -> Self {
+        let mut problem = problem.clone();
+        let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
+        if width * problem.used.len() * 3 <= MOST_BESIDE {
+            problem.beside = prepared.arena.table.ground.on_all(&problem, &fit.shapes);
         }
-        if count <= MOST_WHITENED {
-            let all = searched.on(problem.clone());
-            return Self::of_fit(&all, &all.fit(&fit.model, Vec::new()));
+        problem.set_noise(&prepared.arena.noise);
+        let mut solution = solve(&problem, &fit.model);
+        for _ in 0..2 {
+            let noise = noise_beside(&problem, &solution.model, &solution.beside);
+            let known = problem.noise.as_ref();
+            if known.is_some_and(|known| noise.whitens_like(known)) {
+                break;
+            }
+            problem.set_noise(&noise);
+            solution = solve(&problem, &solution.model);
         }
-        let model = solve(problem, &fit.model).model;
-        let part = Self::of_fit(searched, fit);
-        let r = correlation(problem, &deviations(problem, &model));
-        let thinning = searched.rows.samples.len() as f64 / count as f64;
+        let covariance = covariance_of(&problem, &solution);
+        let estimates = parameters_of(&problem, &solution, covariance.as_ref());
+        let own = solution.model.coefficient_count();
         Self {
-            model,
-            covariance: part.covariance * (thinning * (1.0 + r) / (1.0 - r)),
-            ..part
+            model: solution.model.clone(),
+            covariance: covariance
+                .filter(|_| own > 0)
+                .map(|c| c.view((0, 0), (own, own)).into_owned()),
+            estimates,
+            solution,
+            problem,
         }
-    }
-
-    fn of_fit(arena: &Arena, fit: &Fit) -> Self {
-        let scale = arena.scale(fit);
-        let own = fit.model.coefficient_count();
-        let all = fit.basis.inverse_gram() * (scale * scale);
-        Self {
-            model: fit.model.clone(),
-            covariance: all.view((0, 0), (own, own)).into_owned(),
-            determined: fit.basis.kept.clone(),
-            freedom: (arena.m() - fit.basis.rank() as f64).max(0.0) as usize,
-        }
-    }
-
-    /// Of its coefficients; `None` where it has none.
-    pub(crate) fn covariance(&self) -> Option<DMatrix<f64>> {
-        (self.covariance.nrows() > 0).then(|| self.covariance.clone())
     }
 
     /// Estimates of one of its terms.
-    pub(crate) fn parameters_of(&self, arena: &Arena, term: &Term) -> Vec<Estimate> {
-        let mut first = 0;
-        let mut own_term = term;
-        for other in self.model.terms() {
-            if other.same_column(term) {
-                own_term = other;
-                break;
-            }
-            first += other.coefficients.len();
-        }
-        let size = own_term.coefficients.len();
-        let undetermined: Vec<bool> = (first..first + size)
-            .map(|k| !self.determined.contains(&k))
-            .collect();
-        let own = self.covariance.view((first, first), (size, size));
-        let kind = self.model.robot.joints[term.joint].kind;
-        let mut all = estimates(
-            own_term,
-            (self.freedom > 0).then_some(&own.into_owned()),
-            half_width_factor(self.freedom),
-            &undetermined,
-            kind,
-        );
-        if term.effect.about().setting == Setting::Time
-            && let Some(time) = all.first_mut()
-        {
-            time.ci95 = Some(around(arena, term.setting));
-        }
-        all
+    pub(crate) fn parameters_of(&self, term: &Term) -> Vec<Estimate> {
+        let mut terms = self.model.terms().iter();
+        let at = terms.position(|t| t.same_column(term));
+        at.map_or_else(Vec::new, |at| self.estimates[at].clone())
     }
 
     /// Estimates of what belongs to every calibration.
-    pub(crate) fn identified(&self, arena: &Arena) -> Vec<Estimate> {
-        let base = |t: &&Term| DEFAULT_EFFECTS.contains(&t.effect.about().id);
-        let terms = self.model.terms().iter().filter(base);
-        terms
-            .flat_map(|term| self.parameters_of(arena, term))
-            .collect()
+    pub(crate) fn identified(&self) -> Vec<Estimate> {
+        let terms = self.model.terms().iter().zip(&self.estimates);
+        let base = terms.filter(|(t, _)| DEFAULT_EFFECTS.contains(&t.effect.about().id));
+        base.flat_map(|(_, own)| own.clone()).collect()
     }
-}
-
-/// Mean correlation from one residual to the next, over the axes; at least 0.
-fn correlation(problem: &Problem, left: &Deviations) -> f64 {
-    let (mut together, mut own) = (0.0, 0.0);
-    for (axis, values) in left.axes_mm.iter().enumerate() {
-        if problem.axis_weights[axis] <= 0.0 {
-            continue;
-        }
-        for i in 1..values.len() {
-            if problem.used[i] && problem.used[i - 1] {
-                together += values[i] * values[i - 1];
-                own += 0.5 * (values[i] * values[i] + values[i - 1] * values[i - 1]);
-            }
-        }
-    }
-    if own > 0.0 {
-        (together / own).clamp(0.0, 0.99)
-    } else {
-        0.0
-    }
-}
-
-/// Times of the samples around a step.
-fn around(arena: &Arena, time: f64) -> [f64; 2] {
-    let times = arena.problem.inputs.time_s.as_deref().unwrap_or(&[]);
-    let before = times.iter().copied().filter(|t| *t < time);
-    let after = times.iter().copied().filter(|t| *t >= time);
-    [
-        before.fold(f64::NEG_INFINITY, f64::max).max(-1e300),
-        after.fold(f64::INFINITY, f64::min).min(1e300),
-    ]
 }

@@ -29,6 +29,22 @@ pub struct Quantity {
 }
 
 impl Quantity {
+    /// The largest value that makes any sense, inner units: a turn of one radian, a metre, a scale
+    /// of two. What the samples leave open within this range they do not determine.
+    pub fn reach(&self) -> f64 {
+        let name = self.name;
+        if name.contains("ppm") {
+            1.0
+        } else if name.contains("deg") || name.contains("mrad") || name.contains("urad") {
+            // An angle, and an angle for each kelvin or newton metre.
+            1.0
+        } else if name.ends_with("_s") {
+            100.0
+        } else {
+            1000.0
+        }
+    }
+
     /// The quantity on a joint of this kind: where a joint slides, its degrees are millimetres.
     #[must_use]
     pub fn on(self, kind: JointKind) -> Self {
@@ -55,7 +71,8 @@ const SLIDING: [(&str, &str); 4] = [
 pub enum Setting {
     /// There is none.
     None,
-    /// A whole number of cycles per turn.
+    /// Cycles per turn. The error motions of a bearing (ISO 230-7) come round with the turn, so that
+    /// theirs are whole; a gear's ratio need not be (see [`Setting::takes_fractions`]).
     Order {
         /// The smallest.
         from: u16,
@@ -69,6 +86,31 @@ pub enum Setting {
     Fade,
     /// Which measuring frame (counted from 0); not a parameter of the robot.
     Setup,
+}
+
+impl Setting {
+    /// Whether it is an order that need not be a whole number: one that reaches beyond the error
+    /// motions of a bearing.
+    pub fn takes_fractions(&self) -> bool {
+        matches!(self, Self::Order { to, .. } if *to > 6)
+    }
+}
+
+/// What an effect follows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Over {
+    /// The values of the joints, and nothing else.
+    Angle,
+    /// The side from which a joint came.
+    Side,
+    /// The speed of a joint.
+    Speed,
+    /// The load.
+    Load,
+    /// The temperature.
+    Temperature,
+    /// The time.
+    Time,
 }
 
 /// How the parameters relate to the coefficients that identification solves for. Every
@@ -91,6 +133,16 @@ impl Form {
         match self {
             Self::Fading(_) => 1,
             form => form.coefficients(),
+        }
+    }
+
+    /// [`Quantity::reach`] of each coefficient.
+    pub fn reaches(&self) -> Vec<f64> {
+        match self {
+            Self::Plain(quantities) => quantities.iter().map(Quantity::reach).collect(),
+            Self::Harmonic(quantity) => vec![quantity.reach(); 2],
+            // A fade is known to a factor of twenty, or not at all.
+            Self::Fading(quantity) => vec![quantity.reach(), 3.0],
         }
     }
 
@@ -124,6 +176,13 @@ pub struct About {
     pub source: &'static str,
     /// What in the machine causes it.
     pub cause: &'static str,
+    /// What it follows: where the samples show no change of it, nothing shows the effect.
+    pub over: Over,
+    /// Whether its sizes (an amplitude apart, which is one by its form) cannot be negative.
+    pub never_negative: bool,
+    /// Sizes above this, in the unit of its parameters, are said to be implausible: ten times the
+    /// usual ones. `None` where any size is usual.
+    pub implausible_above: Option<f64>,
     /// Sizes that are usual; for reading, never a prior.
     pub usual_size: &'static str,
     /// What it is confused with, and what tells them apart.

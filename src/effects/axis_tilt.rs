@@ -4,7 +4,7 @@
 //! x and y are the joint frame's `across_1` and `across_2`, the base's own x and y for an axis
 //! along z.
 
-use super::about::{About, Form, MILLIRADIAN, Quantity, Setting, Stage};
+use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
 use super::axis_wobble::axial_measurement_needed;
 use super::block::Block;
 use super::{Effect, Placed, Survey};
@@ -33,6 +33,9 @@ const ABOUT: About = About {
     equation: "p = f + R_y(β) R_x(α) (p − f), f on the axis at the tool's height",
     source: "ISO 230-7: axis of rotation errors E_A0C, E_B0C",
     cause: "the column does not stand upright on the base",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(20.0),
     usual_size: "0.05 to 2 mrad",
     confused_with: "axial runout of first order at one radius: a second radius parts them",
     check: "shim the column's foot; level it along x and y",

@@ -2,7 +2,7 @@
 //!
 //! The coefficients are w cos φ and w sin φ; the order k is scanned.
 
-use super::about::{About, Form, MILLIRADIAN, Quantity, Setting, Stage};
+use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 use crate::lanes::{add_scaled, dot, minus, scaled};
@@ -24,6 +24,9 @@ const ABOUT: About = About {
     equation: "axial displacement R·w·cos(order·q + φ)",
     source: "ISO 230-7: tilt error motion E_AC, E_BC at the radius R",
     cause: "the bearing's raceways are wavy, so that the axis tilts as it turns",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(2.0),
     usual_size: "0.004 to 0.2 mrad",
     confused_with: "the form of a measured surface: a second radius parts them",
     check: "the bearing's axial seat and preload",

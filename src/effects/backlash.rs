@@ -2,7 +2,7 @@
 //!
 //! In a play of width b the output lags half of it behind the drive.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 
@@ -22,6 +22,9 @@ const ABOUT: About = About {
     equation: "θ = q − s·width/2",
     source: "ISO 230-2: reversal value B; the play operator after full take-up",
     cause: "play between gear teeth, in a coupling or a key",
+    over: Over::Side,
+    never_negative: true,
+    implausible_above: Some(0.5),
     usual_size: "0.1′ to 3′",
     confused_with: "tracking lag at one speed, drift in a single out-and-back: shuffled approaches at standstill and at two speeds part them",
     check: "preload and wear of the reducer; rock the output by hand with the drive held",

@@ -1,6 +1,6 @@
 //! Base offset: the axis stands elsewhere in the measuring frame, `p += (dx, dy, dz)`.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 
@@ -30,6 +30,9 @@ const ABOUT: About = About {
     equation: "p = p + (x, y, z)",
     source: "ISO 9283, 5.6: the base frame as measured",
     cause: "the measuring frame was surveyed to a point beside the axis",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(50.0),
     usual_size: "0.1 to 5 mm",
     confused_with: "encoder eccentricity where only the angle is seen: the radius, or a second radius, parts them",
     check: "survey the base again",

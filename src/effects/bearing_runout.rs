@@ -3,7 +3,7 @@
 //! The two directions are the joint frame's `across_1` and `across_2`: x and y for an axis along
 //! z. The coefficients are A cos φ and A sin φ; the order k is scanned.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 use crate::lanes::{add_scaled, scaled};
@@ -25,6 +25,9 @@ const ABOUT: About = About {
     equation: "centre moves by A (cos(order·q + φ), sin(order·q + φ))",
     source: "ISO 230-7: radial error motion E_XC, E_YC",
     cause: "raceways or seats of the bearing are not round",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(0.5),
     usual_size: "1 to 50 µm",
     confused_with: "the form of the target or the reflector's nest: a reversal parts them; a base offset with eccentricity: a second radius parts them",
     check: "the bearing's seat and preload",

@@ -76,6 +76,7 @@ impl<const N: usize> TurnedLanes<N> {
 }
 
 /// A derivative of a joint's value with respect to one coefficient.
+#[derive(Clone)]
 struct JointTangent {
     column: usize,
     joint: usize,
@@ -83,6 +84,7 @@ struct JointTangent {
 }
 
 /// See the module.
+#[derive(Clone)]
 pub struct Block<'a> {
     /// The robot as its controller believes it to be.
     pub(super) robot: &'a Robot,

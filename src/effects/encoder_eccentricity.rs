@@ -5,7 +5,7 @@
 //! `sin(θ − q) = ε sin(q − φ)`, which gives θ without iteration: `θ = q + asin(ε sin(q − φ))`.
 //! The coefficients are a = ε cos φ and b = ε sin φ, so ε sin(q − φ) = a sin q − b cos q.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 use crate::sincos::sin_cos_small as sin_cos;
@@ -26,6 +26,9 @@ const ABOUT: About = About {
     equation: "q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)",
     source: "geometry of an off-centre graduation; e = ρ ε for a ring of radius ρ",
     cause: "the encoder's ring or the gear that drives it is mounted off centre",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(0.5),
     usual_size: "10 µm of eccentricity on a ring of 50 mm radius is 0.011°",
     confused_with: "a base offset together with second-order bearing runout: a second reflector at another radius parts them; gravity wind-up: another load parts them",
     check: "centre the encoder ring, or average a second reading head at 180°",

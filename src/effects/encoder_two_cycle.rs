@@ -2,7 +2,7 @@
 //!
 //! The coefficients are A cos φ and A sin φ.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 
@@ -22,6 +22,9 @@ const ABOUT: About = About {
     equation: "θ = q + A sin(2q + φ)",
     source: "second harmonic of a tilted or oval graduation",
     cause: "the encoder ring is tilted or oval, or a coupling between encoder and shaft is bent",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(0.056),
     usual_size: "1″ to 20″",
     confused_with: "a coupling error of the same order: only the part can tell",
     check: "check the ring's mounting face for tilt and the ring for roundness",

@@ -1,6 +1,6 @@
 //! Frame drift: the measuring frame moves at a constant rate, from the first sample on.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::frame_shift::time_needed;
@@ -36,6 +36,9 @@ const ABOUT: About = About {
     equation: "p = p + v (t − t0)",
     source: "ISO 9283, 7.6: drift of the pose in time",
     cause: "the tripod settles, or the base creeps",
+    over: Over::Time,
+    never_negative: false,
+    implausible_above: None,
     usual_size: "any",
     confused_with: "thermal growth while the machine warms up: a temperature channel and a cool-down run part them",
     check: "tripod, clamps and the sun on the tripod's legs",

@@ -2,7 +2,7 @@
 //!
 //! The time is scanned; a sample at t* itself belongs to what comes after.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::{Effect, Placed, Survey};
@@ -34,6 +34,9 @@ const ABOUT: About = About {
     equation: "p = p + (x, y, z) from t* on",
     source: "a change point of the measuring frame",
     cause: "somebody touched the tripod, or the base slipped",
+    over: Over::Time,
+    never_negative: false,
+    implausible_above: None,
     usual_size: "any",
     confused_with: "two sessions that were joined: the notes of the day tell",
     check: "return to the datum points after the step; clamps and tripod",

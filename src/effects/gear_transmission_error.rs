@@ -1,8 +1,9 @@
-//! Gear transmission error: `θ = q + A sin(k q + φ)`, k a whole number of cycles per turn.
+//! Gear transmission error: `θ = q + A sin(k q + φ)`, k cycles per turn: a whole number where the
+//! error comes round with the joint, a gear's ratio where it does not.
 //!
 //! The coefficients are A cos φ and A sin φ; the order k is scanned.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 use crate::sincos::sin_cos_small as sin_cos;
@@ -23,6 +24,9 @@ const ABOUT: About = About {
     equation: "θ = q + A sin(order·q + φ)",
     source: "kinematic error of gears and strain-wave reducers, one harmonic",
     cause: "tooth or wave-generator errors in the reducer; the order tells which wheel",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(0.33),
     usual_size: "0.5′ to 2′",
     confused_with: "the order M − k where the poses are M equal steps of a turn: unequal steps part them",
     check: "compare the order with the reducer's tooth counts, then its preload and lubrication",

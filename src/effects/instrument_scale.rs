@@ -1,6 +1,6 @@
 //! Instrument scale: `p (1 + s)` about the origin of the measuring frame.
 
-use super::about::{About, Form, PPM, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, PPM, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 use crate::lanes::scaled;
@@ -21,6 +21,9 @@ const ABOUT: About = About {
     equation: "p = p (1 + s)",
     source: "ASME B89.4.19: scale error of a laser tracker",
     cause: "the instrument's distance scale, or its air temperature and pressure, is off",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(5000.0),
     usual_size: "10 to 500 ppm",
     confused_with: "the link's length: a scale bar parts them",
     check: "measure a scale bar; the instrument's weather station",

@@ -9,7 +9,7 @@
 //! the joint turns everything behind it rigidly, torque and slope at θ are those of the first
 //! moment Σ m (x − c), turned by θ.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 use crate::kinematics::{Joint, JointKind};
@@ -32,6 +32,9 @@ const ABOUT: About = About {
     equation: "θ = q + C·τ(θ), τ gravity's torque about the joint",
     source: "a joint as a torsion spring; Khalil & Dombre, Modeling, Identification and Control of Robots, ch. 9",
     cause: "reducer, bearing and shaft wind up under the weight that hangs on the joint",
+    over: Over::Load,
+    never_negative: true,
+    implausible_above: Some(1000.0),
     usual_size: "1 to 100 µrad/(N·m)",
     confused_with: "encoder eccentricity under a single load: a second load parts them",
     check: "the payload entered in the controller; stiffness of the reducer in its data sheet",

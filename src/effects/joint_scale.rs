@@ -3,7 +3,7 @@
 //! The controller's counts per turn or the gear ratio are a little off, so the error grows in
 //! proportion to the angle.
 
-use super::about::{About, Form, PPM, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, PPM, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 
@@ -23,6 +23,9 @@ const ABOUT: About = About {
     equation: "θ = (1 + k) q",
     source: "ISO 230-2: the slope of the positioning deviation",
     cause: "the gear ratio or the encoder's counts per turn are entered slightly wrong",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(5000.0),
     usual_size: "10 to 500 ppm",
     confused_with: "encoder eccentricity over less than a full turn: over a full turn they part",
     check: "compare the gear ratio and the counts per turn in the controller with the data sheets",

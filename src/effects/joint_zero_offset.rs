@@ -3,7 +3,7 @@
 //! The joint's true zero is not where the controller believes it to be. Every calibration
 //! identifies it.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 
@@ -23,6 +23,9 @@ const ABOUT: About = About {
     equation: "θ = q + θ0",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the reference mark or the homing position is not where the controller assumes it",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: None,
     usual_size: "0.01° to 0.5°",
     confused_with: "a turned measuring frame or a lateral tool offset: a datum target or a second reflector at another radius tells",
     check: "home the joint again and repeat three poses",

@@ -1,6 +1,6 @@
 //! Link droop: the tool sinks along gravity in proportion to the load.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 use crate::lanes::scaled;
@@ -21,6 +21,9 @@ const ABOUT: About = About {
     equation: "p = p + C·load along gravity",
     source: "the link as a linear spring under the load",
     cause: "the link or the structure bends under the load",
+    over: Over::Load,
+    never_negative: false,
+    implausible_above: Some(0.02),
     usual_size: "0.0001 to 0.002 mm/kg",
     confused_with: "the structure tilting as a whole: another lever arm parts them",
     check: "the bolts between base, column and link",

@@ -3,7 +3,7 @@
 //! The tool moves by δ away from the axis, along the radius of its origin at home, and every
 //! reflector moves with it. An arm has link geometry instead.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::{Effect, Placed, Survey};
 use crate::lanes::scaled;
@@ -24,6 +24,9 @@ const ABOUT: About = About {
     equation: "R = R0 + δ",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the tool or the link is longer or shorter than the controller's data",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: None,
     usual_size: "0.01 to 1 mm",
     confused_with: "the instrument's scale: a scale bar, or a second reflector at another radius, tells",
     check: "the tool data in the controller",

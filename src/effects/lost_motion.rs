@@ -3,7 +3,7 @@
 //! Friction and wind-up let the backlash build up over some travel f instead of at once; as
 //! f → 0 it becomes plain backlash.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::backlash::both_sides_needed;
 use super::block::{Block, Turned};
 use super::term::fade;
@@ -25,6 +25,9 @@ const ABOUT: About = About {
     equation: "θ = q − s·(width/2)(1 − 2 e^(−Δ/fade)), Δ travel since the reversal",
     source: "hysteresis loop of a reducer with friction, exponential build-up",
     cause: "friction in the reducer winds the drive up after each reversal",
+    over: Over::Side,
+    never_negative: true,
+    implausible_above: Some(0.33),
     usual_size: "0.5′ to 2′",
     confused_with: "backlash: approaches of three different lengths part them",
     check: "lubrication and preload of the reducer",

@@ -3,7 +3,7 @@
 //! Not an effect of the robot, so it is not in the catalogue: it says where the instrument stood
 //! in each setup. The coefficients are the rotation vector ω (rad) and the translation t (mm).
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::{Effect, Placed, Survey};
@@ -47,6 +47,9 @@ const ABOUT: About = About {
     equation: "p = R(ω) p + t",
     source: "a rigid motion of the instrument",
     cause: "the instrument stands where it was put",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: None,
     usual_size: "any",
     confused_with: "the base frame: only reference points on the base tell",
     check: "measure reference points on the base in every setup",

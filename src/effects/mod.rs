@@ -44,7 +44,7 @@ mod tool_lateral_offset;
 mod tracking_lag;
 mod unexplained;
 
-pub use about::{About, Form, Quantity, Setting, Stage};
+pub use about::{About, Form, Over, Quantity, Setting, Stage};
 pub use curve::Curve;
 pub use inputs::{Inputs, JointValues};
 pub use measuring_frame::MeasuringFrame;

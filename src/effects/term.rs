@@ -324,9 +324,11 @@ fn check_setting(effect: &dyn Effect, name: &'static str, given: f64) -> Result<
     let about = effect.about();
     let expected = match about.setting {
         Setting::Order { from, to } => {
-            let whole = given.fract() == 0.0;
+            let fraction = about.setting.takes_fractions();
+            let whole = fraction || given.fract() == 0.0;
+            let kind = if fraction { "number" } else { "whole number" };
             let inside = given >= f64::from(from) && given <= f64::from(to);
-            (!(whole && inside)).then(|| format!("a whole number from {from} to {to}"))
+            (!(whole && inside)).then(|| format!("a {kind} from {from} to {to}"))
         }
         Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
         Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),

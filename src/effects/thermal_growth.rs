@@ -1,6 +1,6 @@
 //! Thermal growth: `R (1 + α (T − 20 °C))`, R from the joint's axis to the measured reflector.
 
-use super::about::{About, Form, PPM, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, PPM, Quantity, Setting, Stage};
 use super::block::Block;
 use super::thermal_zero_drift::temperature_needed;
 use super::{Effect, Placed, Survey};
@@ -22,6 +22,9 @@ const ABOUT: About = About {
     equation: "R (1 + α (T − 20 °C))",
     source: "linear thermal expansion; ISO 230-3",
     cause: "the arm grows as it warms up: steel by some 12 ppm/K, aluminium by 23",
+    over: Over::Temperature,
+    never_negative: false,
+    implausible_above: Some(230.0),
     usual_size: "0.12 to 0.23 mm per metre and 10 K",
     confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
     check: "let the machine warm up before measuring, or enter the arm's expansion in the controller",

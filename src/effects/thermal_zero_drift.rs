@@ -1,6 +1,6 @@
 //! Thermal zero drift: `θ = q + κ (T − 20 °C)`.
 
-use super::about::{About, DEGREE, Form, Quantity, Setting, Stage};
+use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 
@@ -20,6 +20,9 @@ const ABOUT: About = About {
     equation: "θ = q + κ (T − 20 °C)",
     source: "ISO 230-3: thermally caused drift of an axis",
     cause: "the encoder's mounting or the reducer turns a little as it warms up",
+    over: Over::Temperature,
+    never_negative: false,
+    implausible_above: Some(0.1),
     usual_size: "0.0005 to 0.01 °/K",
     confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
     check: "let the machine warm up before homing; look for a heat source beside the encoder",

@@ -1,6 +1,6 @@
 //! Tool lateral offset: the tool is displaced across the radius, in the joint's positive sense.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::Block;
 use super::link_length::single_axis_with_radius;
 use super::{Effect, Placed, Survey};
@@ -22,6 +22,9 @@ const ABOUT: About = About {
     equation: "the tool at home moves by δ across the radius",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the tool is mounted beside the radius that the controller assumes",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: Some(10.0),
     usual_size: "0.01 to 1 mm",
     confused_with: "the joint's zero offset: only a second reflector at another radius tells",
     check: "the tool flange and the tool data in the controller",

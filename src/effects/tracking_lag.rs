@@ -2,7 +2,7 @@
 //!
 //! The joint, or the clock of the measurement, is late by δ.
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
 
@@ -22,6 +22,9 @@ const ABOUT: About = About {
     equation: "θ = q − ω·delay",
     source: "following error of a position loop, ω/K_v, or a late clock",
     cause: "the position loop follows late, or the instrument's clock and the controller's differ",
+    over: Over::Speed,
+    never_negative: false,
+    implausible_above: Some(1.0),
     usual_size: "1 to 100 ms",
     confused_with: "backlash where every move has the same speed: two speeds or a standstill part them",
     check: "synchronise the clocks, then the loop's velocity gain and feed-forward",

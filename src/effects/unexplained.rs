@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use super::about::{About, Form, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::curve::Curve;
@@ -35,6 +35,9 @@ const ABOUT: About = About {
     equation: "p = exp([ξ] s_t(q)) (p + s_r(q) r + s_a(q) a)",
     source: "penalised regression: Wood, Generalized Additive Models, 2017; cubic weights: Catmull & Rom 1974",
     cause: "unknown: no effect of the catalogue explains it",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: None,
     usual_size: "any",
     confused_with: "whatever was not measured: it holds for the measured range and the conditions of the session",
     check: "look at the machine where the joint stands in that range: scale, bearing, cables, cover",

@@ -13,11 +13,12 @@ use crate::model::Model;
 use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;
+use super::estimator::fit_without_outliers;
 use super::gap::{Deviations, Spread, deviations};
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
+use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
-use super::robust::suspects;
-use super::solver::{Solution, Stopped, solve};
+use super::solver::{Solution, Stopped};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::{name_on_joint, setup_name, undetermined_combinations};
 use super::{alignment, scan};
@@ -194,21 +195,15 @@ pub fn report(
     let suspected = suspects(problem, &after);
     let held_out = session.samples.held_out.as_deref();
     let gap_over = |counts: &dyn Fn(usize) -> bool| gap(&before, &after, counts, &suspected);
-    let m = problem.samples() * problem.axes();
     let rank = solution.spectrum.rank();
-    let freedom = m.saturating_sub(rank);
-    let covariance = covariance(session, &solution, freedom);
-    let factor = if freedom > 0 {
-        half_width_factor(freedom)
-    } else {
-        1.96
-    };
+    let covariance = covariance_of(problem, &solution);
+    let own = solution.model.coefficient_count();
     not_identifiable.extend(undetermined_combinations(&solution, session));
     Identification {
         session: session.name.clone(),
         method: "exact",
         samples: session.samples.len(),
-        parameters: parameters(&solution, covariance.as_ref(), factor, problem),
+        parameters: parameters_of(problem, &solution, covariance.as_ref()).concat(),
         regions: Vec::new(),
         not_identifiable,
         gap: gap_over(&|i| problem.fit[i]).unwrap_or(Gap {
@@ -226,6 +221,7 @@ pub fn report(
         outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(session),
         noise_mm: noise_by_axis(problem, &after, rank),
+        noise: problem.noise.clone(),
         quality: Quality {
             stopped: solution.stopped.says(),
             converged: matches!(solution.stopped, Stopped::Converged | Stopped::NothingToDo),
@@ -236,38 +232,8 @@ pub fn report(
         },
         notes: Vec::new(),
         model: solution.model,
-        covariance,
+        covariance: covariance.map(|c| c.view((0, 0), (own, own)).into_owned()),
     }
-}
-
-/// Fits, leaves out what is far off, and fits again until the same samples stay out.
-pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
-    let mut solution = solve(problem, start);
-    for round in 0..MOST_ROUNDS {
-        if solution.stopped == Stopped::Cancelled {
-            break;
-        }
-        let after = deviations(problem, &solution.model);
-        let suspected = suspects(problem, &after);
-        let used: Vec<bool> = problem
-            .fit
-            .iter()
-            .zip(&suspected)
-            .map(|(f, s)| *f && !*s)
-            .collect();
-        let weights = balanced_weights(problem, &after, solution.spectrum.rank());
-        let reweigh = round < 2 && differ(weights, problem.axis_weights);
-        if used == problem.used && !reweigh {
-            break;
-        }
-        problem.used = used;
-        if reweigh {
-            problem.axis_weights = weights;
-        }
-        solution = solve(problem, &solution.model);
-    }
-    solution.model = solution.model.settled();
-    solution
 }
 
 fn places(effect: &dyn Effect, survey: &Survey) -> Vec<(usize, Option<String>)> {
@@ -311,46 +277,6 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
         .collect()
 }
 
-/// Weights 1/σ² of the axes, up to a common factor: those of the instrument where it gives one
-/// for each axis, else those that the residuals show. A ratio beyond [`MOST_UNEQUAL`] is not
-/// noise but something that the model lacks.
-fn balanced_weights(problem: &Problem, after: &Deviations, rank: usize) -> [f64; 3] {
-    let given = matches!(problem.session.instrument.sigma_mm, Some(Sigma::PerAxis(_)));
-    let noise = noise_by_axis(problem, after, rank);
-    let (false, Some(noise)) = (given, noise) else {
-        return problem.axis_weights;
-    };
-    let measured: Vec<f64> = (0..3)
-        .filter(|axis| problem.axis_weights[*axis] > 0.0)
-        .map(|axis| noise[axis])
-        .collect();
-    let largest = measured.iter().copied().fold(0.0, f64::max);
-    // Without noise there is nothing to balance.
-    if largest < 1e-9 || problem.samples() < FEWEST_TO_BALANCE {
-        return problem.axis_weights;
-    }
-    std::array::from_fn(|axis| {
-        if problem.axis_weights[axis] == 0.0 {
-            return 0.0;
-        }
-        let relative = (noise[axis] / largest).max(1.0 / MOST_UNEQUAL);
-        1.0 / (relative * relative)
-    })
-}
-
-/// Whether weights differ by more than their own uncertainty could matter for: a twentieth.
-fn differ(a: [f64; 3], b: [f64; 3]) -> bool {
-    let relative = |w: [f64; 3]| {
-        let sum: f64 = w.iter().sum();
-        w.map(|w| w / sum)
-    };
-    let (a, b) = (relative(a), relative(b));
-    (0..3).any(|k| (a[k] - b[k]).abs() > 0.05 * b[k])
-}
-
-const MOST_UNEQUAL: f64 = 10.0;
-const FEWEST_TO_BALANCE: usize = 30;
-
 fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[f64; 3]> {
     let n = problem.samples();
     let lost = rank as f64 / problem.axes().max(1) as f64;
@@ -364,24 +290,39 @@ fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[
     })
 }
 
-fn covariance(session: &Session, solution: &Solution, freedom: usize) -> Option<DMatrix<f64>> {
+/// Covariance of all coefficients of a solution, those of columns beside the model last; `None`
+/// where as many coordinates as coefficients were measured and the noise is not stated.
+pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f64>> {
+    let freedom = freedom(problem, solution);
     let variance = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
     } else {
-        match session.instrument.sigma_mm? {
+        // The weights are those of the noise as it was estimated, or of none.
+        let unit = match problem.session.instrument.sigma_mm? {
             Sigma::Overall(sigma) => sigma * sigma,
-            Sigma::PerAxis(_) => 1.0,
-        }
+            Sigma::PerAxis(sigma) => sigma[0] * sigma[0],
+        };
+        unit * problem.axis_weights[0]
     };
     Some(solution.spectrum.inverse() * variance)
 }
 
-fn parameters(
+/// Measured coordinates beyond what the fit follows.
+fn freedom(problem: &Problem, solution: &Solution) -> usize {
+    let m = problem.samples() * problem.axes();
+    m.saturating_sub(solution.spectrum.rank())
+}
+
+/// The parameters of every term of a solution, term by term.
+pub fn parameters_of(
+    problem: &Problem,
     solution: &Solution,
     covariance: Option<&DMatrix<f64>>,
-    factor: f64,
-    problem: &Problem,
-) -> Vec<Estimate> {
+) -> Vec<Vec<Estimate>> {
+    let factor = match freedom(problem, solution) {
+        0 => 1.96,
+        freedom => half_width_factor(freedom),
+    };
     let mut first = 0;
     let mut all = Vec::new();
     for term in solution.model.terms() {
@@ -401,7 +342,7 @@ fn parameters(
                 _ => {}
             }
         }
-        all.extend(own);
+        all.push(own);
         first += size;
     }
     all

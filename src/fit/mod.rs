@@ -3,29 +3,31 @@
 
 pub mod alignment;
 pub mod gap;
+pub(crate) mod linear;
+pub mod noise;
 pub mod normal;
+pub mod outliers;
 pub mod problem;
-pub mod recursive;
 pub mod regions;
-pub mod robust;
+pub mod regression;
 pub mod scan;
 pub mod solver;
 pub mod uncertainty;
 
 mod adaptive;
+mod estimator;
 mod exact;
-mod live;
 mod outcome;
 mod plane;
 mod regional;
 mod unidentifiable;
 
+pub use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{
-    DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_watched, identify_with, report,
-    testable_effects,
+    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with,
+    parameters_of, report, testable_effects,
 };
 pub(crate) use exact::{free_frames, outliers};
-pub use live::{Live, identify_live};
 pub use outcome::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
 };

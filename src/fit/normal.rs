@@ -10,6 +10,7 @@ use crate::effects::block::Block;
 use crate::lanes::{LANES, Lanes};
 use crate::wide::{Loop, wide};
 
+use super::noise::Noise;
 use super::problem::Problem;
 
 /// See the module.
@@ -87,9 +88,120 @@ impl Normal {
         }
     }
 
+    /// Adds one block of samples with noise that has a slow part: residual and columns go through
+    /// its filter first.
+    pub(super) fn add_whitened(
+        &mut self,
+        problem: &Problem,
+        start: usize,
+        block: &Block,
+        sums: Sums,
+        whitening: &mut Whitening,
+    ) {
+        let p = self.gradient.len();
+        let mask = problem.mask(start, block.len);
+        whitening.advance(problem, start, block.len, &mask);
+        let mut white: Vec<Lanes> = vec![[0.0; LANES]; p];
+        for axis in 0..3 {
+            if problem.axis_weights[axis] == 0.0 {
+                continue;
+            }
+            let raw = problem.residual(axis, start, block, &mask);
+            let mut residual = [0.0; LANES];
+            whitening.whiten(axis, p, &raw, &mut residual, block.len);
+            self.cost += dot(&residual, &residual);
+            self.weight += mask.iter().sum::<f64>();
+            for k in 0..p {
+                whitening.whiten(axis, k, &block.columns[k][axis], &mut white[k], block.len);
+                self.gradient[k] += dot(&white[k], &residual);
+                if sums == Sums::Gradient {
+                    continue;
+                }
+                for j in 0..=k {
+                    self.gram[(k, j)] += dot(&white[k], &white[j]);
+                }
+            }
+        }
+    }
+
     /// Mirrors the lower triangle, in which the sums are kept, to the upper.
     pub fn complete(&mut self) {
         self.gram.fill_upper_triangle_with_lower_triangle();
+    }
+}
+
+/// The filter of noise with a slow part on its way through the samples (see [`super::noise`]).
+pub(super) struct Whitening {
+    sigma: [f64; 3],
+    slow: [f64; 3],
+    tau: f64,
+    before: f64,
+    variance: [f64; 3],
+    /// One for each axis and column, the residual last.
+    state: [Vec<f64>; 3],
+    carry: Lanes,
+    gain: [Lanes; 3],
+    inverse_spread: [Lanes; 3],
+    counts: [bool; LANES],
+}
+
+impl Whitening {
+    /// For so many columns; `None` where the noise is white.
+    pub(super) fn new(noise: Option<&Noise>, columns: usize) -> Option<Self> {
+        let noise = noise?;
+        let slow = noise.slow?;
+        Some(Self {
+            sigma: noise.sigma_mm,
+            slow: slow.rms_mm,
+            tau: slow.time_constant_s,
+            before: f64::NAN,
+            variance: slow.rms_mm.map(|s| s * s),
+            state: std::array::from_fn(|_| vec![0.0; columns + 1]),
+            carry: [0.0; LANES],
+            gain: [[0.0; LANES]; 3],
+            inverse_spread: [[0.0; LANES]; 3],
+            counts: [false; LANES],
+        })
+    }
+
+    /// The steps of the next samples.
+    fn advance(&mut self, problem: &Problem, start: usize, len: usize, mask: &Lanes) {
+        for i in 0..len {
+            self.counts[i] = mask[i] != 0.0;
+            if !self.counts[i] {
+                continue;
+            }
+            let time = problem.time(start + i);
+            let apart = time - self.before;
+            self.before = time;
+            let carry = if apart >= 0.0 {
+                (-apart / self.tau).exp()
+            } else {
+                0.0
+            };
+            self.carry[i] = carry;
+            for axis in 0..3 {
+                let (s2, white) = (self.slow[axis].powi(2), self.sigma[axis].powi(2));
+                let predicted = carry * carry * self.variance[axis] + s2 * (1.0 - carry * carry);
+                let spread = predicted + white;
+                self.gain[axis][i] = predicted / spread;
+                self.inverse_spread[axis][i] = 1.0 / spread.sqrt();
+                self.variance[axis] = predicted * white / spread;
+            }
+        }
+    }
+
+    fn whiten(&mut self, axis: usize, column: usize, raw: &Lanes, white: &mut Lanes, len: usize) {
+        let state = &mut self.state[axis][column];
+        *white = [0.0; LANES];
+        for i in 0..len {
+            if self.counts[i] {
+                let carried = self.carry[i] * *state;
+                let new = raw[i] - carried;
+                *state = carried + self.gain[axis][i] * new;
+                white[i] = new * self.inverse_spread[axis][i];
+            }
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::sessions::Session;
 
 use super::gap::Spread;
+use super::noise::Noise;
 use super::problem::Unusable;
 
 /// A parameter with its interval, in the user's units.
@@ -126,6 +127,8 @@ pub struct Identification {
     pub left_out: Vec<LeftOut>,
     /// Noise of the x, y and z coordinates as the residuals show it, mm; `None` with too few samples.
     pub noise_mm: Option<[f64; 3]>,
+    /// The noise that values and intervals allow for; `None` where none was estimated.
+    pub noise: Option<Noise>,
     /// How the solver fared.
     pub quality: Quality,
     /// What else there is to say.

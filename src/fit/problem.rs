@@ -6,6 +6,8 @@ use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
 use crate::sessions::{Session, Sigma};
 
+use super::noise::Noise;
+
 /// See the module.
 #[derive(Debug, Clone)]
 pub struct Problem<'a> {
@@ -21,6 +23,13 @@ pub struct Problem<'a> {
     pub used: Vec<bool>,
     /// 1/σ² of each axis, or 1; 0 for an axis that was not measured.
     pub axis_weights: [f64; 3],
+    /// Columns that are fitted beside the model's: what no name explains. One value for each
+    /// sample along x, y, z, mm per unit.
+    pub beside: Vec<[Vec<f64>; 3]>,
+    /// Whether the session has times, and not the same for every sample.
+    has_clock: bool,
+    /// The noise, where it is known; its white part is in `axis_weights` as well.
+    pub noise: Option<Noise>,
     /// Whether anybody still wants the answer.
     pub watch: Watch<'a>,
 }
@@ -80,6 +89,8 @@ impl<'a> Problem<'a> {
             .collect();
         let kept = |i: usize| !held_out.is_some_and(|held_out| held_out[i]);
         let fit: Vec<bool> = (0..usable.len()).map(|i| usable[i] && kept(i)).collect();
+        let clock = inputs.time_s.as_deref();
+        let has_clock = clock.is_some_and(|t| t.iter().any(|v| *v != t[0]));
         let spatial = f64::from(u8::from(session.samples.z_mm.is_some()));
         let axis_weights = match session.instrument.sigma_mm {
             Some(Sigma::PerAxis(sigma)) => {
@@ -99,6 +110,9 @@ impl<'a> Problem<'a> {
             session,
             inputs,
             axis_weights,
+            beside: Vec::new(),
+            has_clock,
+            noise: None,
             watch: Watch::default(),
         }
     }
@@ -106,6 +120,30 @@ impl<'a> Problem<'a> {
     /// Number of samples that count.
     pub fn samples(&self) -> usize {
         self.used.iter().filter(|u| **u).count()
+    }
+
+    /// When samples were measured, s; where the session has no clock, their places in the file.
+    pub fn times(&self, samples: &[usize]) -> Vec<f64> {
+        samples.iter().map(|i| self.time(*i)).collect()
+    }
+
+    /// When a sample was measured, as [`times`](Self::times) has it.
+    #[inline]
+    pub fn time(&self, sample: usize) -> f64 {
+        match self.inputs.time_s.as_deref() {
+            Some(times) if self.has_clock => times[sample],
+            _ => sample as f64,
+        }
+    }
+
+    /// Takes the noise as known.
+    pub fn set_noise(&mut self, noise: &Noise) {
+        for (axis, weight) in self.axis_weights.iter_mut().enumerate() {
+            if *weight > 0.0 {
+                *weight = noise.sigma_mm[axis].powi(-2);
+            }
+        }
+        self.noise = Some(noise.clone());
     }
 
     /// Number of measured coordinates of a sample.

@@ -22,10 +22,10 @@ use super::IdentifyError;
 use super::exact::{left_out, outliers};
 use super::gap::{Deviations, Spread};
 use super::outcome::{Gap, Identification, Quality, RegionResult};
+use super::outliers::suspects;
 use super::plane::{Plane, RegionSums, sum_by_region};
 use super::problem::Problem;
 use super::regions::{Assignment, RegionChoice};
-use super::robust::suspects;
 use super::uncertainty::half_width_factor;
 
 /// The paper's identification of a session with a single revolute joint.
@@ -108,6 +108,7 @@ pub fn identify_regional(
         outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(session),
         noise_mm: None,
+        noise: None,
         quality: Quality {
             stopped: "solved directly",
             converged: true,

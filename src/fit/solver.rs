@@ -13,10 +13,11 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use crate::effects::block::Block;
 use crate::lanes::LANES;
 use crate::model::Model;
 
-use super::normal::{Normal, Sums};
+use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
 
 /// Why the solver stopped.
@@ -62,6 +63,8 @@ pub struct Spectrum {
     scale: DVector<f64>,
     values: DVector<f64>,
     vectors: DMatrix<f64>,
+    /// Which eigenvectors the samples determine.
+    determined: Vec<bool>,
 }
 
 /// Eigenvalues of the scaled Gram matrix below this are rounding: its entries are sums of products
@@ -84,18 +87,51 @@ impl Spectrum {
                 scale,
                 values: DVector::zeros(0),
                 vectors: DMatrix::zeros(0, 0),
+                determined: Vec::new(),
             };
         }
         let eigen = SymmetricEigen::new(scaled);
+        let values = eigen.eigenvalues;
         Self {
             scale,
-            values: eigen.eigenvalues,
+            determined: values.iter().map(|v| *v > RANK_TOLERANCE).collect(),
+            values,
             vectors: eigen.eigenvectors,
         }
     }
 
+    /// The same, where a direction counts as determined only if going along it as far as makes any
+    /// sense (`reaches`, one for each coefficient) would raise the cost by at least `least`. A
+    /// column of rounding is no column, and what the samples leave open over its whole range runs
+    /// nowhere.
+    #[must_use]
+    pub fn within(mut self, reaches: &[f64], least: f64) -> Self {
+        for k in 0..self.values.len() {
+            let along = (0..reaches.len()).map(|i| {
+                let moved = self.vectors[(i, k)].abs() * self.unscale(i);
+                if moved > 0.0 {
+                    reaches[i] / moved
+                } else {
+                    f64::INFINITY
+                }
+            });
+            let furthest = along.fold(f64::INFINITY, f64::min);
+            let open = furthest.is_finite() && self.values[k] * furthest * furthest < least;
+            self.determined[k] &= !open;
+        }
+        self
+    }
+
+    fn unscale(&self, k: usize) -> f64 {
+        if self.scale[k] > 0.0 {
+            1.0 / self.scale[k]
+        } else {
+            0.0
+        }
+    }
+
     fn determined(&self, index: usize) -> bool {
-        self.values[index] > RANK_TOLERANCE
+        self.determined[index]
     }
 
     /// Number of independent combinations of coefficients that the samples determine.
@@ -117,13 +153,7 @@ impl Spectrum {
 
     /// The damped step for a gradient.
     pub fn step(&self, gradient: &DVector<f64>, damping: f64) -> DVector<f64> {
-        let unscale = |k: usize| {
-            if self.scale[k] > 0.0 {
-                1.0 / self.scale[k]
-            } else {
-                0.0
-            }
-        };
+        let unscale = |k: usize| self.unscale(k);
         let scaled = DVector::from_fn(gradient.len(), |k, _| gradient[k] * unscale(k));
         let mut along = self.vectors.tr_mul(&scaled);
         for k in 0..along.len() {
@@ -140,13 +170,7 @@ impl Spectrum {
     /// Inverse of the Gram matrix on the determined directions.
     pub fn inverse(&self) -> DMatrix<f64> {
         let p = self.values.len();
-        let unscale = |k: usize| {
-            if self.scale[k] > 0.0 {
-                1.0 / self.scale[k]
-            } else {
-                0.0
-            }
-        };
+        let unscale = |k: usize| self.unscale(k);
         DMatrix::from_fn(p, p, |i, j| {
             let along = (0..p).filter(|k| self.determined(*k));
             let sum: f64 = along
@@ -190,6 +214,8 @@ impl Spectrum {
 pub struct Solution {
     /// The model with the coefficients found.
     pub model: Model,
+    /// Coefficients of the columns beside the model.
+    pub beside: Vec<f64>,
     /// The Gram matrix there, taken apart.
     pub spectrum: Spectrum,
     /// `rᵀ W r` there.
@@ -206,28 +232,32 @@ const COARSE_BLOCKS: usize = 192;
 
 /// Fits the coefficients of `start` to the samples of the problem that count.
 pub fn solve(problem: &Problem, start: &Model) -> Solution {
+    let start = &State {
+        model: start.clone(),
+        beside: vec![0.0; problem.beside.len()],
+    };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    if blocks.len() <= 2 * COARSE_BLOCKS || start.coefficient_count() == 0 {
-        return descend(problem, start, &blocks);
+    if blocks.len() <= 2 * COARSE_BLOCKS || start.count() == 0 {
+        return descend(problem, start, &blocks).0;
     }
     let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
     let coarse: Vec<usize> = (0..COARSE_BLOCKS).map(spaced).collect();
-    let near = descend(problem, start, &coarse);
+    let (near, from) = descend(problem, start, &coarse);
     if near.stopped == Stopped::Cancelled {
         return near;
     }
-    polish(problem, &near.model, &blocks, near.passes)
+    polish(problem, &from, &blocks, near.passes)
 }
 
 /// Levenberg–Marquardt from far away.
-fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
+fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, State) {
     let mut model = start.clone();
     let mut normal = sum(problem, &model, blocks, Sums::All);
-    let mut spectrum = Spectrum::new(&normal.gram);
+    let mut spectrum = spectrum_of(problem, &normal, &model);
     let mut damping = 0.0;
     let mut passes = 1;
     let stopped = loop {
-        if model.coefficient_count() == 0 {
+        if model.count() == 0 {
             break Stopped::NothingToDo;
         }
         if passes > MOST_STEPS {
@@ -247,7 +277,7 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
         if next.cost.is_finite() && next.cost <= normal.cost * (1.0 + 1e-12) {
             model = trial;
             normal = next;
-            spectrum = Spectrum::new(&normal.gram);
+            spectrum = spectrum_of(problem, &normal, &model);
             damping = if damping > 1e-9 { damping / 10.0 } else { 0.0 };
         } else {
             damping = if damping > 0.0 { damping * 10.0 } else { 1e-6 };
@@ -256,33 +286,51 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
             }
         }
     };
-    Solution {
-        model,
+    let solution = Solution {
+        model: model.model.clone(),
+        beside: model.beside.clone(),
         spectrum,
         cost: normal.cost,
         stopped,
         passes,
+    };
+    (solution, model)
+}
+
+/// Where the solver is.
+#[derive(Debug, Clone)]
+struct State {
+    model: Model,
+    /// Coefficients of the columns beside the model.
+    beside: Vec<f64>,
+}
+
+impl State {
+    fn count(&self) -> usize {
+        self.model.coefficient_count() + self.beside.len()
     }
 }
 
 /// Two passes over all samples from a model that is nearly right.
-fn polish(problem: &Problem, near: &Model, blocks: &[usize], passes: usize) -> Solution {
+fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> Solution {
     let normal = sum(problem, near, blocks, Sums::All);
-    let spectrum = Spectrum::new(&normal.gram);
+    let spectrum = spectrum_of(problem, &normal, near);
     let step = spectrum.step(&normal.gradient, 0.0);
     let model = moved(near, &step);
     let last = sum(problem, &model, blocks, Sums::Gradient);
     if last.cost > normal.cost * (1.0 + 1e-9) {
         // The blocks that were left out hold something that the coarse fit knows nothing of.
-        return descend(problem, near, blocks);
+        return descend(problem, near, blocks).0;
     }
     let correction = spectrum.step(&last.gradient, 0.0);
     let settled = displacement(&correction, &normal) <= 1e-3 * rms(&last);
     if !settled {
-        return descend(problem, &model, blocks);
+        return descend(problem, &model, blocks).0;
     }
+    let model = moved(&model, &correction);
     Solution {
-        model: moved(&model, &correction),
+        model: model.model,
+        beside: model.beside,
         spectrum,
         cost: last.cost - correction.dot(&last.gradient),
         stopped: Stopped::Converged,
@@ -290,18 +338,72 @@ fn polish(problem: &Problem, near: &Model, blocks: &[usize], passes: usize) -> S
     }
 }
 
-fn sum(problem: &Problem, model: &Model, blocks: &[usize], sums: Sums) -> Normal {
-    let mut normal = Normal::new(model.coefficient_count());
+fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal {
+    let columns = state.count();
+    let mut normal = Normal::new(columns);
+    let mut whitening = Whitening::new(problem.noise.as_ref(), columns);
     let starts = blocks.iter().copied();
-    model.visit_blocks(&problem.inputs, true, starts, |start, block| {
-        normal.add(problem, start, block, sums);
+    state.model.visit_blocks(&problem.inputs, true, starts, |start, block| {
+        let mut joined: Block;
+        let block = if problem.beside.is_empty() {
+            block
+        } else {
+            joined = block.clone();
+            join(&mut joined, problem, state, start);
+            &joined
+        };
+        if let Some(whitening) = &mut whitening {
+            normal.add_whitened(problem, start, block, sums, whitening);
+        } else {
+            normal.add(problem, start, block, sums);
+        }
     });
     normal.complete();
     normal
 }
 
-fn moved(model: &Model, step: &DVector<f64>) -> Model {
-    model.stepped(step.as_slice())
+/// A move by two standard deviations is the least that samples can tell.
+const LEAST_TOLD: f64 = 4.0;
+/// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
+const ROUNDING_MM: f64 = 1e-6;
+
+fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
+    let shapes = std::iter::repeat_n(f64::INFINITY, state.beside.len());
+    let reaches: Vec<f64> = state
+        .model
+        .terms()
+        .iter()
+        .flat_map(|term| term.effect.about().form.reaches())
+        .chain(shapes)
+        .collect();
+    let least = if problem.noise.is_some() {
+        LEAST_TOLD
+    } else {
+        normal.weight * ROUNDING_MM * ROUNDING_MM
+    };
+    Spectrum::new(&normal.gram).within(&reaches, least)
+}
+
+/// Puts the columns beside the model behind its own, and what they do into the points.
+fn join(block: &mut Block, problem: &Problem, state: &State, start: usize) {
+    for (column, coefficient) in problem.beside.iter().zip(&state.beside) {
+        let mut own = [[0.0; LANES]; 3];
+        for (axis, values) in column.iter().enumerate() {
+            for i in 0..block.len {
+                own[axis][i] = values[start + i];
+                block.point[axis][i] += coefficient * own[axis][i];
+            }
+        }
+        block.columns.push(own);
+    }
+}
+
+fn moved(state: &State, step: &DVector<f64>) -> State {
+    let (own, rest) = step.as_slice().split_at(state.model.coefficient_count());
+    State {
+        model: state.model.stepped(own),
+        beside: state.beside.iter().zip(rest).map(|(c, s)| c + s).collect(),
+    }
 }
 
 /// How far a step moves the samples, root mean square, in the units of the weighted residual.

@@ -46,12 +46,16 @@ fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
     names.collect()
 }
 
+/// What is fitted beside the model has no name.
+const UNNAMED: &str = "what no name explains";
+
 /// Every combination of coefficients that the samples leave open.
 pub(super) fn undetermined_combinations(
     solution: &Solution,
     session: &Session,
 ) -> Vec<NotIdentifiable> {
-    let names = coefficient_names(&solution.model, session);
+    let mut names = coefficient_names(&solution.model, session);
+    names.resize(names.len() + solution.beside.len(), UNNAMED.to_owned());
     let directions = solution.spectrum.null_directions();
     let directions = directions.iter().map(|direction| {
         let size = |k: usize| direction.components[k].abs();

@@ -6,7 +6,7 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::export::{EXPORTERS, find};
 use crate::fit::regions::RegionChoice;
-use crate::fit::{DEFAULT_EFFECTS, Live};
+use crate::fit::DEFAULT_EFFECTS;
 use crate::model::RegionalCorrection;
 use crate::sessions::{Region, Session};
 
@@ -197,8 +197,6 @@ impl Document {
                 },
                 (None, Method::Regional) => Asks::Regional(Arc::clone(&self.regions)),
             },
-            live: false,
-            before: None,
         })
     }
 }
@@ -210,10 +208,6 @@ pub(crate) struct Question {
     pub(crate) subject: Arc<Subject>,
     /// What.
     pub(crate) asks: Asks,
-    /// Whether more samples are to come.
-    pub(crate) live: bool,
-    /// What the answer left when there were fewer samples.
-    pub(crate) before: Option<Arc<Live>>,
 }
 
 /// The part of a [`Question`] beside the session.

@@ -108,7 +108,6 @@ impl Given {
                 after_mm: Default::default(),
                 lengths_mm: Vec::new(),
                 suspected: Vec::new(),
-                live: None,
             });
         }
         let verification = verify(&calibration, &subject.session).map_err(|e| e.to_string())?;
@@ -126,7 +125,6 @@ impl Given {
             after_mm: after.axes_mm,
             lengths_mm: after.length_mm,
             suspected,
-            live: None,
         })
     }
 
@@ -167,6 +165,7 @@ impl Given {
             }),
             left_out: Vec::new(),
             noise_mm: None,
+            noise: None,
             quality: Quality {
                 stopped: "read from a file",
                 converged: true,

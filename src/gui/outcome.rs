@@ -10,7 +10,7 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::fit::regions::{Assignment, RegionChoice};
-use crate::fit::{Identification, Live, identify_live, identify_regional, identify_watched};
+use crate::fit::{Identification, identify_regional, identify_watched};
 use crate::model::{Calibration, GapStep};
 
 use super::document::{Asks, Question};
@@ -67,8 +67,6 @@ pub(crate) struct Answer {
     pub(crate) lengths_mm: Vec<f64>,
     /// Suspected outliers.
     pub(crate) suspected: Vec<bool>,
-    /// What brings the answer along when samples are added.
-    pub(crate) live: Option<Arc<Live>>,
 }
 
 /// What there is to say about a model that was read from a file.
@@ -106,7 +104,6 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     let session = &subject.session;
     let values = JointValues::Commanded;
     let mut steps = vec![];
-    let mut live = None;
     let searched = searched(question);
     let (identification, after_mm) = match &question.asks {
         Asks::Exact { effects, with, .. } => {
@@ -119,15 +116,7 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
                 !watch.stopped()
             };
             let first = |n: usize| identify_watched(session, &effects, &with[..n], values, &go_on);
-            let identification = if question.live {
-                let before = question.before.as_deref();
-                let (found, next) = identify_live(session, &effects, with, values, before, &go_on)
-                    .map_err(|e| e.to_string())?;
-                live = Some(Arc::new(next));
-                found
-            } else {
-                first(with.len()).map_err(|e| e.to_string())?
-            };
+            let identification = first(with.len()).map_err(|e| e.to_string())?;
             let identification = if let Some((diagnosis, calibration)) = &searched {
                 diagnosis.identification(session, calibration, identification)
             } else {
@@ -176,7 +165,6 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
         after_mm,
         lengths_mm,
         suspected,
-        live,
     })
 }
 

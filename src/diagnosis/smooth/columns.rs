@@ -3,10 +3,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::diagnosis::evidence::{Noise, Rows, SMALLEST_SIGMA_MM};
 use crate::effects::curve::{DIRECTIONS, Knots};
 use crate::effects::{Directions, Term};
+use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::problem::Problem;
+use crate::fit::regression::Rows;
 use crate::model::Model;
 
 use super::likelihood::Sums;
@@ -17,8 +18,6 @@ const MOST_SAMPLES: usize = 3000;
 const SAME: f64 = 1e-6;
 /// Parts into which the samples are cut to be held out.
 const PARTS: usize = 5;
-/// Correlation in time from which stretches of time are held out as well.
-const CORRELATED: f64 = 0.05;
 
 /// See the module. Columns of names are scaled to length 1 and those of the curve to an effect of
 /// one unit of noise a sample; only products with their coefficients leave this module.
@@ -156,7 +155,7 @@ impl Columns {
         };
         let n = self.samples().max(1);
         let mut folds = vec![values];
-        if self.noise.rho > CORRELATED {
+        if self.noise.slow.is_some() {
             folds.push(Folds {
                 of: (0..n).map(|k| k * PARTS / n).collect(),
                 count: PARTS,

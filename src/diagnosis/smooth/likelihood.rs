@@ -19,8 +19,8 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-use crate::diagnosis::linear::Basis;
 use crate::effects::curve::DIRECTIONS;
+use crate::fit::linear::Basis;
 use crate::fit::solver::Spectrum;
 
 /// A name whose column has less than this in common with the curve's is orthogonal to it anyway.

@@ -200,7 +200,6 @@ impl Workbench {
         if !answered && !declined && !self.tasks.is_asked(&question) {
             self.declined = None;
             self.tasks.ask(Question {
-                live: self.following().is_some(),
                 ..question
             });
         }

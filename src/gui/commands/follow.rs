@@ -91,7 +91,6 @@ impl Workbench {
         self.extending = true;
         let from = Arc::clone(self.subject());
         let question = self.document().question();
-        let before = self.answer().and_then(|a| a.live.clone()).filter(|_| !anew);
         self.tasks.quietly(move || {
             let mut session = from.session.clone();
             if anew {
@@ -103,8 +102,6 @@ impl Workbench {
             let outcome = question.map(|question| {
                 let question = Question {
                     subject: Arc::clone(&to),
-                    live: true,
-                    before,
                     ..question
                 };
                 Outcome::of(question, &Watch::default())

@@ -1,0 +1,65 @@
+//! The set of names that a search ends with, tested once more: each name against the rest, with the
+//! null of this very fit. A name that entered early may be worth nothing beside what came later.
+
+use crate::effects::Term;
+
+use super::arena::Fit;
+use super::prepare::Prepared;
+use super::search::{CHANCE, Found};
+use super::significance::Significance;
+use super::{Cancelled, Progress, Watch};
+
+/// What one term is worth beside the others.
+#[derive(Debug, Clone)]
+pub(crate) struct Worth {
+    /// The fit without it.
+    pub(crate) rest: Fit,
+    /// −ln p on the scale of the family-wise test.
+    pub(crate) minus_ln_p: f64,
+    /// Logarithm of how much likelier the fit is with it.
+    pub(crate) ln_odds: f64,
+}
+
+/// Takes out, worst first, every name that does not carry itself.
+pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Result<(), Cancelled> {
+    let arena = &prepared.arena;
+    loop {
+        if !watch(&Progress::Comparing) {
+            return Err(Cancelled);
+        }
+        let fit = &found.fit;
+        let unseen = prepared.folds.rms(arena, fit);
+        let mut worst: Option<(f64, Fit)> = None;
+        for term in arena.added(fit) {
+            let worth = worth(prepared, fit, term);
+            let improbable = arena.family_p(worth.minus_ln_p, fit).p > CHANCE;
+            let unlikely = worth.ln_odds < 0.0;
+            let useless = || prepared.folds.rms(arena, &worth.rest) <= unseen;
+            if improbable || unlikely || useless() {
+                let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);
+                if lowest {
+                    worst = Some((worth.ln_odds, worth.rest));
+                }
+            }
+        }
+        let Some((_, rest)) = worst else {
+            return Ok(());
+        };
+        found.fit = rest;
+    }
+}
+
+/// What a term is worth beside the others of a fit.
+pub(crate) fn worth(prepared: &Prepared, fit: &Fit, term: &Term) -> Worth {
+    let arena = &prepared.arena;
+    let rest = arena.without_term(fit, term);
+    let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+    let freedom = (arena.m() - fit.basis.rank() as f64).max(2.0);
+    let share = ((rest.rss - fit.rss) / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
+    let tried = arena.price_of_term(term);
+    Worth {
+        minus_ln_p: Significance::new(rank, freedom).of(share) - 0.5 * tried,
+        ln_odds: fit.ln_evidence - rest.ln_evidence,
+        rest,
+    }
+}

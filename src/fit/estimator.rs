@@ -1,0 +1,96 @@
+//! The estimator that every answer comes from: weighted least squares beside noise that is
+//! estimated with it, without the samples that stand apart.
+//!
+//! Fitting, looking at what is left and fitting again goes on until the same samples stay out and
+//! the noise is the same. A size that cannot be negative and came out so is zero, and the others
+//! are fitted beside that.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::model::Model;
+
+use super::gap::deviations;
+use super::noise::Noise;
+use super::outliers::suspects;
+use super::problem::Problem;
+use super::regression::Rows;
+use super::solver::{Solution, Stopped, solve};
+
+/// How often outliers and noise are looked at again.
+const MOST_ROUNDS: usize = 10;
+/// How often the noise is estimated again: after that only outliers may change.
+const MOST_NOISE: usize = 3;
+/// Samples from which the noise of a long session is estimated …
+const MOST_SAMPLES: usize = 1000;
+/// … in so many stretches, so that short and long times between samples are among them.
+const STRETCHES: usize = 25;
+
+/// Fits the coefficients of `start`. The problem leaves with its outliers out and its noise known.
+pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
+    let mut solution = solve(problem, start);
+    for round in 0..MOST_ROUNDS {
+        if solution.stopped == Stopped::Cancelled {
+            break;
+        }
+        let after = deviations(problem, &solution.model);
+        let suspected = suspects(problem, &after);
+        let kept = problem.fit.iter().zip(&suspected).map(|(f, s)| *f && !*s);
+        let used: Vec<bool> = kept.collect();
+        let same = used == problem.used;
+        problem.used = used;
+        let noise = (round < MOST_NOISE).then(|| noise_beside(problem, &solution.model, &solution.beside));
+        let before = problem.noise.clone();
+        let known = |n: &Noise| before.as_ref().is_some_and(|b| b.whitens_like(n));
+        if same && noise.as_ref().is_none_or(known) {
+            break;
+        }
+        if let Some(noise) = noise {
+            problem.set_noise(&noise);
+        }
+        solution = solve(problem, &solution.model);
+    }
+    solution.model = solution.model.settled();
+    solution
+}
+
+/// The noise that a model leaves in the samples that count.
+pub fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
+    let part = stretches(problem);
+    let rows = Rows::of(part.as_ref().unwrap_or(problem));
+    let (mut residual, columns) = rows.extract(model);
+    let shapes: Vec<DVector<f64>> = problem
+        .beside
+        .iter()
+        .map(|column| rows.column(|k, axis| column[axis][rows.samples[k]]))
+        .collect();
+    for (shape, coefficient) in shapes.iter().zip(beside) {
+        residual.axpy(-coefficient, shape, 1.0);
+    }
+    let own = columns.ncols();
+    let mut columns: DMatrix<f64> = columns.resize_horizontally(own + shapes.len(), 0.0);
+    for (k, shape) in shapes.iter().enumerate() {
+        columns.set_column(own + k, shape);
+    }
+    let stated = problem.session.instrument.sigma_mm;
+    Noise::estimate(stated, &rows, &residual, &columns)
+}
+
+/// A long problem with some stretches of its samples only.
+fn stretches<'a>(problem: &Problem<'a>) -> Option<Problem<'a>> {
+    let used: Vec<usize> = (0..problem.used.len())
+        .filter(|i| problem.used[*i])
+        .collect();
+    if used.len() <= MOST_SAMPLES {
+        return None;
+    }
+    let mut part = problem.clone();
+    part.used.fill(false);
+    let length = MOST_SAMPLES / STRETCHES;
+    for k in 0..STRETCHES {
+        let first = k * (used.len() - length) / (STRETCHES - 1);
+        for sample in &used[first..first + length] {
+            part.used[*sample] = true;
+        }
+    }
+    Some(part)
+}
