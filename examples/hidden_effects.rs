@@ -15,23 +15,43 @@
 mod absorbed;
 #[path = "hidden_effects/alias.rs"]
 mod alias;
+#[path = "hidden_effects/asked.rs"]
+mod asked;
 #[path = "hidden_effects/cells.rs"]
 mod cells;
+#[path = "hidden_effects/component.rs"]
+mod component;
+#[path = "hidden_effects/final_set.rs"]
+mod final_set;
+#[path = "hidden_effects/form.rs"]
+mod form;
+#[path = "hidden_effects/intervals.rs"]
+mod intervals;
 #[path = "hidden_effects/known.rs"]
 mod known;
 #[path = "hidden_effects/noise.rs"]
 mod noise;
+#[path = "hidden_effects/outliers.rs"]
+mod outliers;
 #[path = "../tests/support/rig.rs"]
 mod rig;
+#[path = "hidden_effects/runaway.rs"]
+mod runaway;
+#[path = "hidden_effects/slow.rs"]
+mod slow;
+#[path = "hidden_effects/small.rs"]
+mod small;
+#[path = "hidden_effects/strange.rs"]
+mod strange;
 #[path = "hidden_effects/unknown.rs"]
 mod unknown;
+#[path = "hidden_effects/verdict.rs"]
+mod verdict;
 
 use rig::{Design, Hidden, NAMES, Random, Rig};
 use truepose::diagnosis::{Allowed, Diagnosis, Options};
-use truepose::pipeline::diagnose;
 
 fn diagnosed(rig: &Rig, without: &[&str]) -> Diagnosis {
-    let loaded = truepose::sessions::parse(rig.json("hidden").as_bytes()).expect("a good session");
     let options = Options {
         allowed: Allowed {
             without: without.iter().map(|id| (*id).to_owned()).collect(),
@@ -39,7 +59,7 @@ fn diagnosed(rig: &Rig, without: &[&str]) -> Diagnosis {
         },
         ..Options::default()
     };
-    diagnose(&loaded.session, &options, &|_| true).expect("a diagnosis")
+    asked::diagnosed_with(rig, &options)
 }
 
 fn names(answer: &Diagnosis) -> Vec<&'static str> {
@@ -102,13 +122,23 @@ fn main() {
     let n = arguments.first().and_then(|n| n.parse().ok()).unwrap_or(25);
     let only = arguments.get(1).map(String::as_str);
     println!("| what | measured | bar |\n| --- | --- | --- |");
-    let rows: [Row; 6] = [
+    let rows: [Row; 16] = [
         ("noise", noise::false_alarms),
         ("one", known::one_effect),
         ("three", known::three_effects),
         ("alias", alias::aliases),
         ("unknown", unknown::unknown),
         ("without", unknown::one_name_left_out),
+        ("verdict", verdict::more_than_noise),
+        ("slow", slow::wandering),
+        ("component", component::one_component),
+        ("intervals", intervals::intervals),
+        ("small", small::near_the_limit),
+        ("outliers", outliers::outliers),
+        ("final", final_set::final_set),
+        ("strange", strange::strange),
+        ("heldout", form::target_form),
+        ("runaway", runaway::poor_designs),
     ];
     for (name, measure) in rows {
         if only.is_none_or(|only| only == name) {

@@ -31,6 +31,21 @@ pub fn row(name: &str, good: usize, of: usize, bar: &str) {
     println!("| {name} | {good}/{of} = {:.1} % | {bar} |", 100.0 * share);
 }
 
+/// What is counted in some answers: its name, which of them count, and the bar.
+pub type Column<T> = (&'static str, fn(&T) -> bool, &'static str);
+
+/// A row for each of the columns.
+pub fn rows_of<T>(name: &str, answers: &[T], columns: &[Column<T>]) {
+    for (what, does, bar) in columns {
+        row(
+            &format!("{name}: {what}"),
+            count(answers, does),
+            answers.len(),
+            bar,
+        );
+    }
+}
+
 /// How many of some answers do.
 pub fn count<T>(answers: &[T], does: impl Fn(&T) -> bool) -> usize {
     answers.iter().filter(|a| does(a)).count()

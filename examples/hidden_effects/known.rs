@@ -5,9 +5,10 @@ use truepose::diagnosis::Diagnosis;
 use truepose::fit::Estimate;
 
 use crate::absorbed::left_by_neighbours;
+use crate::asked::{base_of, in_the_set};
 use crate::cells::{count, details, in_parallel, row};
 use crate::rig::{Design, Random, Rig};
-use crate::{design, diagnosed, hidden, names, reaches, single_names};
+use crate::{design, diagnosed, hidden, names, single_names};
 
 /// A canonical correlation of .95 leaves a tenth.
 const NOT_ALIASED: f64 = 0.1;
@@ -33,14 +34,8 @@ struct Seen {
 
 fn seen(rig: &Rig, answer: &Diagnosis, truth: &[&str]) -> Seen {
     let exact = names(answer) == truth && !answer.unexplained.present;
-    let mut in_the_set = exact;
-    for rival in &answer.equivalent {
-        in_the_set |= reaches(answer, rival, truth);
-    }
-    let of_base = [
-        ("offset_deg", rig.offset.to_degrees()),
-        ("delta_mm", rig.length),
-    ];
+    let in_the_set = exact || in_the_set(answer, truth);
+    let of_base = base_of(rig);
     let (mut base, mut own) = ((0, 0), (0, 0));
     if exact {
         base = covered(&answer.identified, &of_base);
@@ -66,7 +61,7 @@ fn seen(rig: &Rig, answer: &Diagnosis, truth: &[&str]) -> Seen {
 }
 
 /// Intervals that cover the truth; of a phase, going round.
-fn covered(estimates: &[Estimate], truth: &[(&str, f64)]) -> (usize, usize) {
+pub fn covered(estimates: &[Estimate], truth: &[(&str, f64)]) -> (usize, usize) {
     let (mut good, mut of) = (0, 0);
     for estimate in estimates {
         let value = truth.iter().find(|t| t.0 == estimate.name);

@@ -12,7 +12,16 @@
     reason = "a design is a list of what is measured, the geometry one equation for each effect"
 )]
 
+#[path = "rig/designs.rs"]
+pub mod designs;
+#[path = "rig/noise.rs"]
+pub mod noise;
+#[path = "rig/shapes.rs"]
+pub mod shapes;
+
 use std::fmt::Write as _;
+
+use shapes::Shape;
 
 /// A small generator of random numbers (splitmix64 and Box–Muller).
 #[derive(Clone)]
@@ -65,6 +74,7 @@ pub enum Hidden {
     Bump(f64, f64, f64),
     Sawtooth(f64, f64),
     Plateau(f64, f64, f64),
+    Shape(Shape),
 }
 
 impl Hidden {
@@ -91,6 +101,7 @@ impl Hidden {
             Self::Bump(..) => "bump",
             Self::Sawtooth(..) => "sawtooth",
             Self::Plateau(..) => "plateau",
+            Self::Shape(shape) => shape.id(),
         }
     }
 
@@ -119,6 +130,7 @@ impl Hidden {
             Self::Bump(a, c, w) => Self::Bump(a * f, *c, *w),
             Self::Sawtooth(a, p) => Self::Sawtooth(a * f, *p),
             Self::Plateau(a, x, y) => Self::Plateau(a * f, *x, *y),
+            Self::Shape(shape) => Self::Shape(shape.times(f)),
         }
     }
 
@@ -151,7 +163,7 @@ impl Hidden {
                 all
             }
             Self::Drift(v) => three(["x_mm_per_h", "y_mm_per_h", "z_mm_per_h"], v, 3600.0),
-            Self::Bump(..) | Self::Sawtooth(..) | Self::Plateau(..) => Vec::new(),
+            Self::Bump(..) | Self::Sawtooth(..) | Self::Plateau(..) | Self::Shape(_) => Vec::new(),
         }
     }
 
@@ -268,6 +280,16 @@ impl Default for Design {
     }
 }
 
+/// What the session says of the instrument's noise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stated {
+    /// The σ of the design.
+    Design,
+    /// This σ, mm.
+    Other(f64),
+    Nothing,
+}
+
 /// One pose with its conditions.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
@@ -297,6 +319,7 @@ pub struct Rig {
     pub held_out: Vec<bool>,
     /// By how much what is read back lags the command, s; `None`: there is no such column.
     pub read_back_lag_s: Option<f64>,
+    pub stated: Stated,
 }
 
 impl Rig {
@@ -377,6 +400,7 @@ impl Rig {
             measured: Vec::new(),
             held_out: Vec::new(),
             read_back_lag_s: None,
+            stated: Stated::Design,
         }
     }
 
@@ -417,6 +441,7 @@ impl Rig {
                 Hidden::Bump(a, c, w) => a * (-0.5 * ((q - c) / w).powi(2)).exp(),
                 Hidden::Sawtooth(a, p) => a * ((q / p) - (q / p).floor() - 0.5),
                 Hidden::Plateau(a, x, y) if q >= *x && q < *y => *a,
+                Hidden::Shape(shape) => shape.angle(q),
                 _ => 0.0,
             };
         }
@@ -481,6 +506,10 @@ impl Rig {
                         p[1] + v[1] * shot.time,
                         p[2] + v[2] * shot.time,
                     ];
+                }
+                Hidden::Shape(shape) => {
+                    let out = shape.radial(q);
+                    p = [p[0] + out * c, p[1] + out * s, p[2]];
                 }
                 _ => {}
             }
@@ -653,12 +682,16 @@ impl Rig {
             .map(|(n, c)| format!("\"{n}\":{c}"))
             .collect();
         let g = self.gravity();
+        let sigma = match self.stated {
+            Stated::Design => format!(r#","sigma_mm":{}"#, self.design.sigma_mm),
+            Stated::Other(sigma) => format!(r#","sigma_mm":{sigma}"#),
+            Stated::Nothing => String::new(),
+        };
         format!(
-            r#"{{"format":"truepose-session/1","name":"{name}","robot":{{"name":"rig","joints":[{{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-180,180]}}],"tool":{{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"gravity_m_s2":[{},{},{}]}},"targets":{{{targets}}},"instrument":{{"name":"tracker","sigma_mm":{}}},"samples":{{"columns":{{{}}}}}}}"#,
+            r#"{{"format":"truepose-session/1","name":"{name}","robot":{{"name":"rig","joints":[{{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0],"limits":[-180,180]}}],"tool":{{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},"gravity_m_s2":[{},{},{}]}},"targets":{{{targets}}},"instrument":{{"name":"tracker"{sigma}}},"samples":{{"columns":{{{}}}}}}}"#,
             g[0],
             g[1],
             g[2],
-            self.design.sigma_mm,
             columns.join(",")
         )
     }
