@@ -1,7 +1,8 @@
 //! What the program is asked about a session of the rig, and how its answers are read.
 
 use truepose::diagnosis::format_v1::Document;
-use truepose::diagnosis::{Diagnosis, Options, Verdict, diagnose};
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use truepose::pipeline::diagnose;
 use truepose::effects::{JointValues, Term};
 use truepose::fit::{Identification, identify_with};
 use truepose::sessions::Session;
@@ -69,7 +70,7 @@ pub fn in_short(rig: &Rig, answer: &Diagnosis) -> String {
     // A form has dozens of waves.
     let hidden: Vec<_> = rig.hidden.iter().filter(|h| h.id() != "form").collect();
     format!(
-        "{} samples, span {} shuffled {}, {hidden:?}\n    found {:?} {:?} '{}' p {:.4} {:?} set {rivals:?} rho {:.2}",
+        "{} samples, span {} shuffled {}, {hidden:?}\n    found {:?} {:?} '{}' p {:.4} {:?} set {rivals:?} slow {:?}",
         rig.shots.len(),
         design.span_deg,
         design.shuffled,
@@ -78,6 +79,6 @@ pub fn in_short(rig: &Rig, answer: &Diagnosis) -> String {
         answer.unexplained.says,
         answer.unexplained.p,
         answer.unexplained.resembles,
-        answer.noise.rho,
+        answer.noise.slow,
     )
 }

@@ -61,6 +61,18 @@ pub enum Profile {
         /// Standard width.
         width: f64,
     },
+    /// The variable from an edge on, zero before it; of the other way round where `below` is true.
+    Kink {
+        /// The edge.
+        at: f64,
+        /// Whether it acts below the edge.
+        below: bool,
+    },
+    /// A polygon over the range with so many pieces.
+    Curve {
+        /// How many.
+        pieces: usize,
+    },
     /// 1 between two edges.
     Plateau {
         /// Lower edge.
@@ -118,15 +130,22 @@ impl Profile {
     pub fn count(&self) -> usize {
         match self {
             Self::Periodic { harmonics, .. } => 2 * harmonics,
+            Self::Curve { pieces } => pieces + 1,
             Self::TimesTurn => 2,
             _ => 1,
         }
     }
 
-    /// Its values at one sample: `v` the variable, `origin` where it does nothing,
+    /// Its values at one sample: `v` the variable, `origin` where it does nothing, `range` what was
+    /// measured of it,
     /// `angle` of the first joint.
-    pub fn values(&self, v: f64, origin: f64, angle: f64) -> Vec<f64> {
+    pub fn values(&self, v: f64, origin: f64, range: (f64, f64), angle: f64) -> Vec<f64> {
         match *self {
+            Self::Curve { pieces } => {
+                let step = ((range.1 - range.0) / pieces as f64).max(f64::MIN_POSITIVE);
+                let hat = |k: usize| 1.0 - ((v - range.0) / step - k as f64).abs();
+                (0..=pieces).map(|k| hat(k).max(0.0)).collect()
+            }
             Self::Constant => vec![1.0],
             Self::Ramp => vec![v - origin],
             Self::Absolute => vec![(v - origin).abs()],
@@ -134,6 +153,10 @@ impl Profile {
             Self::Bump { centre, width } => {
                 let z = (v - centre) / width;
                 vec![(-0.5 * z * z).exp()]
+            }
+            Self::Kink { at, below } => {
+                let beyond = if below { at - v } else { v - at };
+                vec![beyond.max(0.0)]
             }
             Self::Plateau { from, to } => vec![f64::from(u8::from(v >= from && v < to))],
             Self::Periodic { cycles, harmonics } => (1..=harmonics)
@@ -190,7 +213,7 @@ impl Shape {
     pub fn refined(&self) -> usize {
         match self.profile {
             Profile::Bump { .. } | Profile::Plateau { .. } => 2,
-            Profile::Periodic { .. } => 1,
+            Profile::Periodic { .. } | Profile::Kink { .. } => 1,
             _ => 0,
         }
     }
@@ -206,6 +229,8 @@ impl Shape {
         match self.profile {
             Profile::Bump { centre, width } => between(centre - 2.0 * width, centre + 2.0 * width),
             Profile::Plateau { from, to } => between(from, to),
+            Profile::Kink { at, below: true } => between(range.0, at),
+            Profile::Kink { at, below: false } => between(at, range.1),
             Profile::Periodic { cycles, .. } => {
                 let revolute = matches!(self.variable, Variable::Joint(j) if !prismatic(j));
                 Where::Cycles {
@@ -236,8 +261,10 @@ impl Shape {
             Profile::Ramp => "a straight slope",
             Profile::Absolute => "a slope away from the middle",
             Profile::Square => "a parabola",
+            Profile::Curve { .. } => "a curve of no known form",
             Profile::Bump { .. } => "a local bump",
             Profile::Plateau { .. } => "a step or plateau",
+            Profile::Kink { .. } => "a slope from one value on",
             Profile::Periodic { harmonics: 1, .. } => "a wave",
             Profile::Periodic { .. } => "a periodic pattern with harmonics",
             Profile::TimesTurn => "a wave of one turn in proportion",

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::fit::{Estimate, Outlier};
+use crate::fit::{Estimate, Identification, Outlier};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model};
 use crate::sessions::Session;
@@ -80,7 +80,7 @@ pub struct Found {
     pub joint: Option<usize>,
     /// Its parameters.
     pub parameters: Vec<Estimate>,
-    /// The chance that noise alone would surprise the search as much.
+    /// The chance that noise alone would minus_ln_p the search as much.
     pub p_family: FamilyP,
     /// Its share of what was explained.
     pub share: f64,
@@ -130,6 +130,8 @@ pub struct Unexplained {
     pub says: String,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
+    /// Noise as stated and as found, where all that is left is more of it.
+    pub noise: Option<StatedNoise>,
     /// A smooth correction of it, or why there is none; `None` where nobody asked for one.
     pub correction: Option<Result<Correction, String>>,
 }
@@ -139,6 +141,15 @@ impl Unexplained {
     pub fn corrected(&self) -> Option<&Correction> {
         self.correction.as_ref()?.as_ref().ok()
     }
+}
+
+/// White residuals above the noise that is stated for the instrument.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedNoise {
+    /// As stated, root mean square over the axes, mm.
+    pub stated_mm: f64,
+    /// As found, mm.
+    pub found_mm: f64,
 }
 
 /// See the module.
@@ -180,6 +191,8 @@ pub struct Diagnosis {
     pub model: Model,
     /// Covariance of its coefficients, inner units.
     pub covariance: Option<DMatrix<f64>>,
+    /// The fit that values and intervals come from.
+    pub identification: Identification,
     /// The gap step by step.
     pub history: Vec<GapStep>,
     /// Range of every joint in the samples.

@@ -44,6 +44,8 @@ pub(crate) struct Placed {
     pub(crate) white: DMatrix<f64>,
     pub(crate) raw: DMatrix<f64>,
     pub(crate) coefficients: DVector<f64>,
+    /// What the shape's columns pay too much, as a logarithm: a smooth curve is worth fewer of them.
+    pub(crate) credit: f64,
 }
 
 /// A model fitted to the rows.
@@ -64,7 +66,7 @@ pub(crate) struct Score {
     /// By how much the sum of squares would fall.
     pub(crate) gain: f64,
     /// −ln p, less what the settings tried cost: the scale of the family-wise test.
-    pub(crate) surprise: f64,
+    pub(crate) minus_ln_p: f64,
     /// Change of the logarithm of the evidence.
     pub(crate) ln_odds: f64,
 }
@@ -85,8 +87,9 @@ pub(crate) struct Arena<'a> {
 }
 
 /// What a slow part of the noise pays for each of its numbers (a time constant and a size for each
-/// axis), as a logarithm: each is known to about a factor of e within a range of some e² (Laplace's
-/// ½ ln m would be that of a mean over all rows, which a variance of a few slow swings is not).
+/// axis), as a logarithm: each is known to about a factor of two within a range of some hundred to
+/// one: ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a
+/// variance of a few slow swings is not.)
 const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
 impl<'a> Arena<'a> {
@@ -200,6 +203,7 @@ impl<'a> Arena<'a> {
             - 0.5 * rank as f64 * m.ln()
             - names.sum::<f64>()
             - anonymous.sum::<f64>()
+            + shapes.iter().map(|s| s.credit).sum::<f64>()
             + self.ln_noise
     }
 
@@ -253,12 +257,32 @@ impl<'a> Arena<'a> {
         rss + rounding * self.rows.samples.len() as f64
     }
 
+    /// What an order that is not whole pays: for a number that is fitted.
+    pub(crate) fn price_of_a_fraction(&self) -> f64 {
+        PRICE_OF_A_SETTING + 0.5 * self.m().ln()
+    }
+
+    /// By how much a term that is absent so far would lower the sum of squares of a fit.
+    pub(crate) fn gain_of_term(&self, fit: &Fit, term: &Term) -> f64 {
+        let absent = Term::absent(term.effect, term.joint, term.setting);
+        let model = fit.model.with_term(absent.clone());
+        let before = model.terms().iter().take_while(|t| !t.same_column(&absent));
+        let first: usize = before.map(|t| t.coefficients.len()).sum();
+        let (_, columns) = self.rows.extract(&model);
+        let own = columns.columns(first, absent.coefficients.len()).into_owned();
+        let white = self.noise.whitened(&self.rows, &own);
+        let along = fit.basis.q.tr_mul(&white);
+        let mut free = white;
+        free.gemm(-1.0, &fit.basis.q, &along, 1.0);
+        Basis::new(&free).q.tr_mul(&fit.residual).norm_squared()
+    }
+
     pub(crate) fn price_of_term(&self, term: &Term) -> f64 {
         if term.effect.about().setting == Setting::None {
             return 0.0;
         }
         let fraction = if term.setting.fract() != 0.0 && term.effect.about().setting.takes_fractions() {
-            PRICE_OF_A_SETTING + 0.5 * self.m().ln()
+            self.price_of_a_fraction()
         } else {
             0.0
         };
@@ -317,7 +341,7 @@ impl<'a> Arena<'a> {
             scores.push(Score {
                 candidate: index,
                 gain,
-                surprise: test.of(r2) - weight_of(candidate),
+                minus_ln_p: test.of(r2) - weight_of(candidate),
                 ln_odds: best_part
                     - candidate.tried.max(1.0).ln()
                     - match &candidate.what {
@@ -406,6 +430,7 @@ impl<'a> Arena<'a> {
         let white = self.noise.whitened(&self.rows, &raw);
         Placed {
             coefficients: DVector::zeros(raw.ncols()),
+            credit: 0.0,
             shape,
             white,
             raw,

@@ -12,12 +12,12 @@ use crate::kinematics::Range;
 use crate::model::{GapStep, Model};
 
 use super::aliases;
-use super::answer::{Diagnosis, Equivalent, Gaps, Verdict};
+use super::answer::{Diagnosis, Equivalent, Gaps};
 use super::arena::Fit;
 use super::blunders::Mended;
 use super::candidates::NotTestable;
 use super::floor::floor;
-use super::leftover::unexplained;
+use super::remainder::unexplained;
 use super::limits;
 use super::next_pose::NextPose;
 use super::prepare::Prepared;
@@ -26,6 +26,11 @@ use super::smooth;
 use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
+use super::selection::Selection;
+use super::significance::Significance;
+use super::search::CHANCE;
+use super::verdict;
+use super::final_set::worth;
 use super::values::Values;
 use super::{DiagnoseError, Progress, Watch};
 
@@ -83,14 +88,12 @@ pub(crate) fn answer(
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    let values = Values::of(prepared, problem, with_shapes);
+    let mut values = Values::of(prepared, problem, with_shapes);
+    correct_for_selection(prepared, with_shapes, &mut values);
+    let values = values;
     let identified = deviations(problem, &Values::of(prepared, problem, &base).model);
     let after = deviations(problem, &values.model);
-    let suspected: Vec<bool> = suspects(problem, &after)
-        .into_iter()
-        .zip(&problem.used)
-        .map(|(s, used)| s || !used)
-        .collect();
+    let suspected: Vec<bool> = problem.used.iter().map(|used| !used).collect();
     let counts = |i: usize| problem.fit[i];
     let rms = |d: &Deviations| {
         let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
@@ -115,13 +118,8 @@ pub(crate) fn answer(
     });
     let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
+    let verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
     unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
-    let verdict = match (found.is_empty(), unexplained.present) {
-        (true, false) => Verdict::Noise,
-        (false, false) => Verdict::Explained,
-        (false, true) => Verdict::PartlyExplained,
-        (true, true) => Verdict::Unexplained,
-    };
     let mut history = vec![GapStep {
         what: "nominal robot".to_owned(),
         gap_mm: gap.start_mm,
@@ -148,6 +146,7 @@ pub(crate) fn answer(
         gap,
         held_out,
         identified: values.identified(),
+        identification: values.identification(Vec::new()),
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
@@ -155,7 +154,7 @@ pub(crate) fn answer(
         not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses: proposal.poses,
-        noise: arena.noise.clone(),
+        noise: values.problem.noise.clone().unwrap_or_else(|| arena.noise.clone()),
         covariance: values.covariance.clone(),
         model: values.model.settled(),
         history,
@@ -212,4 +211,22 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Ve
         });
     }
     all
+}
+
+/// Takes out of every size what its selection adds; see [`super::selection`].
+fn correct_for_selection(prepared: &Prepared, fit: &Fit, values: &mut Values) {
+    let arena = &prepared.arena;
+    let threshold = arena.minus_ln_p_for(CHANCE, fit);
+    for term in arena.added(fit) {
+        let rest = worth(prepared, fit, term).rest;
+        let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
+        let freedom = (arena.m() - fit.basis.rank() as f64).max(2.0);
+        let tried = 0.5 * arena.price_of_term(term);
+        let share = Significance::new(columns, freedom).share_for(threshold + tried);
+        let least = freedom * share / (1.0 - share).max(1e-12);
+        let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);
+        if let Some(selection) = Selection::of(gain, least, columns) {
+            values.correct(term, &selection);
+        }
+    }
 }

@@ -1,10 +1,10 @@
-//! How often noise alone would surprise the whole search as much: simulated residuals are sent
-//! through every candidate at once, names and shapes together, and the largest surprise of each
+//! How often noise alone would minus_ln_p the whole search as much: simulated residuals are sent
+//! through every candidate at once, names and shapes together, and the largest minus_ln_p of each
 //! is kept.
 //!
 //! The simulated residuals are the fit's own with their signs flipped at random, so that heavy
 //! tails stay heavy (Winkler et al. 2014); in a long session without heavy tails they are
-//! Gaussian. A surprise beyond all of them is judged by the tail: the surprise is −ln p, so
+//! Gaussian. A minus_ln_p beyond all of them is judged by the tail: the minus_ln_p is −ln p, so
 //! its tail falls like C·exp(−s), with C from the largest simulated ones.
 //!
 //! Of Gaussian residuals the tail itself is simulated (importance sampling of a union, Naiman &
@@ -24,6 +24,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::arena::{Arena, Fit, weight_of};
 use super::significance::Significance;
+use crate::effects::rank as rank_in_catalogue;
 use crate::fit::linear::Basis;
 
 /// Simulations of a short session.
@@ -38,7 +39,7 @@ const MOST_KURTOSIS: f64 = 3.6;
 /// The sum of all candidates' chances from which on the tail is simulated.
 const TAIL: f64 = 0.03;
 
-/// Largest surprises of simulated residuals, kept for each size of model.
+/// Largest −ln p of simulated residuals, kept for each model.
 #[derive(Debug, Default)]
 pub(crate) struct Familywise {
     null: Vec<Null>,
@@ -47,7 +48,8 @@ pub(crate) struct Familywise {
 /// What noise alone did to the search beside one model, so far.
 #[derive(Debug)]
 struct Null {
-    rank: usize,
+    /// Of the model that it was made for.
+    fingerprint: Vec<u64>,
     groups: Vec<Group>,
     /// The fit's orthonormal columns, as rows.
     inside: DMatrix<f32>,
@@ -71,7 +73,7 @@ const CHUNK: usize = 250;
 /// Chances between these are worth more simulations.
 const CLOSE: [f64; 2] = [4e-4, 0.04];
 
-/// The chance that noise alone surprises the search as much.
+/// The chance that noise alone reaches as much in the whole search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FamilyP {
     /// The chance; never below one over the number of simulations.
@@ -81,19 +83,19 @@ pub struct FamilyP {
 }
 
 impl Arena<'_> {
-    /// The chance that noise alone surprises the search by `surprise`. `fit` is a model in which
+    /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which
     /// the candidate is already: its residual is noise if the candidate is right.
-    pub(crate) fn family_p(&self, surprise: f64, fit: &Fit) -> FamilyP {
+    pub(crate) fn family_p(&self, minus_ln_p: f64, fit: &Fit) -> FamilyP {
         let candidates = self.table.candidates.len() as f64;
         let smallest = 1.0 / MOST as f64;
         // Beyond what all candidates together could do by chance there is nothing to simulate.
-        if surprise > candidates.ln() + 14.0 {
+        if minus_ln_p > candidates.ln() + 14.0 {
             return FamilyP {
                 p: smallest,
                 bound: true,
             };
         }
-        if surprise < 2.0 {
+        if minus_ln_p < 2.0 {
             return FamilyP {
                 p: 1.0,
                 bound: false,
@@ -103,7 +105,7 @@ impl Arena<'_> {
         let mut familywise = self.familywise.borrow_mut();
         let null = &mut familywise.null[at];
         loop {
-            let p = null.chance(surprise);
+            let p = null.chance(minus_ln_p);
             let close = p > CLOSE[0] && p < CLOSE[1];
             if !close || null.tail.is_some() || null.largest.len() >= self.simulations() {
                 return FamilyP {
@@ -115,8 +117,8 @@ impl Arena<'_> {
         }
     }
 
-    /// The surprise that noise alone reaches with this chance.
-    pub(crate) fn surprise_for(&self, chance: f64, fit: &Fit) -> f64 {
+    /// The minus_ln_p that noise alone reaches with this chance.
+    pub(crate) fn minus_ln_p_for(&self, chance: f64, fit: &Fit) -> f64 {
         let at = self.null_beside(fit);
         let null = &self.familywise.borrow().null[at];
         let (mut low, mut high) = (2.0, (self.table.candidates.len() as f64).ln() + 14.0);
@@ -137,9 +139,10 @@ impl Arena<'_> {
 
     /// Place of the simulations beside a fit; the first are made here.
     fn null_beside(&self, fit: &Fit) -> usize {
-        let rank = fit.basis.rank();
+        let fingerprint = fingerprint(fit);
         let mut familywise = self.familywise.borrow_mut();
-        if let Some(at) = familywise.null.iter().position(|n| n.rank == rank) {
+        let mut known = familywise.null.iter();
+        if let Some(at) = known.position(|n| n.fingerprint == fingerprint) {
             return at;
         }
         let m = self.rows.len();
@@ -154,7 +157,7 @@ impl Arena<'_> {
             }
         });
         let mut null = Null {
-            rank,
+            fingerprint,
             groups: self.orthonormal_groups(&fit.basis),
             inside: fit.basis.q.map(|v| v as f32).transpose(),
             noise,
@@ -229,22 +232,39 @@ impl Arena<'_> {
     }
 }
 
+/// What tells one model's null from another's: its terms with their settings, and its shapes.
+fn fingerprint(fit: &Fit) -> Vec<u64> {
+    let terms = fit.model.terms().iter();
+    let mut all: Vec<u64> = terms
+        .flat_map(|t| {
+            let place = (rank_in_catalogue(t.effect) * 64 + t.joint) as u64;
+            [place, t.setting.to_bits()]
+        })
+        .collect();
+    for shape in &fit.shapes {
+        let column = shape.white.column(0);
+        all.push(u64::MAX);
+        all.extend([column.sum().to_bits(), column.norm().to_bits()]);
+    }
+    all
+}
+
 impl Null {
-    /// The chance of a surprise as large: counted, and beyond the largest fiftieth by the tail
+    /// The chance of a minus_ln_p as large: counted, and beyond the largest fiftieth by the tail
     /// chance(s) = share · exp(−(s − quantile)).
-    fn chance(&self, surprise: f64) -> f64 {
-        if let Some(tail) = self.tail.as_ref().filter(|t| surprise >= t.from) {
-            return tail.chance(surprise);
+    fn chance(&self, minus_ln_p: f64) -> f64 {
+        if let Some(tail) = self.tail.as_ref().filter(|t| minus_ln_p >= t.from) {
+            return tail.chance(minus_ln_p);
         }
         let count = self.largest.len();
-        let above = self.largest.partition_point(|s| *s >= surprise);
+        let above = self.largest.partition_point(|s| *s >= minus_ln_p);
         let rank = (count / 50).max(1);
         let counted = above as f64 / count as f64;
         if above > rank {
             return counted;
         }
         let share = rank as f64 / count as f64;
-        let from_tail = share * (self.largest[rank - 1] - surprise).exp();
+        let from_tail = share * (self.largest[rank - 1] - minus_ln_p).exp();
         from_tail.max(counted.min(3.0 * from_tail))
     }
 
@@ -268,7 +288,7 @@ impl Null {
         self.largest.sort_by(|a, b| b.total_cmp(a));
     }
 
-    /// The largest surprise of each residual, and how many candidates reach `from`.
+    /// The largest minus_ln_p of each residual, and how many candidates reach `from`.
     fn reached(&self, z: &DMatrix<f32>, from: f64) -> Vec<(f64, usize)> {
         let inside = &self.inside * z;
         let totals: Vec<f32> = (0..z.ncols())
@@ -346,15 +366,15 @@ impl Null {
 }
 
 impl Tail {
-    /// The chance of a surprise as large; beyond the largest tenth it falls like exp(−s).
-    fn chance(&self, surprise: f64) -> f64 {
+    /// The chance of a minus_ln_p as large; beyond the largest tenth it falls like exp(−s).
+    fn chance(&self, minus_ln_p: f64) -> f64 {
         let few = self.weighted.len() / 10;
-        let above = self.weighted.partition_point(|w| w.0 >= surprise);
+        let above = self.weighted.partition_point(|w| w.0 >= minus_ln_p);
         let sum = |count: usize| self.weighted[..count].iter().map(|w| w.1).sum::<f64>();
         if above > few {
             return sum(above);
         }
-        sum(few) * (self.weighted[few.saturating_sub(1)].0 - surprise).exp()
+        sum(few) * (self.weighted[few.saturating_sub(1)].0 - minus_ln_p).exp()
     }
 }
 
@@ -410,7 +430,7 @@ mod tests {
             }
         };
         Null {
-            rank: 0,
+            fingerprint: Vec::new(),
             groups: vec![
                 group(1, 40, 0.5, &mut random),
                 group(2, 60, 2.0, &mut random),
@@ -435,8 +455,8 @@ mod tests {
         tailed.simulate_tail(7);
         let tail = tailed.tail.expect("simulated");
         for above in [300.0, 100.0, 40.0] {
-            let surprise = plain.largest[above as usize - 1];
-            let (expected, found) = (above / count, tail.chance(surprise));
+            let minus_ln_p = plain.largest[above as usize - 1];
+            let (expected, found) = (above / count, tail.chance(minus_ln_p));
             // Standard errors: 1/√above of what was counted, and a tenth of the tail's.
             let error = expected * (1.0 / above + 0.01_f64).sqrt();
             assert!(

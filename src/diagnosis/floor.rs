@@ -6,14 +6,13 @@ use crate::sessions::Sigma;
 use super::answer::{Floor, FloorFrom};
 use super::arena::Fit;
 use super::prepare::Prepared;
-use super::search::mean_sigma_mm;
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit.
 pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
     let arena = &prepared.arena;
-    if let Some(mm) = pure_error_mm(prepared) {
+    if let Some(pure) = pure_error(prepared) {
         return Floor {
-            mm,
+            mm: pure.mm,
             from: FloorFrom::Repeats,
         };
     }
@@ -34,7 +33,7 @@ pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
             from: FloorFrom::Instrument,
         },
         None => Floor {
-            mm: mean_sigma_mm(arena) * axes.sqrt() * arena.scale(fit),
+            mm: arena.noise.total_mm(&arena.rows.axes) * axes.sqrt() * arena.scale(fit),
             from: FloorFrom::Estimated,
         },
     }
@@ -43,9 +42,19 @@ pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
 /// Fewest degrees of freedom from which repeats tell the noise.
 const FEWEST_REPEATS: usize = 8;
 
+/// What returns to the same pose tell of the noise.
+pub(crate) struct PureError {
+    /// Root mean square length, mm.
+    pub(crate) mm: f64,
+    /// Mean square of a coordinate, in units of the white noise of its axis.
+    pub(crate) variance: f64,
+    /// Degrees of freedom of that, over all axes.
+    pub(crate) freedom: f64,
+}
+
 /// Spread between samples of the same pose, side, target, speed and load, reached again after
 /// another pose.
-fn pure_error_mm(prepared: &Prepared) -> Option<f64> {
+pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
     let rows = &prepared.arena.rows;
     let inputs = &rows.inputs;
     let key = |i: usize| {
@@ -63,7 +72,8 @@ fn pure_error_mm(prepared: &Prepared) -> Option<f64> {
     order.sort_by(|a, b| keys[*a].cmp(&keys[*b]).then(a.cmp(b)));
     let (raw, _) = rows.extract(&prepared.arena.base);
     let n = rows.samples.len();
-    let (mut sum, mut freedom) = (0.0, 0_usize);
+    let sigma = prepared.arena.noise.sigma_mm;
+    let (mut sum, mut weighted, mut freedom) = (0.0, 0.0, 0_usize);
     let mut start = 0;
     while start < n {
         let end = (start..n)
@@ -81,10 +91,17 @@ fn pure_error_mm(prepared: &Prepared) -> Option<f64> {
             for axis in 0..rows.axes.len() {
                 let values = group.iter().map(|i| raw[axis * n + i]);
                 let mean = values.clone().sum::<f64>() / group.len() as f64;
-                sum += values.map(|v| (v - mean).powi(2)).sum::<f64>();
+                let square = values.map(|v| (v - mean).powi(2)).sum::<f64>();
+                sum += square;
+                weighted += square / sigma[rows.axes[axis]].powi(2);
             }
         }
         start = end;
     }
-    (freedom >= FEWEST_REPEATS).then(|| (sum / freedom as f64).sqrt())
+    let all = (freedom * rows.axes.len()) as f64;
+    (freedom >= FEWEST_REPEATS).then(|| PureError {
+        mm: (sum / freedom as f64).sqrt(),
+        variance: weighted / all,
+        freedom: all,
+    })
 }

@@ -30,6 +30,7 @@ pub struct Document {
     found: Vec<Found>,
     equivalent: Vec<Equivalent>,
     unexplained: Unexplained,
+    not_identifiable: Vec<NotIdentifiable>,
     not_testable: Vec<NotTestable>,
     not_found: Vec<NotFound>,
     outliers: Vec<Outlier>,
@@ -132,12 +133,26 @@ struct Unexplained {
     place: Option<Place>,
     resembles: Vec<&'static str>,
     says: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    noise: Option<StatedNoise>,
     /// Only where it was asked for; null where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     correction: Option<correction::Answer>,
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_correction_because: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct StatedNoise {
+    stated_mm: f64,
+    found_mm: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct NotIdentifiable {
+    combination: String,
+    because: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -270,12 +285,25 @@ impl Document {
                 place: d.unexplained.place.clone().map(place),
                 resembles: d.unexplained.resembles.clone(),
                 says: d.unexplained.says.clone(),
+                noise: d.unexplained.noise.map(|n| StatedNoise {
+                    stated_mm: n.stated_mm,
+                    found_mm: n.found_mm,
+                }),
                 correction: correction::Answer::of(&d.unexplained, session),
                 no_correction_because: match &d.unexplained.correction {
                     Some(Err(because)) => Some(because.clone()),
                     _ => None,
                 },
             },
+            not_identifiable: d
+                .identification
+                .not_identifiable
+                .iter()
+                .map(|n| NotIdentifiable {
+                    combination: n.combination.clone(),
+                    because: n.because.clone(),
+                })
+                .collect(),
             not_testable: d
                 .not_testable
                 .iter()

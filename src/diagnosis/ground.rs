@@ -70,7 +70,7 @@ impl Ground {
         for sample in 0..self.samples {
             let of_sample = shape
                 .profile
-                .values(values[sample], origin, self.angle[sample]);
+                .values(values[sample], origin, range, self.angle[sample]);
             for (k, value) in of_sample.into_iter().enumerate() {
                 for (d, direction) in directions.iter().enumerate() {
                     for axis in 0..self.axes.len() {

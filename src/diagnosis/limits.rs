@@ -57,7 +57,7 @@ pub(crate) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
     let projected = arena.projected(&fit.basis);
     let freedom = arena.m() - fit.basis.rank() as f64;
     let scale = arena.scale(fit).max(1e-300);
-    let threshold = arena.surprise_for(CHANCE, fit);
+    let threshold = arena.minus_ln_p_for(CHANCE, fit);
     let mut groups: Vec<(&'static str, usize, Vec<usize>)> = Vec::new();
     for (index, candidate) in arena.table.candidates.iter().enumerate() {
         let Some(term) = candidate.what.term() else {

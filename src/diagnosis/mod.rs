@@ -41,22 +41,25 @@ pub(crate) mod classes;
 pub(crate) mod conclude;
 mod final_set;
 mod floor;
+mod free_curve;
 pub(crate) mod ground;
 mod held_out;
 mod incomplete;
-mod leftover;
+mod remainder;
 mod mending;
 mod next_pose;
 mod place;
 mod robust;
 pub(crate) mod prepare;
 pub(crate) mod search;
+mod selection;
 mod shapes;
 pub(crate) mod significance;
 mod steps;
 pub(crate) mod testable;
 mod unseen;
 mod values;
+mod verdict;
 
 pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
@@ -190,29 +193,48 @@ pub(crate) fn searched<'a>(
         found = prepared.search(watch)?;
     }
     let slow = prepared.with_slow_noise();
+    let white = prepared.arena.noise.slow.map(|_| prepared.with_white_noise());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
-    if let Some(mut rival) = slow {
-        let mut end = rival.search(watch)?;
-        for _ in 0..3 {
-            let (settled, fit) = rival.settled(&end.fit);
-            let same = settled.arena.noise.whitens_like(&rival.arena.noise);
-            (rival, end.fit) = (settled, fit);
-            if same {
-                break;
-            }
-            end = rival.search(watch)?;
-        }
-        if end.fit.ln_evidence > found.fit.ln_evidence - SLOW_MARGIN {
+    for (rival, is_slow) in white.map(|w| (w, false)).into_iter().chain(slow.map(|s| (s, true))) {
+        let (rival, end) = settled_search(rival, watch)?;
+        let margin = if is_slow { margin(&prepared, &found) } else { 0.0 };
+        if end.fit.ln_evidence > found.fit.ln_evidence - margin {
             (prepared, found) = (rival, end);
         }
     }
+    free_curve::rival(&prepared, &mut found);
     final_set::test(&prepared, &mut found, watch)?;
     Ok((prepared, found))
 }
 
-/// Names have to be so much likelier than a frame that wanders, as a logarithm: twenty times.
+/// A search whose noise is estimated beside what it finds, until that is the same.
+fn settled_search<'a>(
+    mut prepared: Prepared<'a>,
+    watch: Watch,
+) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
+    let mut found = prepared.search(watch)?;
+    for _ in 0..3 {
+        let (settled, fit) = prepared.settled(&found.fit);
+        let same = settled.arena.noise.whitens_like(&prepared.arena.noise);
+        (prepared, found.fit) = (settled, fit);
+        if same {
+            break;
+        }
+        found = prepared.search(watch)?;
+    }
+    Ok((prepared, found))
+}
+
+/// A part of the machine has to be so much likelier than a frame that wanders, as a logarithm:
+/// twenty times. Of two answers about the frame the likelier one is taken.
 const SLOW_MARGIN: f64 = 3.0;
+
+fn margin(prepared: &Prepared, found: &search::Found) -> f64 {
+    let added = prepared.arena.added(&found.fit);
+    let of_the_frame = |t: &&crate::effects::Term| t.effect.about().over == crate::effects::Over::Time;
+    if added.iter().all(of_the_frame) { 0.0 } else { SLOW_MARGIN }
+}
 
 impl Options {
     pub(crate) fn check(&self) -> Result<(), DiagnoseError> {

@@ -14,7 +14,7 @@ use crate::fit::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
 use crate::model::Model;
 use crate::sessions::Session;
 
-use super::arena::{Arena, Fit};
+use super::arena::{Arena, Fit, Placed};
 use super::blunders::DataProblem;
 use super::candidates::Table;
 use super::held_out::Folds;
@@ -28,6 +28,10 @@ use crate::fit::regression::Rows;
 const LONG: usize = 600;
 /// … and the search looks at so many of them.
 const MOST_SAMPLES: usize = 500;
+
+/// Twice the logarithm by which a slow part has to be likelier beside a frame that stands still
+/// elsewhere: the 5 % point of its likelihood ratio, as a rival has to be possible, not proved.
+const LEAST_MOVE: f64 = 6.0;
 
 /// See the module.
 pub(crate) struct Prepared<'a> {
@@ -146,9 +150,29 @@ impl<'a> Prepared<'a> {
     /// The same with the noise that the base alone leaves, where that has a slow part: the rival
     /// of every name.
     pub(crate) fn with_slow_noise(&self) -> Option<Self> {
-        let base = self.arena.fit(&self.arena.base, Vec::new());
-        let noise = noise_of(&self.arena, &base);
-        noise.slow.is_some().then(|| self.with_noise(noise))
+        let arena = &self.arena;
+        let base = arena.fit(&arena.base, Vec::new());
+        let noise = noise_of(arena, &base);
+        // A frame that stands elsewhere all the time does not wander.
+        let n = arena.rows.samples.len();
+        let mut still = DMatrix::zeros(arena.rows.len(), arena.rows.axes.len());
+        for axis in 0..arena.rows.axes.len() {
+            still.view_mut((axis * n, axis), (n, 1)).fill(1.0);
+        }
+        let moves = estimated(arena, &base.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
+        (noise.slow.is_some() && moves).then(|| self.with_noise(noise))
+    }
+
+    /// The same with white noise.
+    pub(crate) fn with_white_noise(&self) -> Self {
+        let noise = &self.arena.noise;
+        let slow = noise.slow.map_or([0.0; 3], |s| s.rms_mm);
+        let total = |axis: usize| noise.sigma_mm[axis].hypot(slow[axis]);
+        self.with_noise(Noise {
+            sigma_mm: [total(0), total(1), total(2)],
+            slow: None,
+            ..noise.clone()
+        })
     }
 
     fn with_noise(&self, noise: Noise) -> Self {
@@ -165,7 +189,10 @@ impl<'a> Prepared<'a> {
 
     /// A fit of another noise under this one.
     pub(crate) fn refitted(&self, fit: &Fit) -> Fit {
-        let shapes = fit.shapes.iter().map(|s| self.arena.placed(s.shape));
+        let shapes = fit.shapes.iter().map(|s| Placed {
+            credit: s.credit,
+            ..self.arena.placed(s.shape)
+        });
         self.arena.fit(&fit.model, shapes.collect())
     }
 }

@@ -2,11 +2,11 @@
 //! against pairs; once with names alone and once with shapes beside them. The likelier end wins,
 //! and names are preferred: a shape has to be twenty times likelier than what names can do.
 //!
-//! A step is taken if noise alone would surprise the whole search as much in fewer than
+//! A step is taken if noise alone would minus_ln_p the whole search as much in fewer than
 //! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
-use crate::effects::Term;
+use crate::effects::{Setting, Term};
 
 use super::aliases;
 use super::anonymous::{Profile, Shape};
@@ -114,7 +114,7 @@ impl Search<'_, '_> {
             }
             let what = self.refined(fit, score.candidate);
             let next = self.arena.with(fit, &what);
-            if self.arena.family_p(score.surprise, &next).p > CHANCE {
+            if self.arena.family_p(score.minus_ln_p, &next).p > CHANCE {
                 continue;
             }
             if self.folds.rms(self.arena, &next) < unseen {
@@ -238,7 +238,8 @@ impl Search<'_, '_> {
         let mut fit = fit;
         for _ in 0..3 {
             self.tell(&Progress::Comparing)?;
-            let rivals = aliases::rivals(self.arena, &fit);
+            let mut rivals = aliases::rivals(self.arena, &fit);
+            rivals.retain(|r| self.count(&r.fit) <= self.most);
             let Some(best) = rivals.into_iter().next() else {
                 break;
             };
@@ -254,7 +255,48 @@ impl Search<'_, '_> {
     fn refined(&self, fit: &Fit, candidate: usize) -> What {
         match &self.arena.table.candidates[candidate].what {
             What::Anonymous(shape) => What::Anonymous(self.refined_shape(fit, *shape)),
+            What::Named(term) if term.effect.about().setting.takes_fractions() => {
+                What::Named(self.refined_order(fit, term))
+            }
             named @ What::Named(_) => named.clone(),
+        }
+    }
+
+    /// A wave at its likeliest order: the whole number, unless a fraction is worth its price.
+    fn refined_order(&self, fit: &Fit, term: &Term) -> Term {
+        let Setting::Order { from, to } = term.effect.about().setting else {
+            return term.clone();
+        };
+        let at = |order: f64| Term {
+            setting: order,
+            ..term.clone()
+        };
+        let gain = |order: f64| self.arena.gain_of_term(fit, &at(order));
+        let whole = gain(term.setting);
+        let (mut best, mut most) = (term.setting, whole);
+        let mut step = 0.5;
+        for _ in 0..8 {
+            for order in [best - step, best + step] {
+                let inside = order >= f64::from(from) && order <= f64::from(to);
+                if inside && (order - term.setting).abs() < 1.5 {
+                    let value = gain(order);
+                    if value > most {
+                        (best, most) = (order, value);
+                    }
+                }
+            }
+            step *= 0.5;
+        }
+        let nearest = best.round().clamp(f64::from(from), f64::from(to));
+        let of_whole = if nearest == term.setting { whole } else { gain(nearest) };
+        let worth = |gain: f64| {
+            let share = (gain / fit.rss.max(1e-300)).min(1.0 - 1e-12);
+            -0.5 * self.arena.m() * (-share).ln_1p()
+        };
+        if worth(most) - worth(of_whole) > self.arena.price_of_a_fraction() {
+            at(best)
+        } else {
+            at(nearest)
         }
     }
 
@@ -269,6 +311,7 @@ impl Search<'_, '_> {
         let mut step = match start.profile {
             Profile::Bump { width, .. } => 0.5 * width,
             Profile::Plateau { .. } => 0.04 * span,
+            Profile::Kink { .. } => 0.05 * span,
             Profile::Periodic { .. } if span > 0.0 => 0.2 * std::f64::consts::TAU / span,
             _ => return start,
         };
@@ -307,6 +350,10 @@ fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {
             let (from, to) = (from + first, to + second);
             (from < to).then_some(Profile::Plateau { from, to })
         }
+        Profile::Kink { at, below } => (second == 0.0).then_some(Profile::Kink {
+            at: at + first,
+            below,
+        }),
         Profile::Periodic { cycles, harmonics } => (second == 0.0 && cycles + first > 0.0)
             .then_some(Profile::Periodic {
                 cycles: cycles + first,

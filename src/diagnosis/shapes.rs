@@ -49,6 +49,7 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
         bumps(ground, variable, tangential, width * span, 1.0, all);
     }
     plateaus(ground, variable, tangential, 20, true, all);
+    kinks(ground, variable, tangential, 16, all);
     let values = ground.values(variable).map_or(0, <[f64]>::len) as f64;
     let turn = std::f64::consts::TAU;
     // Half a cycle over the range is as fine as the data can tell cycles apart.
@@ -61,6 +62,11 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
         .collect();
     for cycles in &fundamentals {
         for harmonics in [1, 3] {
+            // A single wave of a gear's order has a name.
+            let named = harmonics == 1 && *cycles >= 2.5 && !waves;
+            if named {
+                continue;
+            }
             all.push(Shape {
                 variable,
                 direction: tangential,
@@ -226,6 +232,29 @@ fn bumps(
                 tried: 2.0 * count as f64,
             }),
     );
+}
+
+/// Slopes from up to `count` edges on, upwards and downwards.
+fn kinks(
+    ground: &Ground,
+    variable: Variable,
+    direction: Direction,
+    count: usize,
+    all: &mut Vec<Shape>,
+) {
+    let Some(values) = ground.values(variable) else {
+        return;
+    };
+    let edges = edges(values, count);
+    let tried = 2.0 * edges.len() as f64;
+    all.extend(edges.iter().flat_map(|at| {
+        [false, true].map(|below| Shape {
+            variable,
+            direction,
+            profile: Profile::Kink { at: *at, below },
+            tried,
+        })
+    }));
 }
 
 /// Steps at up to `count` edges between values, and plateaus between pairs of them.

@@ -6,7 +6,11 @@ use super::answer::{Floor, Found};
 use super::arena::Fit;
 use super::familywise::FamilyP;
 use super::prepare::Prepared;
+use super::final_set::worth;
 use super::values::Values;
+
+/// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
+const CLOSE: f64 = 6.0;
 
 /// One effect more, in the order of what each adds.
 pub(crate) struct Step {
@@ -64,26 +68,32 @@ pub(crate) fn found(
     let one = |step: &Step| {
         let about = step.term.effect.about();
         let term = &step.term;
-        let rest = arena.without_term(with_shapes, term);
-        let scores = arena.scan(&rest);
-        let own_odds = with_shapes.ln_evidence - rest.ln_evidence;
-        let mut own_surprise = 0.0_f64;
-        let mut next: Option<(f64, String)> = None;
-        for score in &scores {
+        let worth = worth(prepared, with_shapes, term);
+        let mut next: Option<(f64, usize)> = None;
+        for score in &arena.scan(&worth.rest) {
             let Some(other) = arena.table.candidates[score.candidate].what.term() else {
                 continue;
             };
-            if other.same_column(term) {
-                own_surprise = score.surprise;
-            }
             let same_name = other.effect.about().id == about.id
                 && (!about.per_joint || other.joint == term.joint);
-            if !same_name && next.as_ref().is_none_or(|n| score.ln_odds > n.0) {
-                next = Some((score.ln_odds, other.effect.about().id.to_owned()));
+            if !same_name && next.is_none_or(|n| score.ln_odds > n.0) {
+                next = Some((score.ln_odds, score.candidate));
             }
         }
-        let over = own_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
-        let p_family = arena.family_p(own_surprise, with_shapes);
+        // Where it is close the next one is refitted, as this one was.
+        let next = next.map(|(ln_odds, candidate)| {
+            let what = &arena.table.candidates[candidate].what;
+            let ln_odds = if worth.ln_odds - ln_odds < CLOSE {
+                let refitted = arena.with(&worth.rest, what);
+                refitted.ln_evidence - worth.rest.ln_evidence
+            } else {
+                ln_odds
+            };
+            let id = what.term().map_or("", |t| t.effect.about().id);
+            (ln_odds, id.to_owned())
+        });
+        let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
+        let p_family = arena.family_p(worth.minus_ln_p, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let says = says(

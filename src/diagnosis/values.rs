@@ -9,11 +9,16 @@ use nalgebra::DMatrix;
 use crate::effects::Term;
 use crate::fit::problem::Problem;
 use crate::fit::solver::{Solution, solve};
-use crate::fit::{DEFAULT_EFFECTS, Estimate, covariance_of, noise_beside, parameters_of};
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::{
+    DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, covariance_of, noise_beside,
+    parameters_of, report,
+};
 use crate::model::Model;
 
 use super::arena::Fit;
 use super::prepare::Prepared;
+use super::selection::Selection;
 
 /// Values of shapes that a fit to all samples may carry at most.
 const MOST_BESIDE: usize = 20_000_000;
@@ -27,6 +32,7 @@ pub(crate) struct Values<'a> {
     pub(crate) covariance: Option<DMatrix<f64>>,
     /// One list for each term of the model.
     estimates: Vec<Vec<Estimate>>,
+    kurtosis: f64,
 }
 
 impl<'a> Values<'a> {
@@ -56,10 +62,98 @@ impl<'a> Values<'a> {
             covariance: covariance
                 .filter(|_| own > 0)
                 .map(|c| c.view((0, 0), (own, own)).into_owned()),
+            kurtosis: kurtosis(&problem, &solution),
             estimates,
             solution,
             problem,
         }
+    }
+
+    /// White noise along each axis, mm.
+    pub(crate) fn sigma_mm(&self) -> [f64; 3] {
+        let scale = self.white().0.sqrt();
+        let noise = self.problem.noise.as_ref();
+        noise.map_or([scale; 3], |n| n.sigma_mm.map(|s| s * scale))
+    }
+
+    /// The same over some axes, root mean square.
+    pub(crate) fn white_mm(&self, axes: &[usize]) -> f64 {
+        let sigma = self.sigma_mm();
+        let sum: f64 = axes.iter().map(|a| sigma[*a].powi(2)).sum();
+        (sum / axes.len().max(1) as f64).sqrt()
+    }
+
+    /// Mean square of a whitened coordinate that is left, its degrees of freedom, and the kurtosis
+    /// of what is left.
+    pub(crate) fn white(&self) -> (f64, f64, f64) {
+        let m = (self.problem.samples() * self.problem.axes()) as f64;
+        let freedom = (m - self.rank()).max(1.0);
+        (self.solution.cost / freedom, freedom, self.kurtosis)
+    }
+
+    /// Number of combinations of coefficients that the samples determine.
+    pub(crate) fn rank(&self) -> f64 {
+        self.solution.spectrum.rank() as f64
+    }
+
+    pub(crate) fn noise_is_slow(&self) -> bool {
+        let noise = self.problem.noise.as_ref();
+        noise.is_some_and(|n| n.slow.is_some())
+    }
+
+    /// Root mean square length of what is left of the samples that count, mm.
+    pub(crate) fn rms_mm(&self) -> f64 {
+        let left = deviations(&self.problem, &self.model);
+        let spread = Spread::of(
+            &left.length_mm,
+            |i| self.problem.fit[i],
+            |i| !self.problem.used[i],
+        );
+        spread.map_or(0.0, |s| s.rms_mm)
+    }
+
+    /// Takes what the selection adds out of the size of a term.
+    pub(crate) fn correct(&mut self, term: &Term, selection: &Selection) {
+        let mut terms = self.model.terms().iter();
+        let Some(at) = terms.position(|t| t.same_column(term)) else {
+            return;
+        };
+        let kind = self.model.robot.joints[term.joint].kind;
+        let sizes = self.model.terms()[at].parameters_on(kind).len();
+        let settings = sizes - selection.sized(term);
+        for estimate in self.estimates[at].iter_mut().skip(settings) {
+            selection.correct(estimate);
+        }
+        let mut first = 0;
+        let mut coefficients = self.model.coefficients();
+        for (k, own) in self.model.terms().iter().enumerate() {
+            let size = own.coefficients.len();
+            if k == at {
+                let scaled = own.effect.about().form.coefficients_at_zero();
+                for c in &mut coefficients[first..first + scaled] {
+                    *c *= selection.factor;
+                }
+            }
+            first += size;
+        }
+        self.model = self.model.with_coefficients(&coefficients);
+        self.solution.model = self.model.clone();
+    }
+
+    /// This fit as `identify` would answer it.
+    pub(crate) fn identification(&self, not_identifiable: Vec<NotIdentifiable>) -> Identification {
+        let session = self.problem.session;
+        let nominal = Model::nominal(session.robot.clone());
+        let mut answer = report(
+            session,
+            &self.problem,
+            self.solution.clone(),
+            &nominal,
+            not_identifiable,
+        );
+        answer.parameters = self.estimates.concat();
+        answer.covariance.clone_from(&self.covariance);
+        answer
     }
 
     /// Estimates of one of its terms.
@@ -74,5 +168,28 @@ impl<'a> Values<'a> {
         let terms = self.model.terms().iter().zip(&self.estimates);
         let base = terms.filter(|(t, _)| DEFAULT_EFFECTS.contains(&t.effect.about().id));
         base.flat_map(|(_, own)| own.clone()).collect()
+    }
+}
+
+/// Fourth moment of the coordinates that are left over the square of the second, each axis in units
+/// of its own noise; 3 for a Gaussian, and never less.
+fn kurtosis(problem: &Problem, solution: &Solution) -> f64 {
+    let left = deviations(problem, &solution.model);
+    let (mut second, mut fourth, mut n) = (0.0, 0.0, 0.0);
+    for (axis, values) in left.axes_mm.iter().enumerate() {
+        let weight = problem.axis_weights[axis];
+        for (i, e) in values.iter().enumerate() {
+            if weight > 0.0 && problem.used[i] {
+                let square = e * e * weight;
+                second += square;
+                fourth += square * square;
+                n += 1.0;
+            }
+        }
+    }
+    if second > 0.0 {
+        f64::max(fourth * n / (second * second), 3.0)
+    } else {
+        3.0
     }
 }

@@ -70,7 +70,7 @@ const FEWEST_SAMPLES: usize = 20;
 /// Twice the logarithm of the likelihood ratio from which on a slow part is there. A time constant
 /// and a size for each axis on the boundary of their range: white noise exceeds it in about one
 /// session of a hundred (`hidden_effects noise`).
-const SLOW_EVIDENCE: f64 = 9.0;
+const SLOW_EVIDENCE: f64 = 12.0;
 /// Below this noise is rounding, mm.
 pub const SMALLEST_SIGMA_MM: f64 = 1e-6;
 /// Variances of the slow part that are tried first, in units of the white part's.
@@ -441,7 +441,8 @@ impl<'r> Restricted<'r> {
         }
     }
 
-    /// Shortest and longest time constant that the samples can tell.
+    /// Shortest and longest time constant that the samples can tell. What does not come back
+    /// within the session cannot be told from an offset and a drift of the frame, which are effects.
     fn times(&self) -> (f64, f64) {
         let times = &self.rows.times;
         let mut apart: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
@@ -451,7 +452,7 @@ impl<'r> Restricted<'r> {
             return (1.0, 1.0);
         };
         let total: f64 = apart.iter().sum();
-        (middle, (5.0 * total).max(middle))
+        (middle, total.max(middle))
     }
 
     /// White part 1, slow part of these variances.

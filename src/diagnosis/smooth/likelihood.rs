@@ -85,6 +85,8 @@ impl Sums {
 /// The shape of the prior: everything but the sizes.
 #[derive(Debug, Clone)]
 pub(super) struct Kernel {
+    /// In shares of the range.
+    length: f64,
     /// Inverse covariance of the values in one direction at size 1.
     precision: DMatrix<f64>,
     factor: Cholesky<f64, Dyn>,
@@ -111,10 +113,16 @@ impl Kernel {
         let factor = precision.clone().cholesky()?;
         let ln_determinant = ln_determinant(&factor);
         Some(Self {
+            length,
             precision,
             factor,
             ln_determinant,
         })
+    }
+
+    /// About how many straight pieces say as much: three over each length.
+    pub(super) fn pieces(&self) -> f64 {
+        3.0 / self.length
     }
 
     fn knots(&self) -> usize {

@@ -60,7 +60,7 @@ const FEWEST_VALUES: usize = 10;
 /// How often samples that were suspected are looked at again.
 const MOST_ROUNDS: usize = 3;
 /// Lengths of the prior that are tried, in shares of the range.
-const LENGTHS: [f64; 3] = [1.0, 0.25, 0.0625];
+const LENGTHS: [f64; 4] = [1.0, 0.25, 0.0625, 0.02];
 
 /// What is left of a model as a smooth correction, or why there is none, if the options ask for
 /// one.
@@ -142,6 +142,36 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
         held_out_mm,
         how,
         says,
+    })
+}
+
+/// A free curve over a joint beside a model.
+pub(crate) struct FreeCurve {
+    /// Logarithm of how much likelier the samples are with it.
+    pub(crate) ln_odds: f64,
+    /// Columns that it is worth.
+    pub(crate) freedom: usize,
+}
+
+/// The likeliest free curve over a joint beside a model, on the samples that a search looks at.
+pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Option<FreeCurve> {
+    let arena = &prepared.arena;
+    let columns = Columns::new(&arena.problem, &arena.noise, model, joint);
+    if columns.values.len() < FEWEST_VALUES {
+        return None;
+    }
+    let knots = Knots {
+        from: columns.from(),
+        to: columns.to(),
+        period: None,
+        count: columns.values.len().clamp(4, MOST_KNOTS),
+    };
+    let best = tried(&columns, knots)?;
+    let names = NamesAlone::new(&columns.sums(&knots)?);
+    let length = best.kernel.pieces().ceil();
+    Some(FreeCurve {
+        ln_odds: best.ln_evidence - names.ln_evidence,
+        freedom: length as usize,
     })
 }
 

@@ -7,21 +7,36 @@ use super::answer::Unexplained;
 use super::arena::Fit;
 use super::prepare::Prepared;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
+use super::candidates::What;
 
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let arena = &prepared.arena;
     let fit = &end.fit;
     if fit.shapes.is_empty() {
         let scores = arena.scan(fit);
-        let largest = scores.iter().map(|s| s.surprise).fold(0.0, f64::max);
+        let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
+        // Where it would be, were it more than noise.
+        let likeliest = scores
+            .iter()
+            .filter_map(|s| match &arena.table.candidates[s.candidate].what {
+                What::Anonymous(shape) => Some((s.ln_odds, shape)),
+                What::Named(_) => None,
+            })
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
         return Unexplained {
             present: false,
             p: arena.family_p(largest, fit).p,
             rms_mm: 0.0,
-            place: None,
+            place: likeliest.map(|(_, shape)| {
+                shape.place(arena.table.ground.range(shape.variable), slides)
+            }),
             resembles: Vec::new(),
-            says: String::new(),
+            says: likeliest.map_or_else(String::new, |(_, shape)| {
+                format!("what is left looks most like {}", shape.says())
+            }),
             shapes: Vec::new(),
+            noise: None,
             correction: None,
         };
     }
@@ -56,11 +71,11 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
     let freedom = (arena.m() - fit.basis.rank() as f64).max(1.0);
     let k = fit.shapes[main].white.ncols();
     let test = super::significance::Significance::new(k, freedom);
-    let surprise =
+    let minus_ln_p =
         test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
     Unexplained {
         present: true,
-        p: arena.family_p(surprise, fit).p,
+        p: arena.family_p(minus_ln_p, fit).p,
         rms_mm: (total.max(0.0) / n).sqrt() * mean_sigma_mm(arena),
         place: Some(shape.place(range, prismatic)),
         resembles,
@@ -72,6 +87,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
                 (placed.shape, placed.coefficients.iter().copied().collect())
             })
             .collect(),
+        noise: None,
         correction: None,
     }
 }

@@ -1,0 +1,83 @@
+//! A free curve over a joint as the rival of every sum of names that follow nothing but its value:
+//! a kink, levels by sector or a chirp can be made up of enough harmonics, and are none.
+//!
+//! The curve is a Gaussian process along the joint's motion, along its radius and along its axis
+//! ([`super::smooth`]); its likelihood, with the curve integrated out, stands beside that of the
+//! names. Where it is likelier, the names that only make it up are withdrawn.
+
+use crate::effects::{Over, Term};
+
+use super::anonymous::{Direction, Profile, Shape, Variable};
+use super::arena::{Arena, Fit};
+use super::prepare::Prepared;
+use super::search::Found;
+use super::smooth;
+
+/// What the curve pays for its kind, its length, its size and its directions: one in twenty, as every
+/// shape, and a factor of e for each number.
+const PRICE: f64 = 3.0 + 3.0;
+/// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
+const FEWEST_COLUMNS: usize = 3;
+/// Pieces of the curve that takes the names' place in the fit, at most.
+const MOST_PIECES: usize = 60;
+
+/// Holds a free curve over each joint against the names; where it is likelier it takes their place.
+pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
+    let arena = &prepared.arena;
+    for joint in 0..prepared.survey.joints.len() {
+        let fit = &found.fit;
+        let made_up: Vec<Term> = arena
+            .added(fit)
+            .into_iter()
+            .filter(|t| follows_only(t, joint))
+            .cloned()
+            .collect();
+        let columns: usize = made_up.iter().map(|t| t.coefficients.len() + settings(t)).sum();
+        let over_joint =
+            |s: &super::arena::Placed| s.shape.variable == Variable::Joint(joint);
+        let shapes = fit.shapes.iter().filter(|s| over_joint(s)).count();
+        if columns < FEWEST_COLUMNS && shapes == 0 || made_up.is_empty() {
+            continue;
+        }
+        let model = fit
+            .model
+            .without(|t| made_up.iter().any(|m| m.same_column(t)));
+        let kept = fit.shapes.iter().filter(|s| !over_joint(s)).cloned();
+        let rest = arena.fit(&model, kept.collect());
+        let Some(curve) = smooth::free_curve(prepared, &rest.model, joint) else {
+            continue;
+        };
+        let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
+        if likelihood > fit.ln_evidence {
+            let pieces = curve.freedom.clamp(4, MOST_PIECES);
+            found.fit = with_curve(arena, &rest, joint, pieces, likelihood);
+        }
+    }
+}
+
+/// Whether an effect is a function of this joint's value alone.
+fn follows_only(term: &Term, joint: usize) -> bool {
+    let about = term.effect.about();
+    about.over == Over::Angle && (term.joint == joint || !about.per_joint)
+}
+
+fn settings(term: &Term) -> usize {
+    usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
+}
+
+fn with_curve(arena: &Arena, rest: &Fit, joint: usize, pieces: usize, ln_evidence: f64) -> Fit {
+    let mut shapes = rest.shapes.clone();
+    shapes.push(arena.placed(Shape {
+        variable: Variable::Joint(joint),
+        direction: Direction::Tangential(joint),
+        profile: Profile::Curve { pieces },
+        tried: 1.0,
+    }));
+    let mut fit = arena.fit(&rest.model, shapes);
+    let credit = ln_evidence - fit.ln_evidence;
+    if let Some(curve) = fit.shapes.last_mut() {
+        curve.credit = credit;
+    }
+    fit.ln_evidence = ln_evidence;
+    fit
+}

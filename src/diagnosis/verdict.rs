@@ -1,0 +1,201 @@
+//! Whether what is left is noise: against returns to the same pose (lack of fit, an F test), else
+//! against the noise that the instrument's maker states (χ², with the kurtosis that the residuals
+//! show), on samples that the fit has not seen, by its structure, and by whether the search was
+//! stopped before its end.
+//!
+//! ```text
+//! F = [(S_fit − S_pure)/(ν − ν_pure)] / [S_pure/ν_pure],   z = (s²/σ² − 1)/√((κ − 1)/ν)
+//! ```
+//!
+//! S and s² are of the white part of the noise: a frame that wanders is an answer of its own and
+//! leaves the verdict as it is.
+
+use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
+
+use crate::sessions::Sigma;
+
+use super::answer::{Floor, FloorFrom, HeldOut, StatedNoise, Unexplained, Verdict};
+use super::floor::{PureError, pure_error};
+use super::prepare::Prepared;
+use super::search::{CHANCE, Found};
+use super::values::Values;
+
+/// More than this many times the floor is not the floor …
+const MOST_OVER_THE_FLOOR: f64 = 1.15;
+/// … unless so few samples show it that noise does as much in one session of so many.
+const CHANCE_OF_A_RATIO: f64 = 0.01;
+/// A smaller excess counts from this chance on …
+const CHANCE_OF_AN_EXCESS: f64 = 0.001;
+/// … if it is above the digits that a stated σ has.
+const LEAST_EXCESS: f64 = 1.03;
+
+/// How what is left compares with the floor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Excess {
+    /// White noise as found over the floor.
+    pub(crate) ratio: f64,
+    /// Chance of as much from noise alone.
+    pub(crate) p: f64,
+}
+
+impl Excess {
+    fn is_more_than_noise(&self) -> bool {
+        self.ratio > MOST_OVER_THE_FLOOR && self.p < CHANCE_OF_A_RATIO
+            || self.ratio > LEAST_EXCESS && self.p < CHANCE_OF_AN_EXCESS
+    }
+}
+
+/// Adds to what is unexplained what speaks for more than noise; answers the verdict.
+pub(crate) fn judge(
+    prepared: &Prepared,
+    found: &Found,
+    values: &Values,
+    floor: &Floor,
+    held_out: &HeldOut,
+    unexplained: &mut Unexplained,
+) -> Verdict {
+    let names = prepared.arena.added(&found.fit).len();
+    if !unexplained.present {
+        let excess = match floor.from {
+            FloorFrom::Repeats => pure_error(prepared).map(|pure| lack_of_fit(values, &pure)),
+            FloorFrom::Instrument => over_stated(prepared, values),
+            FloorFrom::Estimated => None,
+        };
+        let capped = names + found.fit.shapes.len() >= prepared.cap();
+        let structure = if capped { CHANCE } else { CHANCE_OF_STRUCTURE };
+        if unexplained.p < structure {
+            unexplained.present = true;
+            if capped {
+                unexplained.says = format!(
+                    "the search stopped at its limit of {} effects; {}",
+                    prepared.cap(),
+                    unexplained.says
+                );
+            }
+        } else if let Some(excess) = excess.filter(Excess::is_more_than_noise) {
+            flag(prepared, values, floor, excess, unexplained);
+        } else if let Some(excess) = unseen(prepared, values, floor, held_out)
+            && excess.is_more_than_noise()
+        {
+            flag(prepared, values, floor, excess, unexplained);
+        }
+        if unexplained.present && unexplained.rms_mm == 0.0 {
+            let end = held_out.gaps.map_or(0.0, |g| g.end_mm).max(values.rms_mm());
+            unexplained.rms_mm = (end * end - floor.mm * floor.mm).max(0.0).sqrt();
+        } else if !unexplained.present {
+            // What the search saw last is noise: there is nothing to say of it.
+            unexplained.place = None;
+            unexplained.says.clear();
+        }
+    }
+    match (names == 0, unexplained.present) {
+        (true, false) => Verdict::Noise,
+        (false, false) => Verdict::Explained,
+        (false, true) => Verdict::PartlyExplained,
+        (true, true) => Verdict::Unexplained,
+    }
+}
+
+/// The smallest chance that simulations can state: structure that the search did not take all the
+/// same (it does not predict unseen samples, or matters little) is said to be there.
+const CHANCE_OF_STRUCTURE: f64 = 0.0005;
+
+fn flag(
+    prepared: &Prepared,
+    values: &Values,
+    floor: &Floor,
+    excess: Excess,
+    unexplained: &mut Unexplained,
+) {
+    let found_mm = values.white_mm(&prepared.arena.rows.axes);
+    unexplained.present = true;
+    unexplained.p = excess.p.max(f64::MIN_POSITIVE);
+    unexplained.place = None;
+    let against = match floor.from {
+        FloorFrom::Repeats => "returns to the same pose show",
+        _ => "is stated for the instrument",
+    };
+    unexplained.says = format!(
+        "the remaining error is {:.2} times what {against} ({:.4} mm), without a structure that \
+         the search knows",
+        excess.ratio, floor.mm
+    );
+    if floor.from == FloorFrom::Instrument {
+        let stated = prepared.problem.session.instrument.sigma_mm;
+        unexplained.noise = Some(StatedNoise {
+            stated_mm: match stated {
+                Some(Sigma::Overall(sigma)) => sigma,
+                _ => floor.mm / (prepared.arena.rows.axes.len() as f64).sqrt(),
+            },
+            found_mm,
+        });
+    }
+}
+
+/// F of the lack of fit against pure error.
+fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
+    let (variance, freedom, _) = values.white();
+    let beyond = freedom - pure.freedom;
+    let none = Excess { ratio: 1.0, p: 1.0 };
+    if beyond < 1.0 || pure.variance <= 0.0 {
+        return none;
+    }
+    let lack = (variance * freedom - pure.variance * pure.freedom) / beyond;
+    let f = lack / pure.variance;
+    let Ok(distribution) = FisherSnedecor::new(beyond, pure.freedom) else {
+        return none;
+    };
+    Excess {
+        ratio: (variance / pure.variance).sqrt(),
+        p: if f > 0.0 { distribution.sf(f) } else { 1.0 },
+    }
+}
+
+/// The white noise that was found against the stated one.
+fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
+    let stated = prepared.problem.session.instrument.sigma_mm?;
+    let axes = &prepared.arena.rows.axes;
+    let (_, freedom, kurtosis) = values.white();
+    let sigma = values.sigma_mm();
+    let mean = |of: &dyn Fn(usize) -> f64| {
+        axes.iter().map(|a| of(*a)).sum::<f64>() / axes.len().max(1) as f64
+    };
+    let ratio2 = match stated {
+        Sigma::Overall(s) => mean(&|a| (sigma[a] / s).powi(2)),
+        Sigma::PerAxis(s) => mean(&|a| (sigma[a] / s[a]).powi(2)),
+    };
+    Some(excess_of(ratio2, freedom, kurtosis))
+}
+
+/// Chance of a mean square so many times the expected one.
+fn excess_of(ratio2: f64, freedom: f64, kurtosis: f64) -> Excess {
+    // Wilson & Hilferty's cube root makes χ² nearly normal; heavy tails widen it.
+    let spread = (kurtosis - 1.0) / freedom.max(1.0);
+    let z = (ratio2.max(0.0).cbrt() - (1.0 - spread / 9.0)) / (spread / 9.0).sqrt();
+    let p = Normal::new(0.0, 1.0).map_or(1.0, |n| n.sf(z));
+    Excess {
+        ratio: ratio2.max(0.0).sqrt(),
+        p,
+    }
+}
+
+/// The error on unseen samples against the floor: p predicted coordinates carry the error of the
+/// fit besides their own noise. A slow part of the noise is not the model's.
+fn unseen(
+    prepared: &Prepared,
+    values: &Values,
+    floor: &Floor,
+    held_out: &HeldOut,
+) -> Option<Excess> {
+    let gaps = held_out.gaps?;
+    if floor.from == FloorFrom::Estimated || values.noise_is_slow() {
+        return None;
+    }
+    let axes = prepared.arena.rows.axes.len() as f64;
+    let (_, freedom, kurtosis) = values.white();
+    let m = freedom + values.rank();
+    let carried = (m + values.rank()) / m.max(1.0);
+    let ratio2 = (gaps.end_mm / floor.mm).powi(2) / carried;
+    let count = (held_out.samples as f64 * axes).min(m);
+    Some(excess_of(ratio2, count, kurtosis))
+}
