@@ -2,9 +2,9 @@
 
 use truepose::diagnosis::format_v1::Document;
 use truepose::diagnosis::{Diagnosis, Options, Verdict};
-use truepose::pipeline::diagnose;
 use truepose::effects::{JointValues, Term};
 use truepose::fit::{Identification, identify_with};
+use truepose::pipeline::diagnose;
 use truepose::sessions::Session;
 
 use crate::rig::Rig;

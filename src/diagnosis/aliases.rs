@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 
-use super::arena::{Arena, Fit, Score};
+use super::arena::{Arena, Fit, PRICE_OF_A_NAME, Score};
 use super::search::{by_odds, compatible};
 use crate::fit::linear::{small_cholesky, small_gain};
 
@@ -201,7 +201,7 @@ fn best_pairs(arena: &Arena, rest: &Fit, list: &[usize], enough: f64) -> Vec<(us
         for (b, unit_b, h_b) in &pieces[i + 1..] {
             let (ca, cb) = (&arena.table.candidates[*a], &arena.table.candidates[*b]);
             let bound = h_a.norm_squared() + h_b.norm_squared();
-            let price = ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln();
+            let price = ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln() + 2.0 * PRICE_OF_A_NAME;
             let worth = |gain: f64, rank: usize| {
                 let r2 = (gain / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
                 -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln() - price

@@ -25,8 +25,12 @@ use crate::fit::linear::{Basis, small_cholesky, small_gain};
 use crate::fit::noise::Noise;
 use crate::fit::regression::Rows;
 
-/// A shape has to be this much likelier than names to be preferred, as a logarithm …
-const PRICE_OF_A_SHAPE: f64 = 3.5;
+/// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
+/// as it is small.
+pub(crate) const PRICE_OF_A_NAME: f64 = 3.0;
+/// A shape pays as a name does, and has to be this much likelier besides, as a logarithm: thirty
+/// times …
+const PRICE_OF_A_SHAPE: f64 = 3.5 + PRICE_OF_A_NAME;
 /// … and this much more for each setting that is fitted finely.
 const PRICE_OF_A_SETTING: f64 = 1.5;
 
@@ -86,7 +90,7 @@ pub(crate) struct Arena<'a> {
     ln_noise: f64,
 }
 
-/// What a slow part of the noise pays for each of its numbers (a time constant and a size for each
+/// A slow part of the noise pays for being there as a name does, and for each of its numbers (a time constant and a size for each
 /// axis), as a logarithm: each is known to about a factor of two within a range of some hundred to
 /// one: ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a
 /// variance of a few slow swings is not.)
@@ -195,7 +199,11 @@ impl<'a> Arena<'a> {
     /// See the module.
     fn ln_evidence(&self, model: &Model, shapes: &[Placed], rss: f64, rank: usize) -> f64 {
         let m = self.m();
-        let names = model.terms().iter().map(|t| self.price_of_term(t));
+        let of_base = |t: &Term| self.base.terms().iter().any(|b| b.same_column(t));
+        let names = model.terms().iter().map(|t| {
+            let name = if of_base(t) { 0.0 } else { PRICE_OF_A_NAME };
+            name + self.price_of_term(t)
+        });
         let anonymous = shapes
             .iter()
             .map(|s| s.shape.tried.max(1.0).ln() + price_of(&s.shape));
@@ -232,7 +240,10 @@ impl<'a> Arena<'a> {
                 .filter_map(|dropped| {
                     let at: Vec<usize> = dropped.iter().map(|k| own.start + k).collect();
                     let c = all.select_rows(&at).select_columns(&at);
-                    let b = DVector::from_iterator(at.len(), dropped.iter().map(|k| term.coefficients[*k]));
+                    let b = DVector::from_iterator(
+                        at.len(),
+                        dropped.iter().map(|k| term.coefficients[*k]),
+                    );
                     let lost = b.dot(&c.cholesky()?.solve(&b));
                     Some(
                         -0.5 * self.m() * (lost / self.rounded(rss)).ln_1p()
@@ -269,7 +280,9 @@ impl<'a> Arena<'a> {
         let before = model.terms().iter().take_while(|t| !t.same_column(&absent));
         let first: usize = before.map(|t| t.coefficients.len()).sum();
         let (_, columns) = self.rows.extract(&model);
-        let own = columns.columns(first, absent.coefficients.len()).into_owned();
+        let own = columns
+            .columns(first, absent.coefficients.len())
+            .into_owned();
         let white = self.noise.whitened(&self.rows, &own);
         let along = fit.basis.q.tr_mul(&white);
         let mut free = white;
@@ -281,11 +294,12 @@ impl<'a> Arena<'a> {
         if term.effect.about().setting == Setting::None {
             return 0.0;
         }
-        let fraction = if term.setting.fract() != 0.0 && term.effect.about().setting.takes_fractions() {
-            self.price_of_a_fraction()
-        } else {
-            0.0
-        };
+        let fraction =
+            if term.setting.fract() != 0.0 && term.effect.about().setting.takes_fractions() {
+                self.price_of_a_fraction()
+            } else {
+                0.0
+            };
         let mut same = self.table.candidates.iter().filter(|c| {
             c.what.term().is_some_and(|t| {
                 t.effect.about().id == term.effect.about().id && t.joint == term.joint
@@ -345,7 +359,7 @@ impl<'a> Arena<'a> {
                 ln_odds: best_part
                     - candidate.tried.max(1.0).ln()
                     - match &candidate.what {
-                        What::Named(_) => 0.0,
+                        What::Named(_) => PRICE_OF_A_NAME,
                         What::Anonymous(shape) => price_of(shape),
                     },
             });
@@ -386,7 +400,9 @@ impl<'a> Arena<'a> {
         let mut parts = Vec::new();
         if vector && rank == k {
             let gram = |i: usize, j: usize| -> f64 {
-                (0..=i.min(j)).map(|l| factor[i * k + l] * factor[j * k + l]).sum()
+                (0..=i.min(j))
+                    .map(|l| factor[i * k + l] * factor[j * k + l])
+                    .sum()
             };
             for kept in subsets(k).filter(|s| s.len() < k) {
                 let size = kept.len();

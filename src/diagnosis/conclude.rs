@@ -16,22 +16,22 @@ use super::answer::{Diagnosis, Equivalent, Gaps};
 use super::arena::Fit;
 use super::blunders::Mended;
 use super::candidates::NotTestable;
+use super::final_set::worth;
 use super::floor::floor;
-use super::remainder::unexplained;
 use super::limits;
 use super::next_pose::NextPose;
 use super::prepare::Prepared;
+use super::remainder::unexplained;
+use super::search::CHANCE;
 use super::search::Found as SearchEnd;
+use super::selection::Selection;
+use super::significance::Significance;
 use super::smooth;
 use super::steps::{found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
-use super::selection::Selection;
-use super::significance::Significance;
-use super::search::CHANCE;
-use super::verdict;
-use super::final_set::worth;
 use super::values::Values;
+use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
 
 /// What stays undecided, for whoever proposes poses.
@@ -154,7 +154,11 @@ pub(crate) fn answer(
         not_found: limits::limits(arena, with_shapes),
         outliers,
         next_poses: proposal.poses,
-        noise: values.problem.noise.clone().unwrap_or_else(|| arena.noise.clone()),
+        noise: values
+            .problem
+            .noise
+            .clone()
+            .unwrap_or_else(|| arena.noise.clone()),
         covariance: values.covariance.clone(),
         model: values.model.settled(),
         history,

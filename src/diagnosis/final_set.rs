@@ -5,7 +5,7 @@ use crate::effects::Term;
 
 use super::arena::Fit;
 use super::prepare::Prepared;
-use super::search::{CHANCE, Found};
+use super::search::{CHANCE, Found, needed};
 use super::significance::Significance;
 use super::{Cancelled, Progress, Watch};
 
@@ -33,7 +33,7 @@ pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Resu
         for term in arena.added(fit) {
             let worth = worth(prepared, fit, term);
             let improbable = arena.family_p(worth.minus_ln_p, fit).p > CHANCE;
-            let unlikely = worth.ln_odds < 0.0;
+            let unlikely = worth.ln_odds < needed(fit, term).max(0.0);
             let useless = || prepared.folds.rms(arena, &worth.rest) <= unseen;
             if improbable || unlikely || useless() {
                 let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);

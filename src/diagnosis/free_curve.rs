@@ -8,14 +8,14 @@
 use crate::effects::{Over, Term};
 
 use super::anonymous::{Direction, Profile, Shape, Variable};
-use super::arena::{Arena, Fit};
+use super::arena::{Arena, Fit, PRICE_OF_A_NAME};
 use super::prepare::Prepared;
 use super::search::Found;
 use super::smooth;
 
-/// What the curve pays for its kind, its length, its size and its directions: one in twenty, as every
-/// shape, and a factor of e for each number.
-const PRICE: f64 = 3.0 + 3.0;
+/// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
+/// size, roughness). Names are as many as they are; no further preference is needed.
+const PRICE: f64 = PRICE_OF_A_NAME + 3.0;
 /// The names that a curve may stand for are at least so many columns: fewer are simpler than a curve.
 const FEWEST_COLUMNS: usize = 3;
 /// Pieces of the curve that takes the names' place in the fit, at most.
@@ -32,9 +32,11 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             .filter(|t| follows_only(t, joint))
             .cloned()
             .collect();
-        let columns: usize = made_up.iter().map(|t| t.coefficients.len() + settings(t)).sum();
-        let over_joint =
-            |s: &super::arena::Placed| s.shape.variable == Variable::Joint(joint);
+        let columns: usize = made_up
+            .iter()
+            .map(|t| t.coefficients.len() + settings(t))
+            .sum();
+        let over_joint = |s: &super::arena::Placed| s.shape.variable == Variable::Joint(joint);
         let shapes = fit.shapes.iter().filter(|s| over_joint(s)).count();
         if columns < FEWEST_COLUMNS && shapes == 0 || made_up.is_empty() {
             continue;

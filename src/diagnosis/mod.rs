@@ -45,12 +45,12 @@ mod free_curve;
 pub(crate) mod ground;
 mod held_out;
 mod incomplete;
-mod remainder;
 mod mending;
 mod next_pose;
 mod place;
-mod robust;
 pub(crate) mod prepare;
+mod remainder;
+mod robust;
 pub(crate) mod search;
 mod selection;
 mod shapes;
@@ -193,17 +193,20 @@ pub(crate) fn searched<'a>(
         found = prepared.search(watch)?;
     }
     let slow = prepared.with_slow_noise();
-    let white = prepared.arena.noise.slow.map(|_| prepared.with_white_noise());
+    let white = prepared
+        .arena
+        .noise
+        .slow
+        .map(|_| prepared.with_white_noise());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
-    for (rival, is_slow) in white.map(|w| (w, false)).into_iter().chain(slow.map(|s| (s, true))) {
+    free_curve::rival(&prepared, &mut found);
+    for rival in white.into_iter().chain(slow) {
         let (rival, end) = settled_search(rival, watch)?;
-        let margin = if is_slow { margin(&prepared, &found) } else { 0.0 };
-        if end.fit.ln_evidence > found.fit.ln_evidence - margin {
+        if end.fit.ln_evidence > found.fit.ln_evidence {
             (prepared, found) = (rival, end);
         }
     }
-    free_curve::rival(&prepared, &mut found);
     final_set::test(&prepared, &mut found, watch)?;
     Ok((prepared, found))
 }
@@ -223,17 +226,8 @@ fn settled_search<'a>(
         }
         found = prepared.search(watch)?;
     }
+    free_curve::rival(&prepared, &mut found);
     Ok((prepared, found))
-}
-
-/// A part of the machine has to be so much likelier than a frame that wanders, as a logarithm:
-/// twenty times. Of two answers about the frame the likelier one is taken.
-const SLOW_MARGIN: f64 = 3.0;
-
-fn margin(prepared: &Prepared, found: &search::Found) -> f64 {
-    let added = prepared.arena.added(&found.fit);
-    let of_the_frame = |t: &&crate::effects::Term| t.effect.about().over == crate::effects::Over::Time;
-    if added.iter().all(of_the_frame) { 0.0 } else { SLOW_MARGIN }
 }
 
 impl Options {

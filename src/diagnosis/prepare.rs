@@ -325,10 +325,7 @@ pub(crate) fn thinned<'a>(problem: &Problem<'a>, most: usize) -> Problem<'a> {
     thinned.used.fill(false);
     // A step of the golden ratio inside each stretch, so that no rhythm of the poses is hit.
     for k in 0..most {
-        let (from, to) = (
-            k * used.len() / most,
-            (k + 1) * used.len() / most,
-        );
+        let (from, to) = (k * used.len() / most, (k + 1) * used.len() / most);
         let inside = (k as f64 * 0.618_033_988_749_894_9).fract();
         let at = from + ((to - from) as f64 * inside) as usize;
         thinned.used[used[at.min(to - 1)]] = true;

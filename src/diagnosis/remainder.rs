@@ -5,9 +5,9 @@ use crate::sessions::Session;
 
 use super::answer::Unexplained;
 use super::arena::Fit;
+use super::candidates::What;
 use super::prepare::Prepared;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
-use super::candidates::What;
 
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let arena = &prepared.arena;
@@ -28,9 +28,8 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
             present: false,
             p: arena.family_p(largest, fit).p,
             rms_mm: 0.0,
-            place: likeliest.map(|(_, shape)| {
-                shape.place(arena.table.ground.range(shape.variable), slides)
-            }),
+            place: likeliest
+                .map(|(_, shape)| shape.place(arena.table.ground.range(shape.variable), slides)),
             resembles: Vec::new(),
             says: likeliest.map_or_else(String::new, |(_, shape)| {
                 format!("what is left looks most like {}", shape.says())

@@ -128,9 +128,13 @@ fn weighted(
             let leverage = spread.column(row).norm_squared();
             let w = weights[row % n];
             // In the fit a row pulls it towards itself; outside of it the fit's own error adds.
-            (1.0 - 2.0 * w * leverage + leverage * w).clamp(0.1, 1.0).max(
-                if w < 1e-3 { 1.0 + leverage.min(3.0) } else { 0.0 },
-            )
+            (1.0 - 2.0 * w * leverage + leverage * w)
+                .clamp(0.1, 1.0)
+                .max(if w < 1e-3 {
+                    1.0 + leverage.min(3.0)
+                } else {
+                    0.0
+                })
         })
         .collect();
     Some((left, kept))

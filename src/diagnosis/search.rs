@@ -6,10 +6,10 @@
 //! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 
-use crate::effects::{Setting, Term};
+use crate::effects::{Over, Setting, Term};
 
 use super::aliases;
-use super::anonymous::{Profile, Shape};
+use super::anonymous::{Profile, Shape, Variable};
 use super::arena::{Arena, Fit, Placed, Score};
 use super::candidates::What;
 use super::held_out::Folds;
@@ -204,15 +204,9 @@ impl Search<'_, '_> {
         let mut fit = fit;
         loop {
             let mut best: Option<Fit> = None;
-            let mut consider = |rest: Fit, named: bool| {
+            let mut consider = |rest: Fit, needed: f64| {
                 let lost = fit.ln_evidence - rest.ln_evidence;
                 let gain = rest.rss - fit.rss;
-                // Beside a shape a name has to be needed clearly, or it only mends the shape's edges.
-                let needed = if named && !fit.shapes.is_empty() {
-                    NEEDED_BESIDE_A_SHAPE
-                } else {
-                    NEEDED
-                };
                 if lost < needed || !self.matters(gain, &fit) {
                     let so_far = best.as_ref().map_or(f64::NEG_INFINITY, |b| b.ln_evidence);
                     if rest.ln_evidence > so_far {
@@ -221,10 +215,10 @@ impl Search<'_, '_> {
                 }
             };
             for term in self.arena.added(&fit) {
-                consider(self.arena.without_term(&fit, term), true);
+                consider(self.arena.without_term(&fit, term), needed(&fit, term));
             }
             for index in 0..fit.shapes.len() {
-                consider(self.arena.without_shape(&fit, index), false);
+                consider(self.arena.without_shape(&fit, index), NEEDED);
             }
             match best {
                 Some(rest) => fit = rest,
@@ -288,7 +282,11 @@ impl Search<'_, '_> {
             step *= 0.5;
         }
         let nearest = best.round().clamp(f64::from(from), f64::from(to));
-        let of_whole = if nearest == term.setting { whole } else { gain(nearest) };
+        let of_whole = if nearest == term.setting {
+            whole
+        } else {
+            gain(nearest)
+        };
         let worth = |gain: f64| {
             let share = (gain / fit.rss.max(1e-300)).min(1.0 - 1e-12);
             -0.5 * self.arena.m() * (-share).ln_1p()
@@ -334,7 +332,27 @@ impl Search<'_, '_> {
 
 /// Log-odds by which a term has to be needed beside the others.
 const NEEDED: f64 = 1.0;
+/// Beside a shape a name has to be needed clearly, or it only mends the shape's edges …
 const NEEDED_BESIDE_A_SHAPE: f64 = 5.0;
+/// … and more so where both follow the value of the same joint: what is unknown there may have any
+/// form, and most of it looks like some name.
+const NEEDED_BESIDE_ITS_LIKE: f64 = 15.0;
+
+/// Log-odds by which a name has to be needed in a fit.
+pub(crate) fn needed(fit: &Fit, term: &Term) -> f64 {
+    let about = term.effect.about();
+    let alike = |s: &Placed| {
+        about.over == Over::Angle
+            && matches!(s.shape.variable, Variable::Joint(j) if j == term.joint || !about.per_joint)
+    };
+    if fit.shapes.iter().any(alike) {
+        NEEDED_BESIDE_ITS_LIKE
+    } else if fit.shapes.is_empty() {
+        NEEDED
+    } else {
+        NEEDED_BESIDE_A_SHAPE
+    }
+}
 
 /// A profile with its two settings moved; `None` where it makes no sense any more.
 fn moved(profile: Profile, first: f64, second: f64) -> Option<Profile> {

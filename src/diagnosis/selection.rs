@@ -95,7 +95,10 @@ impl Selection {
         estimate.ci95 = Some(if large {
             [from, to]
         } else {
-            [from.min(estimate.value - half), to.max(estimate.value + half)]
+            [
+                from.min(estimate.value - half),
+                to.max(estimate.value + half),
+            ]
         });
     }
 }
@@ -108,7 +111,10 @@ mod tests {
     fn far_from_the_limit_nothing_is_corrected_and_near_it_the_size_falls() {
         assert_eq!(Selection::of(400.0, 20.0, 1), None);
         let near = Selection::of(21.0, 20.0, 1).unwrap();
-        assert!(near.factor < 0.85 && near.low == 0.0 && near.high < 1.5, "{near:?}");
+        assert!(
+            near.factor < 0.85 && near.low == 0.0 && near.high < 1.5,
+            "{near:?}"
+        );
         let further = Selection::of(49.0, 20.0, 1).unwrap();
         assert!(further.factor > 0.97, "{further:?}");
     }

@@ -5,8 +5,8 @@ use crate::effects::Term;
 use super::answer::{Floor, Found};
 use super::arena::Fit;
 use super::familywise::FamilyP;
-use super::prepare::Prepared;
 use super::final_set::worth;
+use super::prepare::Prepared;
 use super::values::Values;
 
 /// Within so much, as a logarithm, of the next name that one is refitted before they are compared.

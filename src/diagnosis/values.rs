@@ -7,9 +7,11 @@
 use nalgebra::DMatrix;
 
 use crate::effects::Term;
-use crate::fit::problem::Problem;
-use crate::fit::solver::{Solution, solve};
 use crate::fit::gap::{Spread, deviations};
+use crate::fit::linear::Basis;
+use crate::fit::problem::Problem;
+use crate::fit::regression::Rows;
+use crate::fit::solver::{Solution, solve};
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, covariance_of, noise_beside,
     parameters_of, report,
@@ -17,7 +19,7 @@ use crate::fit::{
 use crate::model::Model;
 
 use super::arena::Fit;
-use super::prepare::Prepared;
+use super::prepare::{Prepared, thinned};
 use super::selection::Selection;
 
 /// Values of shapes that a fit to all samples may carry at most.
@@ -55,7 +57,12 @@ impl<'a> Values<'a> {
             solution = solve(&problem, &solution.model);
         }
         let covariance = covariance_of(&problem, &solution);
-        let estimates = parameters_of(&problem, &solution, covariance.as_ref());
+        let mut estimates = parameters_of(&problem, &solution, covariance.as_ref());
+        for (term, own) in solution.model.terms().iter().zip(&mut estimates) {
+            if let Some(order) = own.iter_mut().find(|e| e.name == "order") {
+                order.ci95 = order_interval(&problem, &solution, term);
+            }
+        }
         let own = solution.model.coefficient_count();
         Self {
             model: solution.model.clone(),
@@ -193,3 +200,34 @@ fn kurtosis(problem: &Problem, solution: &Solution) -> f64 {
         3.0
     }
 }
+
+/// The 95 % interval of an order that is not whole, from the change of the samples with it beside
+/// all other coefficients.
+fn order_interval(problem: &Problem, solution: &Solution, term: &Term) -> Option<[f64; 2]> {
+    if term.setting.fract() == 0.0 {
+        return None;
+    }
+    let part = thinned(problem, MOST_SAMPLES_FOR_AN_ORDER);
+    let rows = Rows::of(&part);
+    let moved = |by: f64| {
+        let terms = solution.model.terms().iter().map(|t| Term {
+            setting: t.setting + if t.same_column(term) { by } else { 0.0 },
+            ..t.clone()
+        });
+        let model = Model::new(solution.model.robot.clone(), terms.collect());
+        rows.extract(&model).0
+    };
+    let by = 1e-4;
+    let change = (moved(-by) - moved(by)) / (2.0 * by);
+    let noise = problem.noise.as_ref()?;
+    let columns = rows.extract(&solution.model).1;
+    let basis = Basis::new(&noise.whitened(&rows, &columns));
+    let free = basis.reject(&noise.whitened_vector(&rows, &change));
+    let share = rows.samples.len() as f64 / problem.samples().max(1) as f64;
+    let half = 1.96 * (share / free.norm_squared()).sqrt();
+    half.is_finite()
+        .then(|| [term.setting - half, term.setting + half])
+}
+
+/// So many samples tell how sure an order is.
+const MOST_SAMPLES_FOR_AN_ORDER: usize = 1500;

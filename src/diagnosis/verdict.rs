@@ -63,7 +63,7 @@ pub(crate) fn judge(
         };
         let capped = names + found.fit.shapes.len() >= prepared.cap();
         let structure = if capped { CHANCE } else { CHANCE_OF_STRUCTURE };
-        if unexplained.p < structure {
+        if unexplained.p <= structure {
             unexplained.present = true;
             if capped {
                 unexplained.says = format!(

@@ -38,7 +38,8 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
         let used: Vec<bool> = kept.collect();
         let same = used == problem.used;
         problem.used = used;
-        let noise = (round < MOST_NOISE).then(|| noise_beside(problem, &solution.model, &solution.beside));
+        let noise =
+            (round < MOST_NOISE).then(|| noise_beside(problem, &solution.model, &solution.beside));
         let before = problem.noise.clone();
         let known = |n: &Noise| before.as_ref().is_some_and(|b| b.whitens_like(n));
         if same && noise.as_ref().is_none_or(known) {

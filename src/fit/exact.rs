@@ -26,7 +26,6 @@ use super::{alignment, scan};
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
 
-
 /// Fits the named effects, each on every joint where it can be tested.
 ///
 /// # Errors

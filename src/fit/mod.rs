@@ -24,8 +24,8 @@ mod unidentifiable;
 
 pub use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{
-    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with,
-    parameters_of, report, testable_effects,
+    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with, parameters_of,
+    report, testable_effects,
 };
 pub(crate) use exact::{free_frames, outliers};
 pub use outcome::{

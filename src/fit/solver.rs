@@ -343,21 +343,23 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
     let mut normal = Normal::new(columns);
     let mut whitening = Whitening::new(problem.noise.as_ref(), columns);
     let starts = blocks.iter().copied();
-    state.model.visit_blocks(&problem.inputs, true, starts, |start, block| {
-        let mut joined: Block;
-        let block = if problem.beside.is_empty() {
-            block
-        } else {
-            joined = block.clone();
-            join(&mut joined, problem, state, start);
-            &joined
-        };
-        if let Some(whitening) = &mut whitening {
-            normal.add_whitened(problem, start, block, sums, whitening);
-        } else {
-            normal.add(problem, start, block, sums);
-        }
-    });
+    state
+        .model
+        .visit_blocks(&problem.inputs, true, starts, |start, block| {
+            let mut joined: Block;
+            let block = if problem.beside.is_empty() {
+                block
+            } else {
+                joined = block.clone();
+                join(&mut joined, problem, state, start);
+                &joined
+            };
+            if let Some(whitening) = &mut whitening {
+                normal.add_whitened(problem, start, block, sums, whitening);
+            } else {
+                normal.add(problem, start, block, sums);
+            }
+        });
     normal.complete();
     normal
 }

@@ -46,7 +46,8 @@ pub fn estimates(
             let half = k.checked_sub(settings).map(|k| half_widths[k]);
             let value = parameter.value;
             let ci95 = match half {
-                None => Some([value, value]),
+                // Chosen, not estimated.
+                None => None,
                 Some(half) => half
                     .filter(|h| h.is_finite())
                     .map(|h| [value - h, value + h]),

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::export::{EXPORTERS, find};
-use crate::fit::regions::RegionChoice;
 use crate::fit::DEFAULT_EFFECTS;
+use crate::fit::regions::RegionChoice;
 use crate::model::RegionalCorrection;
 use crate::sessions::{Region, Session};
 

@@ -199,9 +199,7 @@ impl Workbench {
         let declined = self.declined.as_ref() == Some(&question);
         if !answered && !declined && !self.tasks.is_asked(&question) {
             self.declined = None;
-            self.tasks.ask(Question {
-                ..question
-            });
+            self.tasks.ask(Question { ..question });
         }
     }
 }
