@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
-use truepose::identification::{Gap, Identification};
+use truepose::identification::{DEFAULT_EFFECTS, Gap, Identification};
 use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
@@ -28,6 +28,10 @@ pub(crate) struct Identify {
     /// Number of uniform regions, or their boundaries in degrees: 6 | -90,-60,… | adaptive [default: the session's, else 6]
     #[arg(long, allow_hyphen_values = true)]
     regions: Option<String>,
+    /// Fit the geometry of several joints without weak priors (tool 50 mm; an aligned frame 20 mm,
+    /// 20 mrad; links 1 mm, 2 mrad; zero offsets 50 mrad)
+    #[arg(long)]
+    no_prior: bool,
     /// Joint values to start from
     #[arg(long, value_enum, default_value = "commanded")]
     joint_values: Values,
@@ -80,9 +84,12 @@ impl Identify {
         output::messages(&loaded.findings);
         let session = &loaded.session;
         let method = match (self.method, &self.regions) {
-            (Method::Exact, _) if self.effects.is_empty() => pipeline::Method::default(),
             (Method::Exact, _) => pipeline::Method::Exact {
-                effects: self.effects,
+                effects: match self.effects {
+                    effects if effects.is_empty() => DEFAULT_EFFECTS.map(str::to_owned).to_vec(),
+                    effects => effects,
+                },
+                priors: !self.no_prior,
             },
             (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
             (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
@@ -178,6 +185,8 @@ struct ParameterRow {
     joint: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     setup: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    target: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -243,6 +252,7 @@ impl<'a> Answer<'a> {
             effect: p.effect,
             joint: p.joint,
             setup: p.setup.clone(),
+            target: p.target.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,

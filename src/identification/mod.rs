@@ -2,8 +2,10 @@
 //! and the exact nonlinear fit ([`identify_exact`]).
 
 pub mod alignment;
+pub mod base_model;
 pub mod gap;
 pub mod normal;
+pub mod priors;
 pub mod problem;
 pub mod recursive;
 pub mod regions;
@@ -21,8 +23,8 @@ mod regional;
 mod unidentifiable;
 
 pub use exact::{
-    DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_watched, identify_with, report,
-    testable_effects,
+    DEFAULT_EFFECTS, fit_without_outliers, identify_exact, identify_watched, identify_with,
+    identify_without_priors, report, testable_effects,
 };
 pub(crate) use exact::{free_frames, outliers};
 pub use live::{Live, identify_live};

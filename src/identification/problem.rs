@@ -6,6 +6,8 @@ use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
 use crate::sessions::{Session, Sigma};
 
+use super::priors::Priors;
+
 /// See the module.
 #[derive(Debug, Clone)]
 pub struct Problem<'a> {
@@ -21,6 +23,8 @@ pub struct Problem<'a> {
     pub used: Vec<bool>,
     /// 1/σ² of each axis, or 1; 0 for an axis that was not measured.
     pub axis_weights: [f64; 3],
+    /// What is known of the coefficients beforehand; nothing of a robot with a single joint.
+    pub priors: Priors,
     /// Whether anybody still wants the answer.
     pub watch: Watch<'a>,
 }
@@ -99,6 +103,7 @@ impl<'a> Problem<'a> {
             session,
             inputs,
             axis_weights,
+            priors: Priors::default(),
             watch: Watch::default(),
         }
     }

@@ -13,6 +13,7 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -62,6 +63,8 @@ pub struct Spectrum {
     scale: DVector<f64>,
     values: DVector<f64>,
     vectors: DMatrix<f64>,
+    /// Number of coefficients that are held where they are.
+    held: usize,
 }
 
 /// Eigenvalues of the scaled Gram matrix below this are rounding: its entries are sums of products
@@ -81,6 +84,7 @@ impl Spectrum {
         if gram.is_empty() {
             // Nothing to take apart; the decomposition takes no empty matrix.
             return Self {
+                held: 0,
                 scale,
                 values: DVector::zeros(0),
                 vectors: DMatrix::zeros(0, 0),
@@ -91,7 +95,34 @@ impl Spectrum {
             scale,
             values: eigen.eigenvalues,
             vectors: eigen.eigenvectors,
+            held: 0,
         }
+    }
+
+    /// Takes the Gram matrix of a model's coefficients apart, apart from those that it holds.
+    fn of_model(gram: &DMatrix<f64>, model: &Model) -> Self {
+        let coefficients = model.terms().iter().flat_map(|term| {
+            let all = 0..term.coefficients.len();
+            all.map(|k| term.held.contains(k))
+        });
+        let held: Vec<usize> = coefficients
+            .enumerate()
+            .filter_map(|(k, held)| held.then_some(k))
+            .collect();
+        if held.is_empty() {
+            return Self::new(gram);
+        }
+        // Each a direction of its own, which takes no step as its gradient is zero.
+        let mut apart = gram.clone();
+        for k in &held {
+            apart[(*k, *k)] = 1.0;
+        }
+        let mut spectrum = Self::new(&apart);
+        for k in &held {
+            spectrum.scale[*k] = 0.0;
+        }
+        spectrum.held = held.len();
+        spectrum
     }
 
     fn determined(&self, index: usize) -> bool {
@@ -103,6 +134,7 @@ impl Spectrum {
         (0..self.values.len())
             .filter(|k| self.determined(*k))
             .count()
+            - self.held
     }
 
     /// Ratio of the largest to the smallest determined eigenvalue of the scaled Gram matrix; its
@@ -223,7 +255,7 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
 fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
     let mut model = start.clone();
     let mut normal = sum(problem, &model, blocks, Sums::All);
-    let mut spectrum = Spectrum::new(&normal.gram);
+    let mut spectrum = Spectrum::of_model(&normal.gram, &model);
     let mut damping = 0.0;
     let mut passes = 1;
     let stopped = loop {
@@ -237,6 +269,7 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
             break Stopped::Cancelled;
         }
         let step = spectrum.step(&normal.gradient, damping);
+        let step = bounded(&model, step);
         let trial = moved(&model, &step);
         if negligible(&step, &normal) {
             model = trial;
@@ -247,7 +280,7 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
         if next.cost.is_finite() && next.cost <= normal.cost * (1.0 + 1e-12) {
             model = trial;
             normal = next;
-            spectrum = Spectrum::new(&normal.gram);
+            spectrum = Spectrum::of_model(&normal.gram, &model);
             damping = if damping > 1e-9 { damping / 10.0 } else { 0.0 };
         } else {
             damping = if damping > 0.0 { damping * 10.0 } else { 1e-6 };
@@ -268,7 +301,7 @@ fn descend(problem: &Problem, start: &Model, blocks: &[usize]) -> Solution {
 /// Two passes over all samples from a model that is nearly right.
 fn polish(problem: &Problem, near: &Model, blocks: &[usize], passes: usize) -> Solution {
     let normal = sum(problem, near, blocks, Sums::All);
-    let spectrum = Spectrum::new(&normal.gram);
+    let spectrum = Spectrum::of_model(&normal.gram, near);
     let step = spectrum.step(&normal.gradient, 0.0);
     let model = moved(near, &step);
     let last = sum(problem, &model, blocks, Sums::Gradient);
@@ -297,8 +330,44 @@ fn sum(problem: &Problem, model: &Model, blocks: &[usize], sums: Sums) -> Normal
         normal.add(problem, start, block, sums);
     });
     normal.complete();
+    problem.priors.add(model, &mut normal);
     normal
 }
+
+/// The step of a robot with several joints, shortened so that nothing of its geometry goes farther
+/// at once than a linear step has a meaning. One joint alone needs no such bound.
+fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
+    if model.robot.joints.len() < 2 {
+        return step;
+    }
+    let mut first = 0;
+    let mut factor = 1.0_f64;
+    for term in model.terms() {
+        let (about, own) = (term.effect.about(), first);
+        first += term.coefficients.len();
+        if !super::base_model::belongs(about.id) {
+            continue;
+        }
+        for k in 0..term.coefficients.len() {
+            let turns = match about.id {
+                "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
+                "measuring-frame" => k < 3,
+                "link-geometry" => k >= 2,
+                _ => false,
+            };
+            let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
+            let size = step[own + k].abs();
+            if size > most {
+                factor = factor.min(most / size);
+            }
+        }
+    }
+    step * factor
+}
+
+/// As far as geometry may go in one step, rad and mm.
+const LONGEST_TURN: f64 = 0.3;
+const LONGEST_MOVE_MM: f64 = 200.0;
 
 fn moved(model: &Model, step: &DVector<f64>) -> Model {
     model.stepped(step.as_slice())
