@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::identification::{Estimate, Outlier};
+use crate::identification::{Estimate, NotIdentifiable, Outlier};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model};
 use crate::sessions::Session;
@@ -174,6 +174,8 @@ pub struct Diagnosis {
     pub outliers: Vec<Outlier>,
     /// What to measure next.
     pub next_poses: Vec<NextPose>,
+    /// What of the geometry the samples cannot tell from the rest.
+    pub not_identifiable: Vec<NotIdentifiable>,
     /// The noise as the search saw it.
     pub noise: Noise,
     /// The model with everything that was found.

@@ -8,7 +8,7 @@ use crate::identification::gap::{Deviations, Spread, deviations};
 use crate::identification::outliers;
 use crate::identification::problem::Problem;
 use crate::identification::robust::suspects;
-use crate::kinematics::Range;
+use crate::kinematics::{Range, Robot};
 use crate::model::{GapStep, Model};
 
 use super::aliases;
@@ -107,7 +107,7 @@ pub(super) fn answer(
         held_out_mm: held_out.gaps.map(|g| g.start_mm),
     }];
     history.push(GapStep {
-        what: "zero offset and link length".to_owned(),
+        what: base_in_words(&session.robot).to_owned(),
         gap_mm: gap.identified_mm,
         held_out_mm: held_out.gaps.map(|g| g.identified_mm),
     });
@@ -135,11 +135,20 @@ pub(super) fn answer(
         outliers,
         next_poses,
         noise: arena.noise.clone(),
+        not_identifiable: prepared.not_identifiable.clone(),
         covariance: values.covariance(),
         model: values.model.settled(),
         history,
         measured: measured(problem.inputs.q.iter().map(|q| &**q)),
     })
+}
+
+/// What belongs to every calibration of a robot.
+pub(super) fn base_in_words(robot: &Robot) -> &'static str {
+    match robot.joints.len() {
+        1 => "zero offset and link length",
+        _ => "geometry: frame, zero offsets, links and tool",
+    }
 }
 
 /// All samples that may be fitted, those that an option locked away as well, without those that

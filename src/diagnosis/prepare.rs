@@ -8,7 +8,9 @@ use crate::effects::{Survey, Term, find};
 use crate::identification::gap::deviations;
 use crate::identification::problem::Problem;
 use crate::identification::robust::suspects;
-use crate::identification::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
+use crate::identification::{
+    DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames,
+};
 use crate::model::Model;
 use crate::sessions::Session;
 
@@ -37,6 +39,8 @@ pub(super) struct Prepared<'a> {
     pub(super) locked: Vec<bool>,
     /// What was said of samples that lack a condition.
     pub(super) incomplete: Option<DataProblem>,
+    /// What of the base the samples cannot tell from the rest.
+    pub(super) not_identifiable: Vec<NotIdentifiable>,
     options: Options,
 }
 
@@ -56,8 +60,12 @@ impl<'a> Prepared<'a> {
             return Err(DiagnoseError::NothingToFit);
         }
         let survey = Survey::new(session, &problem.inputs);
-        let start = base_model(session, &problem, &survey, options);
-        let base = fit_without_outliers(&mut problem, &start).model;
+        let (base, not_identifiable) = if base_model::is_arm(session) {
+            arm(session, &mut problem, options)
+        } else {
+            let start = single_joint(session, &problem, &survey, options);
+            (fit_without_outliers(&mut problem, &start).model, Vec::new())
+        };
         keep_clusters(&mut problem);
         let arena = arena(&problem, &base, &survey, options);
         let folds = Folds::new(&arena);
@@ -68,6 +76,7 @@ impl<'a> Prepared<'a> {
             folds,
             locked,
             incomplete,
+            not_identifiable,
             options: options.clone(),
         })
     }
@@ -123,8 +132,21 @@ impl<'a> Prepared<'a> {
     }
 }
 
+/// The base of several joints, fitted; what only its priors keep in place stays there, as the search
+/// has no rows for them.
+fn arm(
+    session: &Session,
+    problem: &mut Problem,
+    options: &Options,
+) -> (Model, Vec<NotIdentifiable>) {
+    let start = base_model::start(session, problem, |id| options.allowed.exists(id));
+    let fitted = base_model::fit(problem, &start, true);
+    let model = base_model::with_weak_held(problem, &fitted.solution.model);
+    (model, fitted.held)
+}
+
 /// Terms that belong to every calibration: zero offset and link length, and free frames.
-fn base_model(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
+fn single_joint(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
     let mut terms = Vec::new();
     for id in DEFAULT_EFFECTS {
         let Some(effect) = find(id) else { continue };

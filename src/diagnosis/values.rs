@@ -19,7 +19,7 @@ use crate::identification::gap::{Deviations, deviations};
 use crate::identification::problem::Problem;
 use crate::identification::solver::solve;
 use crate::identification::uncertainty::{estimates, half_width_factor};
-use crate::identification::{DEFAULT_EFFECTS, Estimate};
+use crate::identification::{DEFAULT_EFFECTS, Estimate, base_model};
 use crate::model::Model;
 
 use super::arena::{Arena, Fit};
@@ -112,7 +112,11 @@ impl Values {
 
     /// Estimates of what belongs to every calibration.
     pub(super) fn identified(&self, arena: &Arena) -> Vec<Estimate> {
-        let base = |t: &&Term| DEFAULT_EFFECTS.contains(&t.effect.about().id);
+        let several = self.model.robot.joints.len() > 1;
+        let base = |t: &&Term| {
+            let id = t.effect.about().id;
+            DEFAULT_EFFECTS.contains(&id) || several && base_model::belongs(id)
+        };
         let terms = self.model.terms().iter().filter(base);
         terms
             .flat_map(|term| self.parameters_of(arena, term))
