@@ -12,8 +12,9 @@
 //! frames · tool · targets · zero offsets 1 … n · link geometry 1 … n
 //! ```
 //!
-//! and one of which nothing is left beside those before it is held at zero: modified Gram–Schmidt,
-//! twice (Björck 1967). So the same robot gives the same values in every session that shows it, and
+//! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
+//! the last of those that make it up is held at zero: the last that has a good part in it, lest a zero
+//! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
 //! what joint 1 shares with the frame belongs to the frame, what the last joint shares with the
 //! tool to the tool, what neighbours share to the first. What is held is said in words. The choice is
 //! made at the nominal geometry, where columns are exact copies of one another, and kept while the
@@ -33,7 +34,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::{
     Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolPosition, find,
 };
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
 
@@ -61,6 +62,10 @@ const NEVER_ALIGNED_MM: f64 = 100.0;
 /// A column of which less than this share is left beside others is a copy of them. Rounded axes
 /// (1.5708 for a right angle) leave some 4e-6.
 const COPY: f64 = 1e-4;
+/// Of what is a copy of one another the last is held, of those that have so large a part in it, as
+/// moves of the tool; and those with so large a part are named.
+const GOOD_PART: f64 = 0.3;
+const NAMED_PART: f64 = 0.02;
 /// A column that moves the samples by less than this is rounding, mm for a step of 1 mm or 1 mrad.
 const ROUNDING_MM: f64 = 1e-6;
 /// A direction whose prior moves the samples by less than this part of their noise is left to the
@@ -319,30 +324,49 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
     let places = places(start);
     let mut rows = columns(problem, start);
     add_targets(problem, start, &mut rows);
+    let reach_mm = reach_mm(&start.robot);
+    let size = |place: &Place| if place.turns { reach_mm } else { 1.0 };
     let mut basis = Basis::new(rows.nrows());
     let mut terms = start.terms().to_vec();
     let mut held = Vec::new();
-    for place in &places {
+    for (rank, place) in places.iter().enumerate() {
         let column = rows.column(place.column).into_owned();
         let own = column.norm();
-        let step = match place.class {
-            Class::Frame | Class::Tool | Class::Target | Class::Link => place.unit,
-            Class::Zero => 1e-3,
-        };
-        let moves_mm = own * step / (rows.nrows() as f64).sqrt();
+        let unit = if place.turns { 1e-3 } else { 1.0 };
+        let seen = own * unit / (rows.nrows() as f64).sqrt() > ROUNDING_MM;
         let free = basis.reject(&column);
-        if moves_mm > ROUNDING_MM && free.norm() > COPY * own {
-            basis.push(place.column, &column, &free);
+        if seen && free.norm() > COPY * own {
+            basis.push(rank, &column, &free);
             continue;
         }
-        terms[place.term].held = terms[place.term].held.with(place.coefficient);
-        terms[place.term].coefficients[place.coefficient] = 0.0;
-        let shared = if moves_mm > ROUNDING_MM {
-            basis.shares(&column)
+        // What makes up the column, and the column itself.
+        let mut parts = if seen {
+            basis.parts(&column)
         } else {
             Vec::new()
         };
-        let others: Vec<&str> = shared.iter().map(|k| names[*k].as_str()).collect();
+        parts.push((rank, 1.0));
+        for (of, part) in &mut parts {
+            *part = part.abs() * size(&places[*of]);
+        }
+        let largest = parts.iter().map(|p| p.1).fold(0.0, f64::max);
+        // The last of those that have a good part in it: to hold another would make numbers large.
+        let mut fit_to_hold = parts.iter().filter(|p| p.1 >= GOOD_PART * largest);
+        let last = fit_to_hold.next_back().map_or(rank, |p| p.0);
+        if last != rank {
+            basis.exchange(last, rank, &column, |k| {
+                rows.column(places[k].column).into_owned()
+            });
+        }
+        parts.retain(|p| p.0 != last && p.1 > NAMED_PART * largest);
+        parts.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let others: Vec<&str> = parts
+            .iter()
+            .map(|p| names[places[p.0].column].as_str())
+            .collect();
+        let place = &places[last];
+        terms[place.term].held = terms[place.term].held.with(place.coefficient);
+        terms[place.term].coefficients[place.coefficient] = 0.0;
         let own = names[place.column].as_str();
         held.push(NotIdentifiable {
             combination: [&[own], &others[..]].concat().join(" with "),
@@ -371,7 +395,7 @@ pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
     let noise = problem.priors.variance.sqrt();
     let mut basis = Basis::new(rows.nrows());
     let mut terms = model.terms().to_vec();
-    for place in places(model) {
+    for (rank, place) in places(model).into_iter().enumerate() {
         let term = &terms[place.term];
         if term.held.contains(place.coefficient) {
             continue;
@@ -382,12 +406,20 @@ pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
         let prior = problem.priors.sigma(model, term, place.coefficient);
         let weak = prior.is_some_and(|sigma| seen * sigma < WEAK * noise);
         if free.norm() > COPY * column.norm() && !weak {
-            basis.push(place.column, &column, &free);
+            basis.push(rank, &column, &free);
         } else {
             terms[place.term].held = terms[place.term].held.with(place.coefficient);
         }
     }
     Model::new(model.robot.clone(), terms)
+}
+
+/// How far the tool is from the farthest axis at home: what a turn of 1 rad may do, mm.
+fn reach_mm(robot: &Robot) -> f64 {
+    let tool = robot.base_from_tool.translation.vector;
+    let axes = robot.joints.iter();
+    let far = axes.map(|joint| (tool - joint.axis.point_mm.coords).norm());
+    far.fold(100.0, f64::max)
 }
 
 /// In this order columns are preferred.
@@ -406,8 +438,8 @@ struct Place {
     term: usize,
     coefficient: usize,
     column: usize,
-    /// 1 mm, or 1 mrad.
-    unit: f64,
+    /// Whether it is an angle.
+    turns: bool,
 }
 
 /// The coefficients of the base model that are not held, in the order of preference.
@@ -427,6 +459,7 @@ fn places(model: &Model) -> Vec<Place> {
             let turns = match class {
                 Some(Class::Frame) => coefficient < 3,
                 Some(Class::Link) => coefficient >= 2,
+                Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
                 _ => false,
             };
             if let Some(class) = class.filter(|_| !term.held.contains(coefficient)) {
@@ -435,7 +468,7 @@ fn places(model: &Model) -> Vec<Place> {
                     term: index,
                     coefficient,
                     column: first + coefficient,
-                    unit: if turns { 1e-3 } else { 1.0 },
+                    turns,
                 });
             }
         }
@@ -512,8 +545,8 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
 struct Basis {
     rows: usize,
     q: Vec<DVector<f64>>,
-    /// For each: its column, the column's length, and its parts along those before it and itself.
-    kept: Vec<(usize, f64, Vec<f64>)>,
+    /// For each: which it is, and its parts along those before it and itself.
+    kept: Vec<(usize, Vec<f64>)>,
 }
 
 impl Basis {
@@ -544,27 +577,40 @@ impl Basis {
         let mut along: Vec<f64> = self.q.iter().map(|q| q.dot(column)).collect();
         along.push(q.dot(column));
         self.q.push(q);
-        self.kept.push((index, column.norm(), along));
+        self.kept.push((index, along));
     }
 
-    /// The columns that a dependent one is made of, the largest part first.
-    fn shares(&self, column: &DVector<f64>) -> Vec<usize> {
+    /// How much of each kept column a dependent one is made of.
+    fn parts(&self, column: &DVector<f64>) -> Vec<(usize, f64)> {
         let mut parts: Vec<f64> = self.q.iter().map(|q| q.dot(column)).collect();
         for k in (0..parts.len()).rev() {
-            let (earlier, along) = (&self.kept[k].2[..k], self.kept[k].2[k]);
-            parts[k] /= along;
+            let (earlier, along) = self.kept[k].1.split_at(k);
+            parts[k] /= along[0];
             let value = parts[k];
             for (part, r) in parts.iter_mut().zip(earlier) {
                 *part -= r * value;
             }
         }
-        let sizes = parts.iter().zip(&self.kept);
-        let mut sizes: Vec<(usize, f64)> = sizes
-            .map(|(part, (index, norm, _))| (*index, part.abs() * norm))
-            .collect();
-        sizes.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let least = 0.02 * sizes.first().map_or(0.0, |s| s.1);
-        sizes.retain(|s| s.1 > least);
-        sizes.into_iter().map(|s| s.0).collect()
+        let kept = self.kept.iter().map(|k| k.0);
+        kept.zip(parts).collect()
+    }
+
+    /// Takes a column in the place of another that was kept.
+    fn exchange(
+        &mut self,
+        out: usize,
+        new: usize,
+        column: &DVector<f64>,
+        of: impl Fn(usize) -> DVector<f64>,
+    ) {
+        let mut all: Vec<(usize, DVector<f64>)> =
+            self.kept.iter().map(|k| (k.0, of(k.0))).collect();
+        all.retain(|(index, _)| *index != out);
+        all.push((new, column.clone()));
+        *self = Self::new(self.rows);
+        for (index, column) in all {
+            let free = self.reject(&column);
+            self.push(index, &column, &free);
+        }
     }
 }
