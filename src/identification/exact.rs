@@ -374,6 +374,10 @@ fn balanced_weights(problem: &Problem, after: &Deviations, rank: usize) -> [f64;
         .filter(|axis| problem.axis_weights[*axis] > 0.0)
         .map(|axis| noise[axis])
         .collect();
+    let freedom = problem.samples() as f64 - rank as f64 / problem.axes().max(1) as f64;
+    if base_model::is_arm(problem.session) && !axes_differ(&measured, freedom) {
+        return problem.axis_weights;
+    }
     let largest = measured.iter().copied().fold(0.0, f64::max);
     // Without noise there is nothing to balance.
     if largest < 1e-9 || problem.samples() < FEWEST_TO_BALANCE {
@@ -387,6 +391,18 @@ fn balanced_weights(problem: &Problem, after: &Deviations, rank: usize) -> [f64;
         1.0 / (relative * relative)
     })
 }
+
+/// Whether the axes' noise differs by more than so many degrees of freedom for each would show by
+/// chance: a likelihood ratio. Where many parameters leave few of them, weights by chance cost
+/// more than weights that are not quite right.
+fn axes_differ(noise: &[f64], freedom: f64) -> bool {
+    let pooled = noise.iter().map(|s| s * s).sum::<f64>() / noise.len().max(1) as f64;
+    let evidence: f64 = noise.iter().map(|s| -freedom * (s * s / pooled).ln()).sum();
+    evidence > UNEQUAL_EVIDENCE
+}
+
+/// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on axes differ.
+const UNEQUAL_EVIDENCE: f64 = 16.0;
 
 /// Whether weights differ by more than their own uncertainty could matter for: a twentieth.
 fn differ(a: [f64; 3], b: [f64; 3]) -> bool {
