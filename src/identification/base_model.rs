@@ -13,7 +13,7 @@
 //! ```
 //!
 //! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
-//! the last of those that make it up is held at zero: the last that has a good part in it, lest a zero
+//! the last of those that make it up is held at zero: the last of the kind that has a good part in it, lest a zero
 //! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
 //! what joint 1 shares with the frame belongs to the frame, what the last joint shares with the
 //! tool to the tool, what neighbours share to the first. What is held is said in words. The choice is
@@ -62,8 +62,8 @@ const NEVER_ALIGNED_MM: f64 = 100.0;
 /// A column of which less than this share is left beside others is a copy of them. Rounded axes
 /// (1.5708 for a right angle) leave some 4e-6.
 const COPY: f64 = 1e-4;
-/// Of what is a copy of one another the last is held, of those that have so large a part in it, as
-/// moves of the tool; and those with so large a part are named.
+/// Of what is a copy of one another the last is held, of those of its kind that have so large a part
+/// in it, as moves of the tool; and those with so large a part are named.
 const GOOD_PART: f64 = 0.3;
 const NAMED_PART: f64 = 0.02;
 /// A column that moves the samples by less than this is rounding, mm for a step of 1 mm or 1 mrad.
@@ -350,8 +350,11 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
             *part = part.abs() * size(&places[*of]);
         }
         let largest = parts.iter().map(|p| p.1).fold(0.0, f64::max);
-        // The last of those that have a good part in it: to hold another would make numbers large.
-        let mut fit_to_hold = parts.iter().filter(|p| p.1 >= GOOD_PART * largest);
+        // The last of its kind that has a good part in it: to hold another would make numbers large.
+        let of_kind = |p: &&(usize, f64)| places[p.0].class == place.class;
+        let most = parts.iter().filter(of_kind).map(|p| p.1);
+        let enough = GOOD_PART * most.fold(0.0, f64::max);
+        let mut fit_to_hold = parts.iter().filter(of_kind).filter(|p| p.1 >= enough);
         let last = fit_to_hold.next_back().map_or(rank, |p| p.0);
         if last != rank {
             basis.exchange(last, rank, &column, |k| {
