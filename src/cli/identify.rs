@@ -7,12 +7,12 @@ use serde::Serialize;
 
 use truepose::effects::JointValues;
 use truepose::identification::regions::RegionChoice;
-use truepose::identification::{DEFAULT_EFFECTS, Gap, Identification};
+use truepose::identification::{DEFAULT_EFFECTS, Estimate, Gap, Identification};
 use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
-use super::output;
+use super::{geometry, output};
 
 /// Identify a session's robot: the exact fit, or the paper's method by regions
 #[derive(Debug, Args)]
@@ -336,13 +336,19 @@ fn in_words(answer: &Identification) -> String {
             held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
         );
     }
-    if !answer.parameters.is_empty() {
+    let arm = geometry::is_of_an_arm(&answer.parameters);
+    if arm {
+        text += &format!("\n{}", geometry::table(&answer.parameters));
+    }
+    let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
+    let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
+    if !rows.is_empty() {
         text += &format!(
             "\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n",
             "effect", "joint", "parameter", "value"
         );
     }
-    for p in &answer.parameters {
+    for p in rows {
         let joint = match (&p.setup, p.joint) {
             (Some(setup), _) => setup.clone(),
             (None, Some(joint)) => joint.to_string(),
