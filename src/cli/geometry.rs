@@ -59,6 +59,7 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
             ("measuring-frame", None, _) => "measuring frame".to_owned(),
             ("tool-position", _, Some(target)) => format!("target {target}"),
             ("tool-position", _, None) => "tool position".to_owned(),
+            ("tool-orientation", ..) => "tool orientation".to_owned(),
             _ => continue,
         };
         if before.as_ref() != Some(&place) {

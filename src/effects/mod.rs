@@ -42,6 +42,7 @@ mod measuring_frame;
 mod thermal_growth;
 mod thermal_zero_drift;
 mod tool_lateral_offset;
+mod tool_orientation;
 mod tool_position;
 mod tracking_lag;
 mod unexplained;
@@ -54,6 +55,7 @@ pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
 pub use survey::Survey;
 pub use term::{Held, Parameter, Placed, Term, TermError};
+pub use tool_orientation::ToolOrientation;
 pub use tool_position::ToolPosition;
 pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
 
@@ -97,8 +99,13 @@ pub const CATALOGUE: &[&dyn Effect] = &[
 
 /// What models carry beside the catalogue's effects: the geometry of every calibration of a robot
 /// with several joints, which is never a candidate, and what has no name.
-pub const BESIDE_THE_CATALOGUE: &[&dyn Effect] =
-    &[&MeasuringFrame, &ToolPosition, &LinkGeometry, &Unexplained];
+pub const BESIDE_THE_CATALOGUE: &[&dyn Effect] = &[
+    &MeasuringFrame,
+    &ToolOrientation,
+    &ToolPosition,
+    &LinkGeometry,
+    &Unexplained,
+];
 
 /// The effect of this name; also what models carry beside the catalogue's effects.
 pub fn find(id: &str) -> Option<&'static dyn Effect> {

@@ -9,7 +9,7 @@
 //! or per rad) are gone through in a fixed order of preference,
 //!
 //! ```text
-//! frames · tool · targets · zero offsets 1 … n · link geometry 1 … n
+//! frames · tool · targets · zero offsets 1 … n · tool orientation · link geometry 1 … n
 //! ```
 //!
 //! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
@@ -23,16 +23,20 @@
 //!
 //! # The way there
 //! An instrument that stands anywhere is brought near by the best rigid motion; frame, tool and
-//! zeros are fitted before the links. A prior that is missed by far is let go and the fit made again.
+//! zeros are fitted before the links. Where targets miss their places the tool is taken to be turned,
+//! and only where that is not enough are their places free. Any other prior that is missed by far is let go.
 //!
 //! Sources: Mooring, Roth & Driels, *Fundamentals of Manipulator Calibration*, 1991; Meggiolaro &
 //! Dubowsky, *An analytical method to eliminate the redundant parameters in robot calibration*, 2000;
 //! Khalil & Dombre, *Modeling, Identification and Control of Robots*, ch. 11.
 
+use std::borrow::Cow;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{
-    Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolPosition, find,
+    Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition,
+    find,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
@@ -41,17 +45,18 @@ use crate::sessions::{Session, Sigma};
 use super::alignment::best_rigid_motion;
 use super::exact::fit_without_outliers;
 use super::outcome::NotIdentifiable;
-use super::priors::Priors;
+use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
 use super::unidentifiable::coefficient_names;
 
 /// Effects that belong to every calibration: of a single joint the first two.
-pub const BASE_EFFECTS: [&str; 5] = [
+pub const BASE_EFFECTS: [&str; 6] = [
     "joint-zero-offset",
     "link-length",
     "link-geometry",
     "tool-position",
+    "tool-orientation",
     "measuring-frame",
 ];
 
@@ -75,8 +80,10 @@ const WEAK: f64 = 0.25;
 const MOST_SAMPLES: usize = 3000;
 /// Noise where nobody says, mm: what a tracker has.
 const USUAL_NOISE_MM: f64 = 0.05;
-/// How often priors may be let go.
-const MOST_ROUNDS: usize = 4;
+/// How often priors may be weighed anew and let go.
+const MOST_ROUNDS: usize = 8;
+/// A variance that changes by no more than this, as a logarithm, has settled.
+const SETTLED: f64 = 0.1;
 
 /// Whether the robot has a base model of its own here: several joints.
 pub fn is_arm(session: &Session) -> bool {
@@ -185,37 +192,47 @@ pub struct Fitted {
 pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let mut notes = Vec::new();
     problem.priors = priors(problem, start, weak, &mut notes);
-    let bare = without_links(start);
     let (mut model, mut held) = with_gauge(problem, start);
     let mut solution = solve(problem, &links_held(&model));
     solution = fit_without_outliers(problem, &with_held_of(&solution.model, &model));
-    for round in 0..MOST_ROUNDS {
+    for _ in 0..MOST_ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
         }
+        let before = problem.priors.variance;
         problem.priors.variance = variance(problem, &solution);
-        let missed = problem.priors.free_missed(&solution.model);
-        if missed.is_empty() && round > 0 {
+        let settled = (problem.priors.variance / before).ln().abs() < SETTLED;
+        let missed = problem.priors.missed(&solution.model);
+        if missed.is_empty() && settled {
             break;
         }
-        let is_target = |(term, _): &(Term, usize)| term.effect.about().setting == Setting::Target;
-        if missed.iter().any(|m| is_target(m) && m.0.setting > 0.0) {
-            problem.priors.targets_mm = None;
-            notes.push(
-                "the targets do not sit where the session says within targets_sigma_mm: their \
-                 places are fitted freely"
-                    .to_owned(),
-            );
-            // Now they share something with the tool.
-            (model, held) = with_gauge(problem, start);
+        let (of_targets, others): (Vec<_>, Vec<_>) =
+            missed.into_iter().partition(|m| of_one_target(&m.0));
+        if !of_targets.is_empty() {
+            // A tool that is mounted turned moves every target; only then are their places in doubt.
+            let start = if is_turned(&model) || !may_turn(problem, start) {
+                problem.priors.targets_mm = None;
+                notes.push(
+                    "the targets do not sit where the session says within targets_sigma_mm: their \
+                     places are fitted freely"
+                        .to_owned(),
+                );
+                Cow::Borrowed(start)
+            } else {
+                let turned = Term::absent(&ToolOrientation, 0, 0.0);
+                Cow::Owned(start.with_term(turned))
+            };
+            // What they share with the tool is another thing now.
+            (model, held) = with_gauge(problem, &start);
             solution = solve(problem, &links_held(&model));
             solution.model = with_held_of(&solution.model, &model);
         }
-        let names = missed
+        let names: Vec<String> = others
             .iter()
-            .filter(|m| !(is_target(m) && m.0.setting > 0.0));
-        let names: Vec<String> = names.map(|(term, k)| name_of(&bare, term, *k)).collect();
-        if !names.is_empty() {
+            .map(|(term, k)| name_of(&start.robot, term, *k))
+            .collect();
+        if of_targets.is_empty() && !names.is_empty() {
+            problem.priors.free(&others);
             notes.push(format!(
                 "beyond what is usual by more than four times, and fitted without a prior: {}",
                 names.join(", ")
@@ -279,8 +296,16 @@ fn variance(problem: &Problem, solution: &Solution) -> f64 {
     shown.max(least)
 }
 
-fn without_links(model: &Model) -> Model {
-    model.without(|t| t.effect.about().id == LinkGeometry.about().id)
+/// Whether a model has the tool's orientation in it.
+fn is_turned(model: &Model) -> bool {
+    let id = ToolOrientation.about().id;
+    model.terms().iter().any(|t| t.effect.about().id == id)
+}
+
+/// Whether targets of known arrangement could show the tool's orientation.
+fn may_turn(problem: &Problem, start: &Model) -> bool {
+    let targets = start.terms().iter().filter(|t| of_one_target(t)).count();
+    targets >= 3 && problem.priors.targets_mm.is_some()
 }
 
 /// The model with its links where they are.
@@ -311,8 +336,8 @@ fn with_held_of(values: &Model, held: &Model) -> Model {
     Model::new(values.robot.clone(), terms.collect())
 }
 
-fn name_of(model: &Model, term: &Term, coefficient: usize) -> String {
-    let alone = Model::new(model.robot.clone(), vec![term.clone()]);
+fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
+    let alone = Model::new(robot.clone(), vec![term.clone()]);
     let names = coefficient_names(&alone);
     names.into_iter().nth(coefficient).unwrap_or_default()
 }
@@ -432,6 +457,7 @@ enum Class {
     Tool,
     Target,
     Zero,
+    Turn,
     Link,
 }
 
@@ -455,6 +481,7 @@ fn places(model: &Model) -> Vec<Place> {
             "tool-position" if term.setting == 0.0 => Some(Class::Tool),
             "tool-position" => Some(Class::Target),
             "joint-zero-offset" => Some(Class::Zero),
+            "tool-orientation" => Some(Class::Turn),
             "link-geometry" => Some(Class::Link),
             _ => None,
         };
@@ -462,6 +489,7 @@ fn places(model: &Model) -> Vec<Place> {
             let turns = match class {
                 Some(Class::Frame) => coefficient < 3,
                 Some(Class::Link) => coefficient >= 2,
+                Some(Class::Turn) => true,
                 Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
                 _ => false,
             };

@@ -27,8 +27,9 @@ const ZERO_MM: f64 = 20.0;
 /// A link, mm and rad.
 const LINK_MM: f64 = 1.0;
 const LINK_RAD: f64 = 2e-3;
-/// The tool, mm.
+/// The tool, mm and rad.
 const TOOL_MM: f64 = 50.0;
+const TOOL_RAD: f64 = 0.1;
 /// The frame of an instrument that was aligned with the base, mm and rad.
 const FRAME_MM: f64 = 20.0;
 const FRAME_RAD: f64 = 0.02;
@@ -59,7 +60,7 @@ impl Priors {
         }
         let about = term.effect.about();
         let slides = model.robot.joints[term.joint].kind == JointKind::Prismatic;
-        if about.setting == Setting::Target && term.setting > 0.0 {
+        if of_one_target(term) {
             return self.targets_mm;
         }
         if !self.weak {
@@ -69,6 +70,7 @@ impl Priors {
             "joint-zero-offset" => Some(if slides { ZERO_MM } else { ZERO_RAD }),
             "link-geometry" => Some(if coefficient < 2 { LINK_MM } else { LINK_RAD }),
             "tool-position" => Some(TOOL_MM),
+            "tool-orientation" => Some(TOOL_RAD),
             "measuring-frame" if self.aligned => {
                 Some(if coefficient < 3 { FRAME_RAD } else { FRAME_MM })
             }
@@ -96,8 +98,8 @@ impl Priors {
         }
     }
 
-    /// Lets go of those that a fit has missed by far; says which.
-    pub(super) fn free_missed(&mut self, model: &Model) -> Vec<(Term, usize)> {
+    /// Those that a fit has missed by far.
+    pub(super) fn missed(&self, model: &Model) -> Vec<(Term, usize)> {
         let mut missed = Vec::new();
         for term in model.terms() {
             for (k, value) in term.coefficients.iter().enumerate() {
@@ -107,11 +109,19 @@ impl Priors {
                 }
             }
         }
-        for (term, k) in &missed {
-            self.freed.push(key(term, *k));
-        }
         missed
     }
+
+    /// Lets go of priors.
+    pub(super) fn free(&mut self, missed: &[(Term, usize)]) {
+        self.freed
+            .extend(missed.iter().map(|(term, k)| key(term, *k)));
+    }
+}
+
+/// Whether a term is the own part of one target.
+pub(super) fn of_one_target(term: &Term) -> bool {
+    term.effect.about().setting == Setting::Target && term.setting > 0.0
 }
 
 fn key(term: &Term, coefficient: usize) -> (&'static str, usize, u64, usize) {

@@ -353,6 +353,7 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
                 "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
                 "measuring-frame" => k < 3,
                 "link-geometry" => k >= 2,
+                "tool-orientation" => true,
                 _ => false,
             };
             let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
