@@ -64,6 +64,12 @@ pub trait Effect: Sync {
     /// Its name, equation, parameters and the words about it.
     fn about(&self) -> &'static About;
 
+    /// Whether there is such an effect on a joint at all, whatever is measured.
+    fn exists_on(&self, joint: usize) -> bool {
+        let _ = joint;
+        true
+    }
+
     /// Why this session cannot show the effect on this joint; `None` where it can.
     fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String>;
 

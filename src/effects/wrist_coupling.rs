@@ -34,6 +34,10 @@ impl Effect for WristCoupling {
         &ABOUT
     }
 
+    fn exists_on(&self, joint: usize) -> bool {
+        joint > 0
+    }
+
     fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
         let Some(before) = joint.checked_sub(1) else {
             return Some("no joint comes before it".to_owned());
