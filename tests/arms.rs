@@ -6,10 +6,11 @@
 
 use std::path::PathBuf;
 
-use truepose::effects::{Inputs, JointValues};
+use truepose::effects::{Inputs, JointValues, MeasuringFrame, Survey, Term};
 use truepose::identification::{
     DEFAULT_EFFECTS, Identification, identify_exact, identify_without_priors,
 };
+use truepose::model::Model;
 use truepose::model::format_v1::{read_model, write_model};
 use truepose::sessions::{Session, load};
 
@@ -161,6 +162,78 @@ fn few_poses_do_not_explode() {
                 if p.effect == "joint-zero-offset" {
                     assert!(p.value.abs() < 20.0, "{kind}, {poses}: {p:?}");
                 }
+            }
+        }
+    }
+}
+
+/// R reaches from the joint's axis to where the target is in the pose, not to where it is at home: an
+/// upright arm has its tool on the first axis there.
+#[test]
+fn levers_are_those_of_the_measured_poses() {
+    let session = session("seven-60");
+    let robot = &session.robot;
+    let home = robot.base_from_tool.translation.vector;
+    let quarter = std::f64::consts::FRAC_PI_2;
+    let mut q = vec![vec![0.0]; 7];
+    q[1][0] = quarter;
+    let mut inputs = Inputs::at_poses(q, vec![home.into()]);
+    inputs.warmth_c = Some(vec![10.0]);
+    let moved = |id: &str, joint: usize, values: &[(&str, f64)]| -> f64 {
+        let term = Term::from_parameters(id, joint, values, 7).unwrap();
+        let nominal = Model::nominal(robot.clone());
+        let there = nominal.with_term(term).predict(&inputs).get(0);
+        let from = nominal.predict(&inputs).get(0);
+        (0..3)
+            .map(|k| (there[k] - from[k]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    // The shoulder is 340 mm up and the tool 1270: the arm lies flat, 930 mm from axis 1.
+    let reach_mm = 1270.0 - 340.0;
+    let grown = moved("thermal-growth", 1, &[("ppm_per_degc", 20.0)]);
+    assert!((grown - 20e-6 * 10.0 * reach_mm).abs() < 1e-9, "{grown}");
+    let wave = [("order", 2.0), ("amplitude_mrad", 0.1), ("phase_deg", 0.0)];
+    let wobbled = moved("axis-wobble", 1, &wave);
+    assert!((wobbled - 1e-4 * reach_mm).abs() < 1e-9, "{wobbled}");
+    let runout = [("order", 2.0), ("amplitude_mm", 0.02), ("phase_deg", 0.0)];
+    let ran_out = moved("bearing-runout", 1, &runout);
+    assert!((ran_out - 0.02).abs() < 1e-12, "{ran_out}");
+    // Gravity is along axis 3 at home and across it in most poses.
+    let mut heavy = session.clone();
+    heavy.robot.gravity_m_s2 = Some(nalgebra::Vector3::new(0.0, 0.0, -9.81));
+    let inputs = Inputs::new(&heavy, JointValues::Commanded);
+    let levers = Survey::new(&heavy, &inputs).joints.into_iter();
+    let levers: Vec<bool> = levers.map(|joint| joint.gravity_lever).collect();
+    assert_eq!(levers, [false, true, true, true, true, true, true]);
+}
+
+#[test]
+fn a_frame_turned_by_any_angle_is_fitted_and_wound_back() {
+    let frame = |degrees: f64| {
+        let turn = f64::to_radians(degrees);
+        [0.6 * turn, 0.0, -0.8 * turn, 120.0, -3000.0, 40.0]
+    };
+    let session = session("six-60");
+    let inputs = Inputs::new(&session, JointValues::Commanded);
+    for degrees in [0.0, 120.0, 179.9, 180.0, 215.0] {
+        let mut term = Term::absent(&MeasuringFrame, 0, 0.0);
+        term.coefficients = frame(degrees).to_vec();
+        let model = Model::new(session.robot.clone(), vec![term]);
+        let there = model.predict(&inputs);
+        let mut turned = session.clone();
+        turned.samples.x_mm.clone_from(&there.x_mm);
+        turned.samples.y_mm.clone_from(&there.y_mm);
+        turned.samples.z_mm = Some(there.z_mm.clone());
+        let answer = identified(&turned);
+        assert!(
+            answer.gap.after.rms_mm < 1e-6,
+            "{degrees}: {:?}",
+            answer.gap
+        );
+        for p in &answer.parameters {
+            if p.effect != "measuring-frame" {
+                assert!(p.value.abs() < 1e-5, "{degrees}: {p:?}");
             }
         }
     }

@@ -22,7 +22,7 @@ pub(crate) struct Identify {
     /// How to identify
     #[arg(long, value_enum, default_value = "exact")]
     method: Method,
-    /// Effects to fit, separated by commas [default: joint-zero-offset,link-length]
+    /// Effects to fit, separated by commas [default: joint-zero-offset,link-length; with several joints the whole geometry]
     #[arg(long, value_delimiter = ',', value_name = "ID")]
     effects: Vec<String>,
     /// Number of uniform regions, or their boundaries in degrees: 6 | -90,-60,… | adaptive [default: the session's, else 6]
