@@ -11,6 +11,7 @@ use crate::export::{Export, ExportError, Format, Job};
 use crate::fit::regions::RegionChoice;
 use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_exact, identify_regional,
+    identify_without_priors,
 };
 use crate::model::Calibration;
 use crate::sessions::{Loaded, Session, load};
@@ -22,6 +23,8 @@ pub enum Method {
     Exact {
         /// Names of the effects.
         effects: Vec<String>,
+        /// Whether weak priors hold the geometry of several joints where few poses show it.
+        priors: bool,
     },
     /// The paper's constant corrections by region.
     Regional(RegionChoice),
@@ -31,6 +34,7 @@ impl Default for Method {
     fn default() -> Self {
         Self::Exact {
             effects: DEFAULT_EFFECTS.map(str::to_owned).to_vec(),
+            priors: true,
         }
     }
 }
@@ -101,7 +105,8 @@ pub fn identify(
     values: JointValues,
 ) -> Result<(Identification, Calibration), IdentifyError> {
     let identification = match method {
-        Method::Exact { effects } => identify_exact(session, effects, values)?,
+        Method::Exact { effects, priors } if *priors => identify_exact(session, effects, values)?,
+        Method::Exact { effects, .. } => identify_without_priors(session, effects, values)?,
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
     let calibration = identification.calibration(session, &Inputs::new(session, values));

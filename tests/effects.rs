@@ -5,7 +5,9 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use truepose::effects::{CATALOGUE, Effect, Inputs, MeasuringFrame, Setting, Term};
+use truepose::effects::{
+    BESIDE_THE_CATALOGUE, CATALOGUE, Effect, Inputs, Setting, Term, UNEXPLAINED,
+};
 use truepose::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
 use truepose::model::Model;
 
@@ -92,7 +94,7 @@ fn term(effect: &'static dyn Effect, joint: usize, share: f64, sizes: &[f64]) ->
         }
         Setting::Time => 100.0 + 300.0 * share,
         Setting::Fade => 0.05 + 0.3 * share,
-        Setting::Setup => 1.0,
+        Setting::Setup | Setting::Target => 1.0,
         Setting::None => 0.0,
     };
     let mut term = Term::absent(effect, if about.per_joint { joint } else { 0 }, setting);
@@ -152,8 +154,9 @@ fn worst_column(model: &Model, inputs: &Inputs) -> (f64, usize) {
 }
 
 fn all_effects() -> impl Iterator<Item = &'static dyn Effect> {
-    let frame: &'static dyn Effect = &MeasuringFrame;
-    CATALOGUE.iter().copied().chain([frame])
+    let beside = BESIDE_THE_CATALOGUE.iter().copied();
+    let all = CATALOGUE.iter().copied().chain(beside);
+    all.filter(|effect| effect.about().id != UNEXPLAINED)
 }
 
 #[test]

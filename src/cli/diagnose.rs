@@ -15,7 +15,7 @@ use truepose::fit::Estimate;
 use truepose::pipeline::diagnose;
 
 use super::failure::Failure;
-use super::output;
+use super::{geometry, output};
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
 #[derive(Debug, Args)]
@@ -175,11 +175,19 @@ fn in_words(d: &Diagnosis) -> String {
             gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
         );
     }
+    let arm = geometry::is_of_an_arm(&d.identified);
+    if arm {
+        text += &geometry::table(&d.identified);
+    }
     for estimate in &d.identified {
-        let _ = writeln!(text, "{}", estimate_in_words(estimate));
+        if !(arm && geometry::is_in_table(estimate)) {
+            let _ = writeln!(text, "{}", estimate_in_words(estimate));
+        }
     }
     for found in &d.found {
-        let _ = writeln!(text, "found {}", found.effect);
+        let joint = found.joint.filter(|_| d.measured.len() > 1);
+        let place = joint.map_or_else(String::new, |joint| format!(", joint {joint}"));
+        let _ = writeln!(text, "found {}{place}", found.effect);
         for estimate in &found.parameters {
             let _ = writeln!(text, "  {}", estimate_in_words(estimate));
         }
@@ -201,6 +209,13 @@ fn in_words(d: &Diagnosis) -> String {
     }
     for limit in &d.not_found {
         let _ = writeln!(text, "{}: {}", limit.effect, limit_in_words(limit));
+    }
+    for open in &d.not_identifiable {
+        let _ = writeln!(
+            text,
+            "not identifiable: {}: {}",
+            open.combination, open.because
+        );
     }
     for outlier in &d.outliers {
         let _ = writeln!(

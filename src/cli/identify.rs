@@ -7,12 +7,12 @@ use serde::Serialize;
 
 use truepose::effects::JointValues;
 use truepose::fit::regions::RegionChoice;
-use truepose::fit::{Gap, Identification};
+use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, Identification};
 use truepose::pipeline;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
-use super::output;
+use super::{geometry, output};
 
 /// Identify a session's robot: the exact fit, or the paper's method by regions
 #[derive(Debug, Args)]
@@ -22,12 +22,16 @@ pub(crate) struct Identify {
     /// How to identify
     #[arg(long, value_enum, default_value = "exact")]
     method: Method,
-    /// Effects to fit, separated by commas [default: joint-zero-offset,link-length]
+    /// Effects to fit, separated by commas [default: joint-zero-offset,link-length; with several joints the whole geometry]
     #[arg(long, value_delimiter = ',', value_name = "ID")]
     effects: Vec<String>,
     /// Number of uniform regions, or their boundaries in degrees: 6 | -90,-60,… | adaptive [default: the session's, else 6]
     #[arg(long, allow_hyphen_values = true)]
     regions: Option<String>,
+    /// Fit the geometry of several joints without weak priors (tool 50 mm; an aligned frame 20 mm,
+    /// 20 mrad; links 1 mm, 2 mrad; zero offsets 50 mrad)
+    #[arg(long)]
+    no_prior: bool,
     /// Joint values to start from
     #[arg(long, value_enum, default_value = "commanded")]
     joint_values: Values,
@@ -80,9 +84,12 @@ impl Identify {
         output::messages(&loaded.findings);
         let session = &loaded.session;
         let method = match (self.method, &self.regions) {
-            (Method::Exact, _) if self.effects.is_empty() => pipeline::Method::default(),
             (Method::Exact, _) => pipeline::Method::Exact {
-                effects: self.effects,
+                effects: match self.effects {
+                    effects if effects.is_empty() => DEFAULT_EFFECTS.map(str::to_owned).to_vec(),
+                    effects => effects,
+                },
+                priors: !self.no_prior,
             },
             (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
             (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
@@ -178,6 +185,8 @@ struct ParameterRow {
     joint: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     setup: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    target: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -243,6 +252,7 @@ impl<'a> Answer<'a> {
             effect: p.effect,
             joint: p.joint,
             setup: p.setup.clone(),
+            target: p.target.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,
@@ -326,13 +336,19 @@ fn in_words(answer: &Identification) -> String {
             held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
         );
     }
-    if !answer.parameters.is_empty() {
+    let arm = geometry::is_of_an_arm(&answer.parameters);
+    if arm {
+        text += &format!("\n{}", geometry::table(&answer.parameters));
+    }
+    let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
+    let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
+    if !rows.is_empty() {
         text += &format!(
             "\n{:<24} {:>5}  {:<22} {:>14}   95 % interval\n",
             "effect", "joint", "parameter", "value"
         );
     }
-    for p in &answer.parameters {
+    for p in rows {
         let joint = match (&p.setup, p.joint) {
             (Some(setup), _) => setup.clone(),
             (None, Some(joint)) => joint.to_string(),

@@ -8,6 +8,7 @@ mod diagnose;
 mod effects;
 mod export;
 mod failure;
+mod geometry;
 mod identify;
 mod import;
 mod output;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Point3;
 
-use crate::effects::Inputs;
+use crate::effects::{Inputs, Setting, Term};
 use crate::lanes::minus;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Target;
@@ -19,6 +19,14 @@ pub const OF_THE_INSTRUMENT: [&str; 4] = [
     "frame-drift",
     "measuring-frame",
 ];
+
+/// Whether a term is none of the robot's: the instrument's, or the own error of a target that only
+/// the measurement knows.
+pub fn is_of_the_measurement(term: &Term) -> bool {
+    let about = term.effect.about();
+    let own_target = about.setting == Setting::Target && term.setting > 0.0;
+    own_target || OF_THE_INSTRUMENT.contains(&about.id)
+}
 
 /// So many poses go through the inversion at once: enough to fill blocks, little enough to stay
 /// in the cache.
@@ -43,9 +51,7 @@ impl Compensation {
     /// several all of them together.
     pub fn new(calibration: &Calibration) -> Self {
         let robot = &calibration.model.robot;
-        let of_the_robot = calibration
-            .model
-            .without(|term| OF_THE_INSTRUMENT.contains(&term.effect.about().id));
+        let of_the_robot = calibration.model.without(is_of_the_measurement);
         let place = |t: &Target| (robot.base_from_tool * t.position_mm).coords.into();
         let mut reflectors_at_home: Vec<[f64; 3]> = calibration.targets.iter().map(place).collect();
         if reflectors_at_home.is_empty() {

@@ -292,8 +292,8 @@ fn applied_corrections(
     ours.then(|| compensation.joint_corrections(&table))
 }
 
-/// The model as it applies to this session: frames of another one are left out, setups get frames
-/// of their own.
+/// The model as it applies to this session: shifts and drifts of another one are left out. A setup
+/// that the model knows by name stands where the model says, another one where it fits best.
 fn model_for(
     calibration: &Calibration,
     session: &Session,
@@ -303,13 +303,18 @@ fn model_for(
     if hash_of_samples(session) == calibration.samples_hash {
         return calibration.model.clone();
     }
+    let is_frame = |t: &Term| t.effect.about().id == "measuring-frame";
+    let setups = session.samples.setups.as_ref();
+    // Without setups on either side there is one instrument, and it stands where it stood.
+    let arm = session.robot.joints.len() > 1;
+    let one_place = |t: &Term| arm && is_frame(t) && t.label.is_none() && setups.is_none();
     let of_a_session = ["frame-shift", "frame-drift", "measuring-frame"];
-    let theirs = |t: &Term| of_a_session.contains(&t.effect.about().id);
+    let theirs = |t: &Term| of_a_session.contains(&t.effect.about().id) && !one_place(t);
     let dropped: Vec<&str> = calibration
         .model
         .terms()
         .iter()
-        .filter(|t| theirs(t))
+        .filter(|t| theirs(t) && !is_frame(t))
         .map(|t| t.effect.about().id)
         .collect();
     if !dropped.is_empty() {
@@ -319,11 +324,24 @@ fn model_for(
         ));
     }
     let mut model = calibration.model.without(theirs);
-    let Some(setups) = &session.samples.setups else {
+    let Some(setups) = setups else {
         return model;
     };
     let predicted = model.predict(&problem.inputs);
-    for setup in 0..setups.names.len() {
+    for (setup, name) in setups.names.iter().enumerate() {
+        let known = calibration.model.terms().iter();
+        let mut known = known.filter(|t| is_frame(t) && t.label.as_deref() == Some(name));
+        if let Some(frame) = known.next() {
+            let setting = setup as f64;
+            model = model.with_term(Term {
+                setting,
+                ..frame.clone()
+            });
+            continue;
+        }
+        notes.push(format!(
+            "the model knows no setup {name}: its frame is fitted to these samples"
+        ));
         let inside = |i: usize| problem.usable[i] && setups.index[i] as usize == setup;
         if let Some(frame) = best_rigid_motion(session, &predicted, inside) {
             let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);

@@ -88,6 +88,7 @@ pub(crate) fn imagined(
         instrument: Instrument {
             name: String::new(),
             sigma_mm: noise.map(|n| Sigma::Overall(n.0)),
+            ..Instrument::default()
         },
         tolerance_mm: None,
         regions: Vec::new(),

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::fit::{Estimate, Identification, Outlier};
+use crate::fit::{Estimate, Identification, NotIdentifiable, Outlier};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model};
 use crate::sessions::Session;
@@ -185,6 +185,8 @@ pub struct Diagnosis {
     pub outliers: Vec<Outlier>,
     /// What to measure next.
     pub next_poses: Vec<NextPose>,
+    /// What of the geometry the samples cannot tell from the rest.
+    pub not_identifiable: Vec<NotIdentifiable>,
     /// The noise as the search saw it.
     pub noise: Noise,
     /// The model with everything that was found.

@@ -47,8 +47,8 @@ impl Diagnosis {
     fn own(&self, fitted: Estimate) -> Estimate {
         let found = self.found.iter().flat_map(|found| &found.parameters);
         let same = self.identified.iter().chain(found).filter(|one| {
-            (one.effect, one.joint, &one.setup, one.name)
-                == (fitted.effect, fitted.joint, &fitted.setup, fitted.name)
+            (one.effect, one.joint, one.name) == (fitted.effect, fitted.joint, fitted.name)
+                && (&one.setup, &one.target) == (&fitted.setup, &fitted.target)
         });
         let off = |one: &Estimate| (one.value - fitted.value).abs();
         let nearest = same.min_by(|a, b| off(a).total_cmp(&off(b)));

@@ -271,7 +271,7 @@ fn names(
             1
         };
         for joint in 0..joints {
-            if !allowed.exists(about.id) || in_base(joint) {
+            if !allowed.exists(about.id) || !effect.exists_on(joint) || in_base(joint) {
                 continue;
             }
             if let Some(because) = effect.obstacle(survey, joint) {

@@ -8,7 +8,7 @@ use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::outliers;
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
-use crate::kinematics::Range;
+use crate::kinematics::{Range, Robot};
 use crate::model::{GapStep, Model};
 
 use super::aliases;
@@ -126,7 +126,7 @@ pub(crate) fn answer(
         held_out_mm: held_out.gaps.map(|g| g.start_mm),
     }];
     history.push(GapStep {
-        what: "zero offset and link length".to_owned(),
+        what: base_in_words(&session.robot).to_owned(),
         gap_mm: gap.identified_mm,
         held_out_mm: held_out.gaps.map(|g| g.identified_mm),
     });
@@ -146,7 +146,8 @@ pub(crate) fn answer(
         gap,
         held_out,
         identified: values.identified(),
-        identification: values.identification(Vec::new()),
+        not_identifiable: prepared.not_identifiable.clone(),
+        identification: values.identification(prepared.not_identifiable.clone()),
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
@@ -164,6 +165,14 @@ pub(crate) fn answer(
         history,
         measured: measured(problem.inputs.q.iter().map(|q| &**q)),
     })
+}
+
+/// What belongs to every calibration of a robot.
+pub(super) fn base_in_words(robot: &Robot) -> &'static str {
+    match robot.joints.len() {
+        1 => "zero offset and link length",
+        _ => "geometry: frame, zero offsets, links and tool",
+    }
 }
 
 /// All samples that may be fitted, those that an option locked away as well, without those that

@@ -27,10 +27,10 @@ pub struct Document {
     gap: Gap,
     held_out: HeldOut,
     identified: Vec<Identified>,
+    not_identifiable: Vec<NotIdentifiable>,
     found: Vec<Found>,
     equivalent: Vec<Equivalent>,
     unexplained: Unexplained,
-    not_identifiable: Vec<NotIdentifiable>,
     not_testable: Vec<NotTestable>,
     not_found: Vec<NotFound>,
     outliers: Vec<Outlier>,
@@ -80,7 +80,17 @@ struct Identified {
     effect: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setup: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    target: Option<String>,
     parameters: Vec<Parameter>,
+}
+
+#[derive(Debug, Serialize)]
+struct NotIdentifiable {
+    combination: String,
+    because: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -147,12 +157,6 @@ struct Unexplained {
 struct StatedNoise {
     stated_mm: f64,
     found_mm: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct NotIdentifiable {
-    combination: String,
-    because: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -267,6 +271,14 @@ impl Document {
                 gap: gap(d.held_out.gaps),
             },
             identified: grouped(&d.identified),
+            not_identifiable: d
+                .not_identifiable
+                .iter()
+                .map(|n| NotIdentifiable {
+                    combination: n.combination.clone(),
+                    because: n.because.clone(),
+                })
+                .collect(),
             found: d.found.iter().map(found).collect(),
             equivalent: d
                 .equivalent
@@ -295,15 +307,6 @@ impl Document {
                     _ => None,
                 },
             },
-            not_identifiable: d
-                .identification
-                .not_identifiable
-                .iter()
-                .map(|n| NotIdentifiable {
-                    combination: n.combination.clone(),
-                    because: n.because.clone(),
-                })
-                .collect(),
             not_testable: d
                 .not_testable
                 .iter()
@@ -380,12 +383,19 @@ fn parameter(estimate: &Estimate) -> Parameter {
 fn grouped(estimates: &[Estimate]) -> Vec<Identified> {
     let mut all: Vec<Identified> = Vec::new();
     for estimate in estimates {
-        let same = |i: &&mut Identified| i.effect == estimate.effect && i.joint == estimate.joint;
+        let place = (&estimate.setup, &estimate.target);
+        let same = |i: &&mut Identified| {
+            i.effect == estimate.effect
+                && i.joint == estimate.joint
+                && (&i.setup, &i.target) == place
+        };
         match all.iter_mut().find(same) {
             Some(one) => one.parameters.push(parameter(estimate)),
             None => all.push(Identified {
                 effect: estimate.effect,
                 joint: estimate.joint,
+                setup: estimate.setup.clone(),
+                target: estimate.target.clone(),
                 parameters: vec![parameter(estimate)],
             }),
         }

@@ -142,7 +142,7 @@ fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
         // A fade is a coefficient like others: every fold's fit moves it.
         let scanned = !matches!(
             about.setting,
-            Setting::None | Setting::Setup | Setting::Fade
+            Setting::None | Setting::Setup | Setting::Target | Setting::Fade
         );
         if scanned {
             let same = |i: &usize| {

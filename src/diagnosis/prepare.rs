@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
-use crate::fit::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
+use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames};
 use crate::model::Model;
 use crate::sessions::Session;
 
@@ -44,6 +44,8 @@ pub(crate) struct Prepared<'a> {
     pub(crate) locked: Vec<bool>,
     /// What was said of samples that lack a condition.
     pub(crate) incomplete: Option<DataProblem>,
+    /// What of the base the samples cannot tell from the rest.
+    pub(crate) not_identifiable: Vec<NotIdentifiable>,
     options: Options,
 }
 
@@ -63,8 +65,12 @@ impl<'a> Prepared<'a> {
             return Err(DiagnoseError::NothingToFit);
         }
         let survey = Survey::new(session, &problem.inputs);
-        let start = base_model(session, &problem, &survey, options);
-        let base = fit_without_outliers(&mut problem, &start).model;
+        let (base, not_identifiable) = if base_model::is_arm(session) {
+            arm(session, &mut problem, options)
+        } else {
+            let start = single_joint(session, &problem, &survey, options);
+            (fit_without_outliers(&mut problem, &start).model, Vec::new())
+        };
         let arena = arena(&mut problem, &base, &survey, options);
         let folds = Folds::new(&arena);
         Ok(Self {
@@ -74,6 +80,7 @@ impl<'a> Prepared<'a> {
             folds,
             locked,
             incomplete,
+            not_identifiable,
             options: options.clone(),
         })
     }
@@ -183,6 +190,7 @@ impl<'a> Prepared<'a> {
             folds: self.folds.clone(),
             locked: self.locked.clone(),
             incomplete: self.incomplete.clone(),
+            not_identifiable: self.not_identifiable.clone(),
             options: self.options.clone(),
         }
     }
@@ -215,8 +223,21 @@ fn deviations_beside(problem: &Problem, fit: &Fit) -> Deviations {
     left
 }
 
+/// The base of several joints, fitted; what only its priors keep in place stays there, as the search
+/// has no rows for them.
+fn arm(
+    session: &Session,
+    problem: &mut Problem,
+    options: &Options,
+) -> (Model, Vec<NotIdentifiable>) {
+    let start = base_model::start(session, problem, |id| options.allowed.exists(id));
+    let fitted = base_model::fit(problem, &start, true);
+    let model = base_model::with_weak_held(problem, &fitted.solution.model);
+    (model, fitted.held)
+}
+
 /// Terms that belong to every calibration: zero offset and link length, and free frames.
-fn base_model(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
+fn single_joint(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
     let mut terms = Vec::new();
     for id in DEFAULT_EFFECTS {
         let Some(effect) = find(id) else { continue };

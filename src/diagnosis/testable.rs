@@ -27,9 +27,14 @@ pub(crate) fn not_testable(arena: &Arena, base: &Fit) -> Vec<NotTestable> {
             all.push(NotTestable {
                 effect,
                 joint: per_joint.then_some(joint),
-                because:
+                because: if base.model.robot.joints.len() > 1 {
+                    "in these samples it cannot be told from the geometry: frame, zero offsets, \
+                     links and tool"
+                        .to_owned()
+                } else {
                     "in these samples it cannot be told from joint-zero-offset and link-length"
-                        .to_owned(),
+                        .to_owned()
+                },
             });
         }
     }

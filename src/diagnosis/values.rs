@@ -13,8 +13,8 @@ use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::fit::solver::{Solution, solve};
 use crate::fit::{
-    DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, covariance_of, noise_beside,
-    parameters_of, report,
+    DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
+    noise_beside, parameters_of, report,
 };
 use crate::model::Model;
 
@@ -172,8 +172,12 @@ impl<'a> Values<'a> {
 
     /// Estimates of what belongs to every calibration.
     pub(crate) fn identified(&self) -> Vec<Estimate> {
+        let several = self.model.robot.joints.len() > 1;
         let terms = self.model.terms().iter().zip(&self.estimates);
-        let base = terms.filter(|(t, _)| DEFAULT_EFFECTS.contains(&t.effect.about().id));
+        let base = terms.filter(|(t, _)| {
+            let id = t.effect.about().id;
+            DEFAULT_EFFECTS.contains(&id) || several && base_model::belongs(id)
+        });
         base.flat_map(|(_, own)| own.clone()).collect()
     }
 }

@@ -35,6 +35,8 @@ pub struct Lane {
     pub time_s: f64,
     /// Index of the measuring frame.
     pub setup: f64,
+    /// Index of the target.
+    pub target: f64,
 }
 
 /// A joint's value after an effect, and its derivatives.
@@ -97,6 +99,7 @@ pub struct Block<'a> {
     warmth_c: Lanes,
     time_s: Lanes,
     setup: Lanes,
+    target: Lanes,
     /// Joint values after the joint effects so far.
     theta: Vec<Lanes>,
     tangents: Vec<JointTangent>,
@@ -127,6 +130,7 @@ impl<'a> Block<'a> {
             warmth_c: [0.0; LANES],
             time_s: [0.0; LANES],
             setup: [0.0; LANES],
+            target: [0.0; LANES],
             theta: per_joint(),
             tangents: Vec::new(),
             point: [[0.0; LANES]; 3],
@@ -164,7 +168,9 @@ impl<'a> Block<'a> {
         let homes = &inputs.reflectors_at_home;
         if let Some(target) = &inputs.target {
             for lane in 0..LANES {
-                let home = homes[target[start + lane.min(len - 1)] as usize];
+                let index = target[start + lane.min(len - 1)];
+                self.target[lane] = f64::from(index);
+                let home = homes[index as usize];
                 for (axis, value) in home.into_iter().enumerate() {
                     self.point[axis][lane] = value;
                 }
@@ -173,6 +179,7 @@ impl<'a> Block<'a> {
             for (lanes, value) in self.point.iter_mut().zip(homes[0]) {
                 lanes.fill(value);
             }
+            self.target.fill(0.0);
         }
         self.tangents.clear();
         self.live.fill(false);
@@ -189,6 +196,7 @@ impl<'a> Block<'a> {
             warmth_c: self.warmth_c[i],
             time_s: self.time_s[i],
             setup: self.setup[i],
+            target: self.target[i],
         }
     }
 
@@ -372,6 +380,15 @@ impl<'a> Block<'a> {
             let [cx, cy, cz] = column;
             for i in 0..LANES {
                 [cx[i], cy[i], cz[i]] = turned([cx[i], cy[i], cz[i]], axis, sin[i], cos[i]);
+            }
+        }
+    }
+
+    /// Clears the columns of coefficients that are held where they are: no fit moves them.
+    pub(crate) fn hold(&mut self, columns: impl Iterator<Item = usize>) {
+        for column in columns {
+            if let Some(column) = self.columns.get_mut(column) {
+                *column = [[0.0; LANES]; 3];
             }
         }
     }

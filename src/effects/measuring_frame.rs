@@ -2,8 +2,13 @@
 //!
 //! Not an effect of the robot, so it is not in the catalogue: it says where the instrument stood
 //! in each setup. The coefficients are the rotation vector ω (rad) and the translation t (mm).
+//! Derivatives are those of a rotation that is multiplied from the left, exact at any ω, so a
+//! frame that is turned by 120° is fitted as well as one that is not; a rotation vector beyond half
+//! a turn is exchanged for the shorter one of the same rotation ([`unwind`]), which keeps clear of
+//! the full turn, the one place where a rotation vector is singular. Turns are about the base's
+//! origin: a small one does not move the robot by the distance of the instrument.
 
-use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::{Effect, Placed, Survey};
@@ -19,16 +24,16 @@ const ABOUT: About = About {
     per_joint: false,
     form: Form::Plain(&[
         Quantity {
-            name: "about_x_deg",
-            inner: DEGREE,
+            name: "about_x_mrad",
+            inner: MILLIRADIAN,
         },
         Quantity {
-            name: "about_y_deg",
-            inner: DEGREE,
+            name: "about_y_mrad",
+            inner: MILLIRADIAN,
         },
         Quantity {
-            name: "about_z_deg",
-            inner: DEGREE,
+            name: "about_z_mrad",
+            inner: MILLIRADIAN,
         },
         Quantity {
             name: "x_mm",
@@ -90,14 +95,28 @@ impl Effect for MeasuringFrame {
     }
 }
 
+/// Exchanges a rotation vector of more than half a turn for the shorter one of the same rotation.
+pub(super) fn unwind(coefficients: &mut [f64]) {
+    use std::f64::consts::{PI, TAU};
+    let omega = [coefficients[0], coefficients[1], coefficients[2]];
+    let angle = crate::lanes::dot(omega, omega).sqrt();
+    // A little beyond half a turn is left alone, lest a fit hop to and fro there.
+    if angle > 1.25 * PI {
+        let shorter = angle - TAU * (angle / TAU).round();
+        for (coefficient, omega) in coefficients.iter_mut().zip(omega) {
+            *coefficient = omega / angle * shorter;
+        }
+    }
+}
+
 /// Rotation matrix of a rotation vector, by rows (Rodrigues).
-fn rotation(omega: [f64; 3]) -> [[f64; 3]; 3] {
+pub(super) fn rotation(omega: [f64; 3]) -> [[f64; 3]; 3] {
     let (a, b, _) = rodrigues_factors(omega);
     from_factors(omega, 1.0, a, b)
 }
 
 /// Left Jacobian of SO(3), by rows: `1 + b [ω] + c [ω]²`.
-fn left_jacobian(omega: [f64; 3]) -> [[f64; 3]; 3] {
+pub(super) fn left_jacobian(omega: [f64; 3]) -> [[f64; 3]; 3] {
     let (_, b, c) = rodrigues_factors(omega);
     from_factors(omega, 1.0, b, c)
 }

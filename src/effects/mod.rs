@@ -35,27 +35,40 @@ mod joint_compliance;
 mod joint_scale;
 mod joint_zero_offset;
 mod link_droop;
+mod link_geometry;
 mod link_length;
 mod lost_motion;
 mod measuring_frame;
 mod thermal_growth;
 mod thermal_zero_drift;
 mod tool_lateral_offset;
+mod tool_orientation;
+mod tool_position;
 mod tracking_lag;
 mod unexplained;
+mod wrist_coupling;
 
 pub use about::{About, Form, Over, Quantity, Setting, Stage};
 pub use curve::Curve;
 pub use inputs::{Inputs, JointValues};
+pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
 pub use survey::Survey;
-pub use term::{Parameter, Placed, Term, TermError};
+pub use term::{Held, Parameter, Placed, Term, TermError};
+pub use tool_orientation::ToolOrientation;
+pub use tool_position::ToolPosition;
 pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
 
 /// One physical effect.
 pub trait Effect: Sync {
     /// Its name, equation, parameters and the words about it.
     fn about(&self) -> &'static About;
+
+    /// Whether there is such an effect on a joint at all, whatever is measured.
+    fn exists_on(&self, joint: usize) -> bool {
+        let _ = joint;
+        true
+    }
 
     /// Why this session cannot show the effect on this joint; `None` where it can.
     fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String>;
@@ -76,6 +89,7 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &tracking_lag::TrackingLag,
     &thermal_zero_drift::ThermalZeroDrift,
     &joint_compliance::JointCompliance,
+    &wrist_coupling::WristCoupling,
     &link_length::LinkLength,
     &tool_lateral_offset::ToolLateralOffset,
     &thermal_growth::ThermalGrowth,
@@ -89,18 +103,37 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &frame_drift::FrameDrift,
 ];
 
+/// What models carry beside the catalogue's effects: the geometry of every calibration of a robot
+/// with several joints, which is never a candidate, and what has no name.
+pub const BESIDE_THE_CATALOGUE: &[&dyn Effect] = &[
+    &MeasuringFrame,
+    &ToolOrientation,
+    &ToolPosition,
+    &LinkGeometry,
+    &Unexplained,
+];
+
 /// The effect of this name; also what models carry beside the catalogue's effects.
 pub fn find(id: &str) -> Option<&'static dyn Effect> {
-    let hidden: [&'static dyn Effect; 2] = [&MeasuringFrame, &Unexplained];
-    let all = CATALOGUE.iter().copied().chain(hidden);
-    all.into_iter().find(|effect| effect.about().id == id)
+    let all = CATALOGUE.iter().chain(BESIDE_THE_CATALOGUE);
+    all.copied().find(|effect| effect.about().id == id)
 }
 
-/// Place of an effect in the catalogue: effects act in this order.
+/// Place of an effect among all: effects act in this order, that of the catalogue. The measuring
+/// frame acts before what is told in the instrument's own axes (its scale, a shift, a drift), and
+/// what else stands beside the catalogue acts after everything of its stage.
 pub fn rank(effect: &dyn Effect) -> usize {
     let id = effect.about().id;
-    let place = CATALOGUE.iter().position(|e| e.about().id == id);
-    place.unwrap_or(CATALOGUE.len())
+    let place = |id: &str| CATALOGUE.iter().position(|e| e.about().id == id);
+    let beside = || {
+        let mut all = BESIDE_THE_CATALOGUE.iter();
+        all.position(|e| e.about().id == id).unwrap_or(0)
+    };
+    match place(id) {
+        Some(place) => 2 * place + 1,
+        None if id == MeasuringFrame.about().id => 2 * place("instrument-scale").unwrap_or(0),
+        None => 2 * CATALOGUE.len() + beside(),
+    }
 }
 
 #[cfg(test)]
@@ -117,7 +150,7 @@ mod tests {
             let text = std::fs::read_to_string(&path).unwrap();
             let stem = path.file_stem().unwrap().to_str().unwrap();
             let is_effect = text.contains("\nimpl Effect for ");
-            if is_effect && stem != "measuring_frame" && find(&stem.replace('_', "-")).is_none() {
+            if is_effect && find(&stem.replace('_', "-")).is_none() {
                 unlisted.push(stem.to_owned());
             }
         }
@@ -126,9 +159,11 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_every_effect_says_what_it_is() {
-        for (k, effect) in CATALOGUE.iter().enumerate() {
+        let mut before = 0;
+        for effect in CATALOGUE {
             let about = effect.about();
-            assert_eq!(rank(*effect), k, "{}", about.id);
+            assert!(rank(*effect) > before, "{}", about.id);
+            before = rank(*effect);
             for text in [
                 about.title,
                 about.equation,

@@ -1,6 +1,8 @@
 //! What a session shows: which conditions vary, and how far. Effects ask it whether they can be
 //! tested at all.
 
+use nalgebra::Vector3;
+
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 
@@ -24,8 +26,7 @@ pub struct JointSurvey {
     pub speeds: usize,
     /// Largest speed, rad/s or mm/s.
     pub largest_speed: f64,
-    /// Largest torque that gravity has about the joint over the session, N·m; `None` where
-    /// gravity or the load is not known.
+    /// Whether gravity is known and has a lever about the joint in some measured pose.
     pub gravity_lever: bool,
 }
 
@@ -108,14 +109,9 @@ fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
     let speeds = inputs.speed[joint].as_deref().unwrap_or(&[]);
     let (slowest, fastest) = extremes(speeds);
     let frame = JointFrame::new(robot, joint);
-    let lever = robot.gravity_m_s2.is_some_and(|g| {
-        let along = robot.joints[joint].axis.direction.into_inner();
-        let across = g - along * along.dot(&g);
-        match robot.joints[joint].kind {
-            JointKind::Revolute => across.norm() > 1e-9 * g.norm(),
-            JointKind::Prismatic => along.dot(&g).abs() > 1e-9 * g.norm(),
-        }
-    });
+    let lever = robot
+        .gravity_m_s2
+        .is_some_and(|g| has_lever(robot, inputs, joint, g));
     JointSurvey {
         kind: robot.joints[joint].kind,
         frame,
@@ -130,6 +126,40 @@ fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
         gravity_lever: lever,
     }
 }
+
+/// Whether gravity has a lever about a joint in some measured pose: an upright arm has none at home
+/// about many of them.
+fn has_lever(robot: &Robot, inputs: &Inputs, joint: usize, gravity: Vector3<f64>) -> bool {
+    let own = &robot.joints[joint];
+    let along = own.axis.direction.into_inner();
+    let across = |g: Vector3<f64>| match own.kind {
+        JointKind::Revolute => (g - along * along.dot(&g)).norm(),
+        JointKind::Prismatic => along.dot(&g).abs(),
+    };
+    // Turned back by the joints before it.
+    let as_seen = |sample: usize| {
+        let before = robot.joints[..joint].iter().zip(&inputs.q);
+        before.fold(gravity, |g, (before, q)| match before.kind {
+            JointKind::Revolute => {
+                let axis = before.axis.direction;
+                nalgebra::Rotation3::from_axis_angle(&axis, -q[sample]) * g
+            }
+            JointKind::Prismatic => g,
+        })
+    };
+    let least = LEAST_LEVER * gravity.norm();
+    if joint == 0 || inputs.is_empty() {
+        return across(gravity) > least;
+    }
+    let stride = (inputs.len() / MOST_POSES).max(1);
+    let mut poses = (0..inputs.len()).step_by(stride);
+    poses.any(|sample| across(as_seen(sample)) > least)
+}
+
+/// A lever below this share of gravity is rounding.
+const LEAST_LEVER: f64 = 1e-9;
+/// So many poses are looked at.
+const MOST_POSES: usize = 200;
 
 fn extremes(values: &[f64]) -> (f64, f64) {
     if values.is_empty() {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
-use super::about::{DEGREE, Form, Quantity, Setting};
+use super::about::{DEGREE, Form, MILLIRADIAN, Quantity, Setting};
 use super::curve::Curve;
 use super::{Effect, UNEXPLAINED, find};
 
@@ -23,6 +23,33 @@ pub struct Term {
     pub coefficients: Vec<f64>,
     /// The curve of an unexplained correction, which no identification changes.
     pub curve: Option<Arc<Curve>>,
+    /// Coefficients that no fit moves.
+    pub held: Held,
+    /// Name of the setup or of the target that the term belongs to, where it belongs to one.
+    pub label: Option<Arc<str>>,
+}
+
+/// Which coefficients of a term stay as they are: what the samples cannot tell from something
+/// else is zero, and is carried by that.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Held(u32);
+
+impl Held {
+    /// The same with one coefficient more.
+    #[must_use]
+    pub fn with(self, coefficient: usize) -> Self {
+        Self(self.0 | 1 << coefficient)
+    }
+
+    /// Whether a coefficient is held.
+    pub fn contains(self, coefficient: usize) -> bool {
+        coefficient < 32 && self.0 & (1 << coefficient) != 0
+    }
+
+    /// Whether none is.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
 }
 
 /// One named value as the user reads it.
@@ -89,6 +116,8 @@ impl Term {
             setting,
             coefficients: vec![0.0; effect.about().form.coefficients()],
             curve: None,
+            held: Held::default(),
+            label: None,
         }
     }
 
@@ -113,6 +142,7 @@ impl Term {
             let (effect, name) = (about.id, "curve");
             return Err(TermError::Missing { effect, name });
         }
+        let given = &renamed(given)[..];
         let known = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(effect, k));
         let is_known = |name: &str| known.iter().any(|names| names.contains(&name));
         if let Some((name, _)) = given.iter().find(|(name, _)| !is_known(name)) {
@@ -228,8 +258,14 @@ impl Term {
     /// The coefficients after a step, which moves no fade by more than a factor [`e^½`](fade) at
     /// once: far from the solution a linear step means nothing for it.
     pub(crate) fn step(&mut self, by: &[f64]) {
-        for (coefficient, by) in self.coefficients.iter_mut().zip(by) {
-            *coefficient += by;
+        let held = self.held;
+        for (k, (coefficient, by)) in self.coefficients.iter_mut().zip(by).enumerate() {
+            if !held.contains(k) {
+                *coefficient += by;
+            }
+        }
+        if self.effect.about().setting == Setting::Setup {
+            super::measuring_frame::unwind(&mut self.coefficients);
         }
         if let (Form::Fading(_), Some(by)) = (self.effect.about().form, by.get(1)) {
             let before = self.coefficients[1] - by;
@@ -266,6 +302,22 @@ impl PartialEq for Term {
     }
 }
 
+/// Parameters under the names that they have now: a measuring frame's turns were in degrees once.
+fn renamed<'n>(given: &[(&'n str, f64)]) -> Vec<(&'n str, f64)> {
+    const TURNS: [(&str, &str); 3] = [
+        ("about_x_deg", "about_x_mrad"),
+        ("about_y_deg", "about_y_mrad"),
+        ("about_z_deg", "about_z_mrad"),
+    ];
+    let now = |(name, value): &(&'n str, f64)| {
+        let turn = TURNS.iter().find(|(before, _)| before == name);
+        turn.map_or((*name, *value), |(_, now)| {
+            (*now, value * DEGREE / MILLIRADIAN)
+        })
+    };
+    given.iter().map(now).collect()
+}
+
 /// How far a fade moves in one step, and from its setting, as logarithms.
 const LONGEST_STEP: f64 = 0.5;
 const FARTHEST: f64 = 3.0;
@@ -280,7 +332,7 @@ pub(super) fn fade(setting: f64, u: f64) -> f64 {
 pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
     let quantity = |name, inner| Some(Quantity { name, inner });
     match setting {
-        Setting::None | Setting::Setup => None,
+        Setting::None | Setting::Setup | Setting::Target => None,
         Setting::Order { .. } => quantity("order", 1.0),
         Setting::Time => quantity("time_s", 1.0),
         Setting::Fade => quantity("fade_deg", DEGREE),
@@ -332,7 +384,7 @@ fn check_setting(effect: &dyn Effect, name: &'static str, given: f64) -> Result<
         }
         Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
         Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),
-        Setting::None | Setting::Setup => None,
+        Setting::None | Setting::Setup | Setting::Target => None,
     };
     match expected {
         Some(expected) => Err(TermError::OutOfRange {

@@ -19,7 +19,7 @@ use nalgebra::{Matrix3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3
 use super::Job;
 use super::sidecar::poses;
 use crate::compensation::Side;
-use crate::compensation::plan::OF_THE_INSTRUMENT;
+use crate::compensation::plan::is_of_the_measurement;
 use crate::effects::{Inputs, Stage, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::lanes::{dot, minus};
@@ -47,7 +47,7 @@ impl Corrected {
     /// As many effects of the model as a chain can carry.
     pub(super) fn new(job: &Job) -> Self {
         let nominal = &job.calibration.model.robot;
-        let of_the_robot = |term: &&Term| !OF_THE_INSTRUMENT.contains(&term.effect.about().id);
+        let of_the_robot = |term: &&Term| !is_of_the_measurement(term);
         let terms: Vec<Term> = job
             .calibration
             .model
@@ -89,8 +89,8 @@ impl Corrected {
         let mut moved = Vec::new();
         for joint in 0..robot.joints.len() {
             let behind = |t: &Term| {
-                let stage = t.effect.about().stage;
-                t.effect.about().per_joint && (t.joint > joint || stage == Stage::Tool)
+                let about = t.effect.about();
+                about.stage == Stage::Tool || about.per_joint && t.joint > joint
             };
             let by = motion_at_home(&model.without(behind))?;
             robot.joints[joint].axis = robot.joints[joint].axis.moved_by(&by);

@@ -20,8 +20,8 @@ use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped};
 use super::uncertainty::{estimates, half_width_factor};
-use super::unidentifiable::{name_on_joint, setup_name, undetermined_combinations};
-use super::{alignment, scan};
+use super::unidentifiable::{name_on_joint, undetermined_combinations};
+use super::{alignment, base_model, scan};
 
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
@@ -68,6 +68,21 @@ pub fn identify_watched(
     Ok(fresh.report(session))
 }
 
+/// Like [`identify_exact`], without the weak priors that hold the geometry of several joints where
+/// few poses show it.
+///
+/// # Errors
+/// As [`identify_exact`].
+pub fn identify_without_priors(
+    session: &Session,
+    effects: &[String],
+    values: JointValues,
+) -> Result<Identification, IdentifyError> {
+    let mut prepared = prepare(session, effects, &[], values, &|| true)?;
+    prepared.base = prepared.base.map(|_| false);
+    Ok(Fresh::fitted(prepared, &|| true)?.report(session))
+}
+
 /// A fit from all samples, with what it was made of.
 pub(super) struct Fresh<'a> {
     /// The samples.
@@ -78,6 +93,8 @@ pub(super) struct Fresh<'a> {
     nominal: Model,
     /// What was asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
+    /// What else there is to say.
+    notes: Vec<String>,
 }
 
 impl<'a> Fresh<'a> {
@@ -89,9 +106,17 @@ impl<'a> Fresh<'a> {
             mut problem,
             start,
             nominal,
-            not_identifiable,
+            mut not_identifiable,
+            base,
         } = prepared;
-        let fitted = fit_without_outliers(&mut problem, &start);
+        let (fitted, notes) = match base {
+            None => (fit_without_outliers(&mut problem, &start), Vec::new()),
+            Some(weak) => {
+                let of_base = base_model::fit(&mut problem, &start, weak);
+                not_identifiable.extend(of_base.held);
+                (of_base.solution, of_base.notes)
+            }
+        };
         if fitted.stopped == Stopped::Cancelled || !go_on() {
             return Err(IdentifyError::Cancelled);
         }
@@ -100,6 +125,7 @@ impl<'a> Fresh<'a> {
             fitted,
             nominal,
             not_identifiable,
+            notes,
         })
     }
 
@@ -109,8 +135,11 @@ impl<'a> Fresh<'a> {
             fitted,
             nominal,
             not_identifiable,
+            notes,
         } = self;
-        report(session, &problem, fitted, &nominal, not_identifiable)
+        let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
+        answer.notes.extend(notes);
+        answer
     }
 }
 
@@ -124,6 +153,8 @@ pub(super) struct Prepared<'a> {
     pub(super) nominal: Model,
     /// What was asked for and cannot be fitted.
     pub(super) not_identifiable: Vec<NotIdentifiable>,
+    /// Whether the terms hold the base model of several joints, and its weak priors hold.
+    base: Option<bool>,
 }
 
 /// Looks which of the effects the session can show, and scans those with a setting.
@@ -142,7 +173,11 @@ pub(super) fn prepare<'a>(
     let survey = Survey::new(session, &problem.inputs);
     let mut not_identifiable = Vec::new();
     let mut terms = Vec::new();
+    let base = base_model::is_arm(session) && asks_for_base(effects);
     for id in effects {
+        if base && id == "link-length" {
+            continue;
+        }
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;
         let places = places(effect, &survey);
         if let Some(because) = same_everywhere(&places) {
@@ -156,7 +191,7 @@ pub(super) fn prepare<'a>(
             let there = |t: &Term| t.effect.about().id == id && t.joint == joint;
             match obstacle {
                 Some(because) => not_identifiable.push(NotIdentifiable {
-                    combination: name_on_joint(effect, joint, session),
+                    combination: name_on_joint(effect, joint, &session.robot),
                     because,
                 }),
                 None if known.iter().any(there) => {}
@@ -164,7 +199,13 @@ pub(super) fn prepare<'a>(
             }
         }
     }
-    terms.extend(free_frames(session, &problem));
+    if base {
+        let known = |id: &str| terms.iter().any(|t: &Term| t.effect.about().id == id);
+        let new = base_model::terms(session, &problem, |id| !known(id));
+        terms.extend(new);
+    } else {
+        terms.extend(free_frames(session, &problem));
+    }
     let nominal = Model::nominal(session.robot.clone());
     let start = scan::with_best_settings(&problem, &nominal, terms);
     let start = known
@@ -175,7 +216,15 @@ pub(super) fn prepare<'a>(
         start,
         nominal,
         not_identifiable,
+        base: base.then_some(true),
     })
+}
+
+/// Whether these are the effects of every calibration, or more: then those of several joints have
+/// their geometry as well.
+fn asks_for_base(effects: &[String]) -> bool {
+    let named = |id: &str| effects.iter().any(|e| e == id);
+    DEFAULT_EFFECTS.iter().all(|id| named(id))
 }
 
 /// The answer for a model that was fitted elsewhere (the diagnosis does), on a problem whose
@@ -195,7 +244,7 @@ pub fn report(
     let rank = solution.spectrum.rank();
     let covariance = covariance_of(problem, &solution);
     let own = solution.model.coefficient_count();
-    not_identifiable.extend(undetermined_combinations(&solution, session));
+    not_identifiable.extend(undetermined_combinations(&solution));
     Identification {
         session: session.name.clone(),
         method: "exact",
@@ -264,6 +313,7 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
         .map(|setup| {
             let in_setup = |i: usize| problem.used[i] && setups.index[i] as usize == setup;
             let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
+            term.label = Some(setups.names[setup].as_str().into());
             if let Some(frame) = alignment::best_rigid_motion(session, &predicted, in_setup) {
                 let rotation = frame.rotation.scaled_axis();
                 let shift = frame.translation.vector;
@@ -325,18 +375,17 @@ pub fn parameters_of(
     for term in solution.model.terms() {
         let size = term.coefficients.len();
         let own = covariance.map(|c| c.view((first, first), (size, size)).into_owned());
-        let undetermined: Vec<bool> = (first..first + size)
-            .map(|k| solution.spectrum.undetermined_share(k) > 1e-6)
+        let undetermined: Vec<bool> = (0..size)
+            .map(|k| {
+                let open = solution.spectrum.undetermined_share(first + k) > 1e-6;
+                open || term.held.contains(k)
+            })
             .collect();
         let kind = solution.model.robot.joints[term.joint].kind;
         let mut own = estimates(term, own.as_ref(), factor, &undetermined, kind);
         for estimate in &mut own {
-            match term.effect.about().setting {
-                Setting::Setup => estimate.setup = setup_name(problem.session, term.setting),
-                Setting::Time if estimate.name == "time_s" => {
-                    estimate.ci95 = times_around(problem, term.setting);
-                }
-                _ => {}
+            if term.effect.about().setting == Setting::Time && estimate.name == "time_s" {
+                estimate.ci95 = times_around(problem, term.setting);
             }
         }
         all.push(own);

@@ -2,11 +2,13 @@
 //! and the exact nonlinear fit ([`identify_exact`]).
 
 pub mod alignment;
+pub mod base_model;
 pub mod gap;
 pub(crate) mod linear;
 pub mod noise;
 pub mod normal;
 pub mod outliers;
+pub mod priors;
 pub mod problem;
 pub mod regions;
 pub mod regression;
@@ -24,8 +26,8 @@ mod unidentifiable;
 
 pub use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{
-    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with, parameters_of,
-    report, testable_effects,
+    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with,
+    identify_without_priors, parameters_of, report, testable_effects,
 };
 pub(crate) use exact::{free_frames, outliers};
 pub use outcome::{

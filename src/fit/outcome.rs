@@ -20,6 +20,8 @@ pub struct Estimate {
     pub joint: Option<usize>,
     /// Name of the setup that a measuring frame belongs to.
     pub setup: Option<String>,
+    /// Name of the target whose own place it is.
+    pub target: Option<String>,
     /// The parameter's name with its unit.
     pub name: &'static str,
     /// Its value.

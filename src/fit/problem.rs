@@ -7,6 +7,7 @@ use crate::lanes::{LANES, Lanes};
 use crate::sessions::{Session, Sigma};
 
 use super::noise::Noise;
+use super::priors::Priors;
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -30,6 +31,8 @@ pub struct Problem<'a> {
     has_clock: bool,
     /// The noise, where it is known; its white part is in `axis_weights` as well.
     pub noise: Option<Noise>,
+    /// What is known of the coefficients beforehand; nothing of a robot with a single joint.
+    pub priors: Priors,
     /// Whether anybody still wants the answer.
     pub watch: Watch<'a>,
 }
@@ -113,6 +116,7 @@ impl<'a> Problem<'a> {
             beside: Vec::new(),
             has_clock,
             noise: None,
+            priors: Priors::default(),
             watch: Watch::default(),
         }
     }
@@ -143,6 +147,8 @@ impl<'a> Problem<'a> {
                 *weight = noise.sigma_mm[axis].powi(-2);
             }
         }
+        // Rows are in units of the noise from here on.
+        self.priors.variance = 1.0;
         self.noise = Some(noise.clone());
     }
 

@@ -24,7 +24,12 @@ const MOST_BLOCKS: usize = 192;
 
 /// The nominal model with all the terms, those with a setting at their best one.
 pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) -> Model {
-    let is_scanned = |t: &Term| !matches!(t.effect.about().setting, Setting::None | Setting::Setup);
+    let is_scanned = |t: &Term| {
+        !matches!(
+            t.effect.about().setting,
+            Setting::None | Setting::Setup | Setting::Target
+        )
+    };
     let (scanned, plain): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(is_scanned);
     let mut model = plain
         .into_iter()
@@ -42,7 +47,7 @@ pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) 
 /// The settings that a scan tries.
 pub fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
     match term.effect.about().setting {
-        Setting::None | Setting::Setup => vec![term.setting],
+        Setting::None | Setting::Setup | Setting::Target => vec![term.setting],
         Setting::Order { from, to } => (from..=to).map(f64::from).collect(),
         Setting::Fade => fades(problem, term.joint),
         Setting::Time => times(problem),

@@ -14,6 +14,7 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::effects::block::Block;
+use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -65,6 +66,8 @@ pub struct Spectrum {
     vectors: DMatrix<f64>,
     /// Which eigenvectors the samples determine.
     determined: Vec<bool>,
+    /// Number of coefficients that are held where they are.
+    held: usize,
 }
 
 /// Eigenvalues of the scaled Gram matrix below this are rounding: its entries are sums of products
@@ -84,6 +87,7 @@ impl Spectrum {
         if gram.is_empty() {
             // Nothing to take apart; the decomposition takes no empty matrix.
             return Self {
+                held: 0,
                 scale,
                 values: DVector::zeros(0),
                 vectors: DMatrix::zeros(0, 0),
@@ -97,6 +101,7 @@ impl Spectrum {
             determined: values.iter().map(|v| *v > RANK_TOLERANCE).collect(),
             values,
             vectors: eigen.eigenvectors,
+            held: 0,
         }
     }
 
@@ -130,6 +135,32 @@ impl Spectrum {
         }
     }
 
+    /// Takes the Gram matrix of a model's coefficients apart, apart from those that it holds.
+    fn of_model(gram: &DMatrix<f64>, model: &Model) -> Self {
+        let coefficients = model.terms().iter().flat_map(|term| {
+            let all = 0..term.coefficients.len();
+            all.map(|k| term.held.contains(k))
+        });
+        let held: Vec<usize> = coefficients
+            .enumerate()
+            .filter_map(|(k, held)| held.then_some(k))
+            .collect();
+        if held.is_empty() {
+            return Self::new(gram);
+        }
+        // Each a direction of its own, which takes no step as its gradient is zero.
+        let mut apart = gram.clone();
+        for k in &held {
+            apart[(*k, *k)] = 1.0;
+        }
+        let mut spectrum = Self::new(&apart);
+        for k in &held {
+            spectrum.scale[*k] = 0.0;
+        }
+        spectrum.held = held.len();
+        spectrum
+    }
+
     fn determined(&self, index: usize) -> bool {
         self.determined[index]
     }
@@ -139,6 +170,7 @@ impl Spectrum {
         (0..self.values.len())
             .filter(|k| self.determined(*k))
             .count()
+            - self.held
     }
 
     /// Ratio of the largest to the smallest determined eigenvalue of the scaled Gram matrix; its
@@ -267,6 +299,7 @@ fn descend(problem: &Problem, start: &State, blocks: &[usize]) -> (Solution, Sta
             break Stopped::Cancelled;
         }
         let step = spectrum.step(&normal.gradient, damping);
+        let step = bounded(&model.model, step);
         let trial = moved(&model, &step);
         if negligible(&step, &normal) {
             model = trial;
@@ -361,6 +394,7 @@ fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal
             }
         });
     normal.complete();
+    problem.priors.add(&state.model, &mut normal);
     normal
 }
 
@@ -383,7 +417,7 @@ fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
     } else {
         normal.weight * ROUNDING_MM * ROUNDING_MM
     };
-    Spectrum::new(&normal.gram).within(&reaches, least)
+    Spectrum::of_model(&normal.gram, &state.model).within(&reaches, least)
 }
 
 /// Puts the columns beside the model behind its own, and what they do into the points.
@@ -399,6 +433,42 @@ fn join(block: &mut Block, problem: &Problem, state: &State, start: usize) {
         block.columns.push(own);
     }
 }
+
+/// The step of a robot with several joints, shortened so that nothing of its geometry goes farther
+/// at once than a linear step has a meaning. One joint alone needs no such bound.
+fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
+    if model.robot.joints.len() < 2 {
+        return step;
+    }
+    let mut first = 0;
+    let mut factor = 1.0_f64;
+    for term in model.terms() {
+        let (about, own) = (term.effect.about(), first);
+        first += term.coefficients.len();
+        if !super::base_model::belongs(about.id) {
+            continue;
+        }
+        for k in 0..term.coefficients.len() {
+            let turns = match about.id {
+                "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
+                "measuring-frame" => k < 3,
+                "link-geometry" => k >= 2,
+                "tool-orientation" => true,
+                _ => false,
+            };
+            let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
+            let size = step[own + k].abs();
+            if size > most {
+                factor = factor.min(most / size);
+            }
+        }
+    }
+    step * factor
+}
+
+/// As far as geometry may go in one step, rad and mm.
+const LONGEST_TURN: f64 = 0.3;
+const LONGEST_MOVE_MM: f64 = 200.0;
 
 fn moved(state: &State, step: &DVector<f64>) -> State {
     let (own, rest) = step.as_slice().split_at(state.model.coefficient_count());

@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::effects::term::setting_quantity;
-use crate::effects::{Form, Term};
+use crate::effects::{Form, Setting, Term};
 use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
@@ -39,9 +39,19 @@ pub fn estimates(
     // estimated, and whoever scans them says how sure that is.
     let fading = matches!(about.form, Form::Fading(_));
     let settings = usize::from(!fading && setting_quantity(about.setting).is_some());
+    // It does not matter where a slide runs, only in which direction.
+    let matters = |name: &str| {
+        let slides = kind == JointKind::Prismatic && about.id == "link-geometry";
+        !(slides && name.ends_with("_mm"))
+    };
+    let label = |of: Setting| {
+        let label = term.label.as_deref().filter(|_| about.setting == of);
+        label.map(str::to_owned)
+    };
     values
         .into_iter()
         .enumerate()
+        .filter(|(_, parameter)| matters(parameter.name))
         .map(|(k, parameter)| {
             let half = k.checked_sub(settings).map(|k| half_widths[k]);
             let value = parameter.value;
@@ -55,7 +65,8 @@ pub fn estimates(
             Estimate {
                 effect: about.id,
                 joint: about.per_joint.then_some(term.joint + 1),
-                setup: None,
+                setup: label(Setting::Setup),
+                target: label(Setting::Target),
                 name: parameter.name,
                 value,
                 ci95: match (parameter.name, ci95) {

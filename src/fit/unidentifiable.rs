@@ -3,40 +3,30 @@
 
 use crate::effects::term::coefficient_names_on;
 use crate::effects::{Effect, Setting};
+use crate::kinematics::Robot;
 use crate::model::Model;
-use crate::sessions::Session;
 
 use super::outcome::NotIdentifiable;
 use super::solver::Solution;
 
 /// An effect's name, with its joint where the robot has several.
-pub(super) fn name_on_joint(effect: &dyn Effect, joint: usize, session: &Session) -> String {
+pub(super) fn name_on_joint(effect: &dyn Effect, joint: usize, robot: &Robot) -> String {
     let id = effect.about().id;
-    if effect.about().per_joint && session.robot.joints.len() > 1 {
+    if effect.about().per_joint && robot.joints.len() > 1 {
         format!("{id} of joint {}", joint + 1)
     } else {
         id.to_owned()
     }
 }
 
-/// Name of a setup by its index.
-pub(super) fn setup_name(session: &Session, index: f64) -> Option<String> {
-    let setups = session.samples.setups.as_ref()?;
-    let mut numbered = setups.names.iter().zip(0_u32..);
-    let found = numbered.find(|(_, k)| f64::from(*k) == index);
-    found.map(|(name, _)| name.clone())
-}
-
 /// `effect.parameter` for every coefficient; an amplitude and its phase stand as their two parts.
-fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
+pub(super) fn coefficient_names(model: &Model) -> Vec<String> {
     let names = model.terms().iter().flat_map(|term| {
         let about = term.effect.about();
-        let place = match about.setting {
-            Setting::Setup => {
-                let name = setup_name(session, term.setting);
-                format!("{} of setup {}", about.id, name.as_deref().unwrap_or("?"))
-            }
-            _ => name_on_joint(term.effect, term.joint, session),
+        let place = match (about.setting, &term.label) {
+            (Setting::Setup, Some(name)) => format!("{} of setup {name}", about.id),
+            (Setting::Target, Some(name)) => format!("{} of target {name}", about.id),
+            _ => name_on_joint(term.effect, term.joint, &model.robot),
         };
         coefficient_names_on(term.effect, model.robot.joints[term.joint].kind)
             .into_iter()
@@ -50,11 +40,8 @@ fn coefficient_names(model: &Model, session: &Session) -> Vec<String> {
 const UNNAMED: &str = "what no name explains";
 
 /// Every combination of coefficients that the samples leave open.
-pub(super) fn undetermined_combinations(
-    solution: &Solution,
-    session: &Session,
-) -> Vec<NotIdentifiable> {
-    let mut names = coefficient_names(&solution.model, session);
+pub(super) fn undetermined_combinations(solution: &Solution) -> Vec<NotIdentifiable> {
+    let mut names = coefficient_names(&solution.model);
     names.resize(names.len() + solution.beside.len(), UNNAMED.to_owned());
     let directions = solution.spectrum.null_directions();
     let directions = directions.iter().map(|direction| {

@@ -248,6 +248,7 @@ impl Form {
         scenario.instrument = Instrument {
             name: "simulated tracker".to_owned(),
             sigma_mm: (self.noise_mm > 0.0).then_some(Sigma::Overall(self.noise_mm)),
+            ..Instrument::default()
         };
         scenario.tolerance_mm = (self.tolerance_mm > 0.0).then_some(self.tolerance_mm);
         scenario.effects = self.terms()?;

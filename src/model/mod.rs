@@ -152,6 +152,9 @@ impl Model {
         for start in starts {
             block.load(inputs, start);
             self.flow(&placed, &mut block);
+            if differentiate {
+                block.hold(self.held_columns());
+            }
             see(start, &block);
         }
     }
@@ -171,6 +174,17 @@ impl Model {
             positions.z_mm.extend_from_slice(&z[..block.len]);
         });
         positions
+    }
+
+    /// Columns of the coefficients that no fit moves.
+    fn held_columns(&self) -> impl Iterator<Item = usize> {
+        let mut first = 0;
+        self.terms.iter().flat_map(move |term| {
+            let own = first;
+            first += term.coefficients.len();
+            let all = 0..term.coefficients.len();
+            all.filter(|k| term.held.contains(*k)).map(move |k| own + k)
+        })
     }
 
     fn flow(&self, placed: &[Placed], block: &mut Block) {

@@ -29,12 +29,27 @@ pub enum Sigma {
 }
 
 /// The measuring instrument.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Instrument {
     /// What it is called.
     pub name: String,
     /// Its noise in mm, where it is known.
     pub sigma_mm: Option<Sigma>,
+    /// How well the targets' own places in the tool frame are known, mm; `None`: not at all.
+    pub targets_sigma_mm: Option<f64>,
+}
+
+/// How well the targets' own places are known where nobody says, mm.
+pub(crate) const TARGETS_SIGMA_MM: f64 = 0.05;
+
+impl Default for Instrument {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            sigma_mm: None,
+            targets_sigma_mm: Some(TARGETS_SIGMA_MM),
+        }
+    }
 }
 
 /// A range of the joint angle that gets a correction of its own.

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use crate::diagnosis::{Mend, Options};
 use crate::effects::{Term, find};
 use crate::fit::problem::{Problem, unusable};
+use crate::fit::{base_model, fit_without_outliers};
 use crate::model::Model;
 use crate::sessions::Session;
 
@@ -36,9 +37,14 @@ pub(super) fn mislocked(session: &Session, options: &Options, problems: &mut Vec
         return;
     }
     let mut problem = Problem::new(session, options.joint_values);
-    let terms = find("joint-zero-offset").map(|e| Term::absent(e, 0, 0.0));
-    let start = Model::new(session.robot.clone(), terms.into_iter().collect());
-    let fitted = crate::fit::fit_without_outliers(&mut problem, &start).model;
+    let fitted = if base_model::is_arm(session) {
+        let start = base_model::start(session, &problem, |_| true);
+        base_model::fit(&mut problem, &start, true).solution.model
+    } else {
+        let terms = find("joint-zero-offset").map(|e| Term::absent(e, 0, 0.0));
+        let start = Model::new(session.robot.clone(), terms.into_iter().collect());
+        fit_without_outliers(&mut problem, &start).model
+    };
     let off: Vec<usize> = (0..problem.fit.len())
         .filter(|i| problem.fit[*i] && !problem.used[*i])
         .collect();

@@ -16,7 +16,8 @@ pub(crate) fn term(
     let members = fields.object(node, path, "an object with effect and parameters")?;
     let id = fields.required_text(members, node.at, path, "effect")?;
     let last = if id == UNEXPLAINED { "curve" } else { "exact" };
-    fields.unknown_keys(members, path, &["effect", "joint", "parameters", last]);
+    let known = ["effect", "joint", "setup", "target", "parameters", last];
+    fields.unknown_keys(members, path, &known);
     if find(&id).is_none() {
         let found = format!("no effect is called '{id}'");
         let expected = "a name that `truepose effects` lists";
@@ -45,10 +46,16 @@ pub(crate) fn term(
             return None;
         }
     };
-    match optional(members, "exact") {
+    let mut term = match optional(members, "exact") {
         None => Some(readable),
         Some(node) => exact_term(fields, node, &path.key("exact"), readable),
+    }?;
+    let label = optional(members, "setup").or_else(|| optional(members, "target"));
+    if let Some(node) = label {
+        let name = fields.text(node, &path.key("setup"))?;
+        term.label = Some(name.into());
     }
+    Some(term)
 }
 
 fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<(String, f64)>> {

@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 use super::FORMAT;
 use super::curve::{self, CurveTwin};
-use crate::effects::{Parameter, Term};
+use crate::effects::{Parameter, Setting, Term};
 use crate::kinematics::{Range, Robot};
 use crate::model::{Calibration, GapStep, RegionalCorrection};
 use crate::sessions::format_v1::degrees::degrees;
@@ -53,6 +53,10 @@ struct TermTwin<'a> {
     effect: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     joint: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    setup: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    target: Option<&'a str>,
     parameters: ParametersTwin,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<CurveTwin<'a>>,
@@ -170,6 +174,11 @@ impl<'a> TermTwin<'a> {
     fn of(term: &'a Term, robot: &Robot) -> Self {
         let about = term.effect.about();
         let kind = robot.joints[term.joint].kind;
+        let label = |of: Setting| {
+            (about.setting == of)
+                .then_some(term.label.as_deref())
+                .flatten()
+        };
         let parameters = match term.curve() {
             Some(curve) => curve::parameters(curve, kind),
             None => term.parameters_on(kind),
@@ -177,6 +186,8 @@ impl<'a> TermTwin<'a> {
         Self {
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
+            setup: label(Setting::Setup),
+            target: label(Setting::Target),
             parameters: ParametersTwin(parameters),
             curve: term.curve().map(CurveTwin::of),
             exact: term.curve.is_none().then_some(ExactTwin {

@@ -6,7 +6,7 @@ use nalgebra::Point3;
 
 use super::{DEFAULT_TARGET, FORMAT, robot};
 use crate::kinematics::Robot;
-use crate::sessions::domain::{Instrument, Region, Sigma, Target};
+use crate::sessions::domain::{Instrument, Region, Sigma, TARGETS_SIGMA_MM, Target};
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::sessions::number::quoted;
 use crate::units::rad_from_deg;
@@ -197,7 +197,7 @@ pub(crate) fn instrument(
 ) -> Option<Instrument> {
     const SIGMA: &str = "a positive number, or an array of 3 positive numbers";
     let members = fields.object(node, path, "an object with name and sigma_mm")?;
-    fields.unknown_keys(members, path, &["name", "sigma_mm"]);
+    fields.unknown_keys(members, path, &["name", "sigma_mm", "targets_sigma_mm"]);
     let name = fields
         .required_text(members, node.at, path, "name")
         .unwrap_or_default();
@@ -218,7 +218,23 @@ pub(crate) fn instrument(
         fields.mismatch(node, path, SIGMA);
         None
     });
-    Some(Instrument { name, sigma_mm })
+    // Null says that they are not known, which is another thing than to say nothing.
+    let targets = members.iter().find(|m| m.key == "targets_sigma_mm");
+    let targets_sigma_mm = match targets {
+        None => Some(TARGETS_SIGMA_MM),
+        Some(member) if member.node.value == Value::Null => None,
+        Some(member) => positive(
+            fields,
+            &member.node,
+            &path.key("targets_sigma_mm"),
+            "a length above 0 mm, or null",
+        ),
+    };
+    Some(Instrument {
+        name,
+        sigma_mm,
+        targets_sigma_mm,
+    })
 }
 
 pub(crate) fn regions(

@@ -11,7 +11,7 @@ use super::FORMAT;
 use super::degrees::degrees;
 use super::read::default_targets;
 use crate::kinematics::{Joint, JointKind, Robot};
-use crate::sessions::domain::{Region, Session, Sigma, Target};
+use crate::sessions::domain::{Region, Session, Sigma, TARGETS_SIGMA_MM, Target};
 
 #[derive(Debug, Serialize)]
 pub(crate) struct SessionTwin<'a, S> {
@@ -89,6 +89,9 @@ struct InstrumentTwin<'a> {
     name: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     sigma_mm: Option<SigmaTwin>,
+    /// Only where it is not the usual one; null where the places are not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    targets_sigma_mm: Option<Option<f64>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -114,7 +117,10 @@ pub(crate) struct FileTwin<'a> {
 impl<'a, S> SessionTwin<'a, S> {
     pub(crate) fn of(session: &'a Session, samples: S) -> Self {
         let instrument = &session.instrument;
-        let has_instrument = !instrument.name.is_empty() || instrument.sigma_mm.is_some();
+        let targets_sigma_mm = instrument.targets_sigma_mm;
+        let unusual = (targets_sigma_mm != Some(TARGETS_SIGMA_MM)).then_some(targets_sigma_mm);
+        let has_instrument =
+            !instrument.name.is_empty() || instrument.sigma_mm.is_some() || unusual.is_some();
         Self {
             format: FORMAT,
             name: &session.name,
@@ -128,6 +134,7 @@ impl<'a, S> SessionTwin<'a, S> {
                     Sigma::Overall(sigma) => SigmaTwin::Overall(sigma),
                     Sigma::PerAxis(sigma) => SigmaTwin::PerAxis(sigma),
                 }),
+                targets_sigma_mm: unusual,
             }),
             tolerance_mm: session.tolerance_mm,
             regions: session.regions.iter().map(RegionTwin::of).collect(),

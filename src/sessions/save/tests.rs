@@ -148,6 +148,7 @@ fn any_session() -> impl Strategy<Value = Session> {
                 instrument: Instrument {
                     name: "tracker".to_owned(),
                     sigma_mm: Some(Sigma::PerAxis([0.01, 0.02, 0.03])),
+                    targets_sigma_mm: None,
                 },
                 tolerance_mm: Some(0.2),
                 regions: vec![Region {

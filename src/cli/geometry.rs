@@ -1,0 +1,108 @@
+//! The geometry of a robot with several joints as a person reads it: a row for each joint, then the
+//! frames of the instrument and the tool with its targets.
+
+use std::fmt::Write as _;
+
+use truepose::fit::Estimate;
+use truepose::fit::base_model::belongs;
+
+/// The columns of a joint's row: parameter and heading. A joint that slides has its zero in mm.
+const COLUMNS: [(&[&str], &str); 5] = [
+    (&["offset_deg", "offset_mm"], "zero offset"),
+    (&["x_mm"], "x mm"),
+    (&["y_mm"], "y mm"),
+    (&["about_x_mrad"], "about x mrad"),
+    (&["about_y_mrad"], "about y mrad"),
+];
+
+/// Whether these are the estimates of a robot with several joints.
+pub(crate) fn is_of_an_arm(estimates: &[Estimate]) -> bool {
+    estimates.iter().any(|e| e.effect == "link-geometry")
+}
+
+/// Whether an estimate stands in the table of an arm.
+pub(crate) fn is_in_table(estimate: &Estimate) -> bool {
+    belongs(estimate.effect) && estimate.effect != "link-length"
+}
+
+/// The table; what the samples do not determine is a dash, or a value without an interval where a
+/// prior says what they do not.
+pub(crate) fn table(estimates: &[Estimate]) -> String {
+    let mut text = String::from("geometry, ± half of the 95 % interval\njoint");
+    for (_, heading) in COLUMNS {
+        let _ = write!(text, " {heading:>24}");
+    }
+    text.push('\n');
+    let last = estimates.iter().filter_map(|e| e.joint).max().unwrap_or(0);
+    for joint in 1..=last {
+        let _ = write!(text, "{joint:<5}");
+        for (names, _) in COLUMNS {
+            let own = estimates
+                .iter()
+                .find(|e| e.joint == Some(joint) && is_in_table(e) && names.contains(&e.name));
+            let cell = own.map_or("–".to_owned(), |e| {
+                let unit = match e.name {
+                    "offset_deg" => "°",
+                    "offset_mm" => " mm",
+                    _ => "",
+                };
+                cell(e, unit)
+            });
+            let _ = write!(text, " {cell:>24}");
+        }
+        text.push('\n');
+    }
+    let mut before: Option<String> = None;
+    for estimate in estimates {
+        let place = match (estimate.effect, &estimate.setup, &estimate.target) {
+            ("measuring-frame", Some(setup), _) => format!("measuring frame, setup {setup}"),
+            ("measuring-frame", None, _) => "measuring frame".to_owned(),
+            ("tool-position", _, Some(target)) => format!("target {target}"),
+            ("tool-position", _, None) => "tool position".to_owned(),
+            ("tool-orientation", ..) => "tool orientation".to_owned(),
+            _ => continue,
+        };
+        if before.as_ref() != Some(&place) {
+            let _ = write!(text, "{}{place}:", if before.is_some() { "\n" } else { "" });
+            before = Some(place);
+        }
+        let (name, unit) = estimate
+            .name
+            .rsplit_once('_')
+            .unwrap_or((estimate.name, ""));
+        let unit = format!(" {unit}");
+        let _ = write!(
+            text,
+            "  {} {}",
+            name.replace('_', " "),
+            cell(estimate, &unit)
+        );
+    }
+    if before.is_some() {
+        text.push('\n');
+    }
+    text
+}
+
+/// A value with half its interval, as many decimals as that carries.
+fn cell(estimate: &Estimate, unit: &str) -> String {
+    match estimate.ci95 {
+        None if estimate.value == 0.0 => "–".to_owned(),
+        // Held where its prior puts it.
+        None => format!("{:.3}{unit}", estimate.value),
+        Some([low, high]) => {
+            let half = 0.5 * (high - low);
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "clamped to a small whole number"
+            )]
+            let decimals = if half > 0.0 {
+                (1.0 - half.log10().floor()).clamp(0.0, 6.0) as usize
+            } else {
+                6
+            };
+            format!("{:.decimals$} ± {half:.decimals$}{unit}", estimate.value)
+        }
+    }
+}

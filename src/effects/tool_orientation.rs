@@ -1,0 +1,81 @@
+//! Tool orientation: `M → M · R(ω)`: the tool, and with it all its targets, is turned about its
+//! origin. ω is a rotation vector in the tool frame, rad.
+//!
+//! Belongs to the calibration of a robot with several joints where orientation is measured, or where
+//! several targets of known arrangement show it; never a candidate.
+
+use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::base_offset::AXES;
+use super::block::Block;
+use super::measuring_frame::{left_jacobian, rotation};
+use super::{Effect, Placed, Survey};
+use crate::lanes::{add_scaled, cross, minus, times};
+
+/// See the module.
+pub struct ToolOrientation;
+
+const ABOUT: About = About {
+    id: "tool-orientation",
+    title: "Tool orientation",
+    stage: Stage::Tool,
+    per_joint: false,
+    form: Form::Plain(&[
+        Quantity {
+            name: "about_x_mrad",
+            inner: MILLIRADIAN,
+        },
+        Quantity {
+            name: "about_y_mrad",
+            inner: MILLIRADIAN,
+        },
+        Quantity {
+            name: "about_z_mrad",
+            inner: MILLIRADIAN,
+        },
+    ]),
+    setting: Setting::None,
+    equation: "M = M R(ω)",
+    source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
+    cause: "the tool is mounted turned, or its data in the controller are",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: None,
+    usual_size: "0.1 to 50 mrad",
+    confused_with: "the zero of the last joint, which turns the tool as well",
+    check: "the tool data in the controller",
+};
+
+impl Effect for ToolOrientation {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
+        if survey.joints.len() == 1 {
+            return Some("the robot has a single axis: its zero offset takes its place".to_owned());
+        }
+        (survey.targets < 3).then(|| {
+            format!(
+                "orientation is not measured, and {} of three targets on the tool",
+                survey.targets
+            )
+        })
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let tool = block.robot.base_from_tool;
+        let to_base =
+            |v: [f64; 3]| -> [f64; 3] { (tool.rotation * nalgebra::Vector3::from(v)).into() };
+        let origin: [f64; 3] = tool.translation.vector.into();
+        // The same turn, seen from the base.
+        let omega = to_base([me.coefficients[0], me.coefficients[1], me.coefficients[2]]);
+        let turn = rotation(omega);
+        let left = left_jacobian(omega);
+        let spins = AXES.map(|axis| times(left, to_base(axis)));
+        block.transform(me, |p, _| {
+            let arm = times(turn, minus(p, origin));
+            let columns = spins.map(|spin| cross(spin, arm));
+            (add_scaled(arm, origin, 1.0), turn, columns)
+        });
+    }
+}

@@ -1,0 +1,77 @@
+//! Tool position: `M → M + R (x, y, z)`, R the tool frame's rotation at home: the targets sit
+//! elsewhere behind the last joint, all of them by the same shift, or one of them by its own.
+//!
+//! Belongs to the calibration of every robot with several joints and is never a candidate. The
+//! term's setting says whose part it is: 0 what all targets share, else the target, counted
+//! from 1. Coefficients are in the tool frame, mm.
+
+use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::base_offset::AXES;
+use super::block::Block;
+use super::{Effect, Placed, Survey};
+use crate::lanes::{scaled, times};
+
+/// See the module.
+pub struct ToolPosition;
+
+const ABOUT: About = About {
+    id: "tool-position",
+    title: "Tool position",
+    stage: Stage::Tool,
+    per_joint: false,
+    form: Form::Plain(&[
+        Quantity {
+            name: "x_mm",
+            inner: 1.0,
+        },
+        Quantity {
+            name: "y_mm",
+            inner: 1.0,
+        },
+        Quantity {
+            name: "z_mm",
+            inner: 1.0,
+        },
+    ]),
+    setting: Setting::Target,
+    equation: "target = target + (x, y, z) in the tool frame",
+    source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
+    cause: "the tool data in the controller, or the place of the target on the tool",
+    over: Over::Angle,
+    never_negative: false,
+    implausible_above: None,
+    usual_size: "0.1 to 50 mm",
+    confused_with: "the zero of the last joint, where all targets sit at one distance from its axis",
+    check: "measure the targets on the tool",
+};
+
+impl Effect for ToolPosition {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
+        (survey.joints.len() == 1)
+            .then(|| "the robot has a single axis: link length takes its place".to_owned())
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let turn = block.robot.base_from_tool.rotation.to_rotation_matrix();
+        let turn = turn.matrix();
+        let columns: [[f64; 3]; 3] =
+            std::array::from_fn(|k| [turn[(0, k)], turn[(1, k)], turn[(2, k)]]);
+        let rows: [[f64; 3]; 3] =
+            std::array::from_fn(|k| [turn[(k, 0)], turn[(k, 1)], turn[(k, 2)]]);
+        let own = [me.coefficients[0], me.coefficients[1], me.coefficients[2]];
+        let shift = times(rows, own);
+        let setting = me.setting;
+        block.displace(me, |at| {
+            let mine = setting == 0.0 || at.target + 1.0 == setting;
+            if mine {
+                (shift, columns)
+            } else {
+                (scaled(shift, 0.0), [scaled(AXES[0], 0.0); 3])
+            }
+        });
+    }
+}

@@ -1,0 +1,130 @@
+//! Weak prior knowledge of a robot's geometry, as rows of the least-squares problem: `x/σ ~ N(0, 1)`.
+//!
+//! ```text
+//! c(x) = Σ rᵀ W r + s² Σ (x_k/σ_k)²
+//! ```
+//!
+//! with s² the variance of a coordinate of weight one. σ are what nobody would be surprised by
+//! (half a link of 1 mm and 2 mrad is usual), so that many poses say everything and thirty do not
+//! explode. They keep a direction that the samples hardly show where it belongs; a parameter that the
+//! samples cannot tell from others at all is held at zero instead ([`super::base_model`]), so no prior
+//! makes it look determined. Where a target sits in the tool is knowledge of another kind: the
+//! session states it (`targets_sigma_mm`), and it stays when the weak priors are switched off.
+//!
+//! Source: Tarantola, *Inverse Problem Theory*, 2005, ch. 3; for robots Hollerbach & Wampler, *The
+//! calibration index and taxonomy for robot kinematic calibration methods*, 1996.
+
+use crate::effects::{Setting, Term};
+use crate::kinematics::JointKind;
+use crate::model::Model;
+
+use super::normal::Normal;
+
+/// A zero offset, rad …
+const ZERO_RAD: f64 = 0.05;
+/// … and of a joint that slides, mm.
+const ZERO_MM: f64 = 20.0;
+/// A link, mm and rad.
+const LINK_MM: f64 = 1.0;
+const LINK_RAD: f64 = 2e-3;
+/// The tool, mm and rad.
+const TOOL_MM: f64 = 50.0;
+const TOOL_RAD: f64 = 0.1;
+/// The frame of an instrument that was aligned with the base, mm and rad.
+const FRAME_MM: f64 = 20.0;
+const FRAME_RAD: f64 = 0.02;
+
+/// A prior that is missed by so many σ was wrong, and is let go.
+const MISSED: f64 = 4.0;
+
+/// See the module.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Priors {
+    /// Whether the weak ones hold.
+    pub weak: bool,
+    /// Whether the instrument was aligned with the base.
+    pub aligned: bool,
+    /// σ of a target's own place, mm; `None`: not known.
+    pub targets_mm: Option<f64>,
+    /// Variance of a coordinate of weight one.
+    pub variance: f64,
+    /// Those that were let go: effect, joint, setting, coefficient.
+    pub(super) freed: Vec<(&'static str, usize, u64, usize)>,
+}
+
+impl Priors {
+    /// Standard deviation of a coefficient, inner units; `None` where nothing is known of it.
+    pub fn sigma(&self, model: &Model, term: &Term, coefficient: usize) -> Option<f64> {
+        if self.freed.contains(&key(term, coefficient)) {
+            return None;
+        }
+        let about = term.effect.about();
+        let slides = model.robot.joints[term.joint].kind == JointKind::Prismatic;
+        if of_one_target(term) {
+            return self.targets_mm;
+        }
+        if !self.weak {
+            return None;
+        }
+        match about.id {
+            "joint-zero-offset" => Some(if slides { ZERO_MM } else { ZERO_RAD }),
+            "link-geometry" => Some(if coefficient < 2 { LINK_MM } else { LINK_RAD }),
+            "tool-position" => Some(TOOL_MM),
+            "tool-orientation" => Some(TOOL_RAD),
+            "measuring-frame" if self.aligned => {
+                Some(if coefficient < 3 { FRAME_RAD } else { FRAME_MM })
+            }
+            _ => None,
+        }
+    }
+
+    /// Adds the rows of the priors to the normal equations of the samples.
+    pub(super) fn add(&self, model: &Model, normal: &mut Normal) {
+        if !self.weak && self.targets_mm.is_none() {
+            return;
+        }
+        let mut first = 0;
+        for term in model.terms() {
+            for (k, value) in term.coefficients.iter().enumerate() {
+                let free = !term.held.contains(k);
+                if let (true, Some(sigma)) = (free, self.sigma(model, term, k)) {
+                    let weight = self.variance / (sigma * sigma);
+                    normal.gram[(first + k, first + k)] += weight;
+                    normal.gradient[first + k] -= weight * value;
+                    normal.cost += weight * value * value;
+                }
+            }
+            first += term.coefficients.len();
+        }
+    }
+
+    /// Those that a fit has missed by far.
+    pub(super) fn missed(&self, model: &Model) -> Vec<(Term, usize)> {
+        let mut missed = Vec::new();
+        for term in model.terms() {
+            for (k, value) in term.coefficients.iter().enumerate() {
+                let beyond = |sigma: f64| value.abs() > MISSED * sigma;
+                if !term.held.contains(k) && self.sigma(model, term, k).is_some_and(beyond) {
+                    missed.push((term.clone(), k));
+                }
+            }
+        }
+        missed
+    }
+
+    /// Lets go of priors.
+    pub(super) fn free(&mut self, missed: &[(Term, usize)]) {
+        self.freed
+            .extend(missed.iter().map(|(term, k)| key(term, *k)));
+    }
+}
+
+/// Whether a term is the own part of one target.
+pub(super) fn of_one_target(term: &Term) -> bool {
+    term.effect.about().setting == Setting::Target && term.setting > 0.0
+}
+
+fn key(term: &Term, coefficient: usize) -> (&'static str, usize, u64, usize) {
+    let id = term.effect.about().id;
+    (id, term.joint, term.setting.to_bits(), coefficient)
+}
