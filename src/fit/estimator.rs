@@ -7,6 +7,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::effects::Term;
 use crate::model::Model;
 
 use super::gap::deviations;
@@ -45,13 +46,54 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
         if same && noise.as_ref().is_none_or(known) {
             break;
         }
+        let first = problem.noise.is_none();
         if let Some(noise) = noise {
             problem.set_noise(&noise);
         }
         solution = solve(problem, &solution.model);
+        // Before the noise was known a direction that it hides may have run away.
+        let open = solution.spectrum.rank() < solution.model.coefficient_count();
+        if first && open && !problem.priors.weak {
+            solution = solve(problem, start);
+        }
     }
+    solution = without_negative_sizes(problem, solution);
     solution.model = solution.model.settled();
     solution
+}
+
+/// Sizes that cannot be negative and came out so are zero; the others are fitted beside that. What
+/// is known of them stays that of the whole fit.
+fn without_negative_sizes(problem: &Problem, solution: Solution) -> Solution {
+    let negative = |t: &Term| {
+        t.effect.about().never_negative && t.coefficients.first().is_some_and(|c| *c < 0.0)
+    };
+    let gone: Vec<Term> = solution
+        .model
+        .terms()
+        .iter()
+        .filter(|t| negative(t))
+        .cloned()
+        .collect();
+    if gone.is_empty() || solution.stopped == Stopped::Cancelled {
+        return solution;
+    }
+    let rest = solve(problem, &solution.model.without(negative));
+    let rest = without_negative_sizes(problem, rest);
+    let absent = |t: Term| Term {
+        coefficients: vec![0.0; t.coefficients.len()],
+        ..t
+    };
+    let model = gone
+        .into_iter()
+        .map(absent)
+        .fold(rest.model, |m, t| m.with_term(t));
+    Solution {
+        model,
+        cost: rest.cost,
+        beside: rest.beside,
+        ..solution
+    }
 }
 
 /// The noise that a model leaves in the samples that count.

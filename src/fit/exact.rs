@@ -18,7 +18,7 @@ use super::gap::{Deviations, Spread, deviations};
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
 use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
-use super::solver::{Solution, Stopped};
+use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::{name_on_joint, undetermined_combinations};
 use super::{alignment, base_model, scan};
@@ -180,7 +180,8 @@ pub(super) fn prepare<'a>(
         }
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;
         let places = places(effect, &survey);
-        if let Some(because) = same_everywhere(&places) {
+        let is_known = known.iter().any(|t| t.effect.about().id == id);
+        if let Some(because) = same_everywhere(&places).filter(|_| !is_known) {
             not_identifiable.push(NotIdentifiable {
                 combination: id.clone(),
                 because,
@@ -190,11 +191,11 @@ pub(super) fn prepare<'a>(
         for (joint, obstacle) in places {
             let there = |t: &Term| t.effect.about().id == id && t.joint == joint;
             match obstacle {
+                _ if known.iter().any(there) => {}
                 Some(because) => not_identifiable.push(NotIdentifiable {
                     combination: name_on_joint(effect, joint, &session.robot),
                     because,
                 }),
-                None if known.iter().any(there) => {}
                 None => terms.push(Term::absent(effect, joint, 0.0)),
             }
         }
@@ -351,7 +352,31 @@ pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f
         };
         unit * problem.axis_weights[0]
     };
-    Some(solution.spectrum.inverse() * variance)
+    let own = solution.spectrum.inverse() * variance;
+    Some(averaged(problem, solution, freedom).unwrap_or(own))
+}
+
+/// With more samples the noise is known well enough to take it as known.
+const MOST_TO_AVERAGE: usize = 5000;
+
+/// The covariance averaged over the noises that the residuals allow, each with the size that it
+/// leaves (Draper 1995): an interval that takes an estimated noise for the true one is too narrow.
+fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DMatrix<f64>> {
+    let known = problem.noise.as_ref()?;
+    let possible = known.possible();
+    let alone = possible.len() < 2 && known.slow.is_none();
+    if alone || possible.is_empty() || problem.samples() > MOST_TO_AVERAGE || freedom == 0 {
+        return None;
+    }
+    let mut sum: Option<DMatrix<f64>> = None;
+    for (share, noise) in possible {
+        let mut other = problem.clone();
+        other.set_noise(&noise);
+        let (spectrum, cost) = spectrum_at(&other, solution);
+        let own = spectrum.inverse() * (share * cost.max(0.0) / freedom as f64);
+        sum = Some(sum.map_or(own.clone(), |sum| sum + own));
+    }
+    sum
 }
 
 /// Measured coordinates beyond what the fit follows.

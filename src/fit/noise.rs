@@ -58,6 +58,9 @@ pub struct Noise {
     pub unequal: bool,
     /// Twice the logarithm by which the slow part makes the residuals likelier.
     pub slow_evidence: f64,
+    /// What else it may be, with its share of the probability: a time constant and the variances
+    /// of the slow part in units of the white one's (all zero: white). Intervals average over it.
+    pub(crate) alternatives: Vec<(f64, f64, [f64; 3])>,
 }
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
@@ -86,6 +89,7 @@ impl Noise {
             slow: None,
             unequal: false,
             slow_evidence: 0.0,
+            alternatives: Vec::new(),
         }
     }
 
@@ -110,7 +114,9 @@ impl Noise {
         if enough {
             noise.balance_axes(&restricted, &sums);
             let white = restricted.likelihood(&sums, &noise.sigma_mm);
-            if let Some((likelihood, tau, ratio)) = noise.slowest(&restricted, white) {
+            let (best, tried) = noise.slowest(&restricted, white);
+            noise.alternatives = alternatives(white, &tried);
+            if let Some((likelihood, tau, ratio)) = best {
                 noise.slow_evidence = 2.0 * (likelihood - white);
                 if noise.slow_evidence > SLOW_EVIDENCE {
                     sums = restricted.sums(tau, ratio);
@@ -165,16 +171,21 @@ impl Noise {
         }
     }
 
-    /// Likelihood, time constant and variance ratios of the likeliest slow part.
-    fn slowest(&self, restricted: &Restricted, white: f64) -> Option<(f64, f64, [f64; 3])> {
+    /// Likelihood, time constant and variance ratios of the likeliest slow part, and of those on an
+    /// even grid.
+    fn slowest(&self, restricted: &Restricted, white: f64) -> (Option<Trial>, Vec<Trial>) {
         let at = |tau: f64, ratio: [f64; 3]| {
             let sums = restricted.sums(tau, ratio);
             restricted.likelihood(&sums, &self.sigma_mm)
         };
         let (shortest, longest) = restricted.times();
-        let mut best: Option<(f64, f64, [f64; 3])> = None;
+        let mut best: Option<Trial> = None;
+        let mut tried: Vec<Trial> = Vec::new();
         let mut keep = |tau: f64, ratio: [f64; 3]| {
             let value = at(tau, ratio);
+            if tried.len() < GRID {
+                tried.push((value, tau, ratio));
+            }
             let better = value.is_finite() && best.is_none_or(|b| value > b.0);
             if better {
                 best = Some((value, tau, ratio));
@@ -191,7 +202,7 @@ impl Noise {
         }
         let (_, first) = keep(times[0], [RATIOS[2]; 3]);
         if first.is_none_or(|b| b.0 < white - 4.0) {
-            return None;
+            return (None, Vec::new());
         }
         for tau in &times {
             for ratio in [RATIOS[0], RATIOS[2], RATIOS[3]] {
@@ -218,7 +229,28 @@ impl Noise {
             }
             now = keep(tau, ratio).1;
         }
-        now
+        // Everything up to here was the grid and the first look, which lies on it.
+        tried.truncate(4 * times.len() + 1);
+        (now, tried)
+    }
+
+    /// The noises that the residuals allow besides, with their shares; intervals are averaged over
+    /// them. The first is this one where it is the only one.
+    pub(crate) fn possible(&self) -> Vec<(f64, Self)> {
+        let one = |(share, tau, ratio): &(f64, f64, [f64; 3])| {
+            let rms = |axis: usize| ratio[axis].sqrt() * self.sigma_mm[axis];
+            let slow = (ratio.iter().any(|r| *r > 0.0)).then(|| Slow {
+                rms_mm: [rms(0), rms(1), rms(2)],
+                time_constant_s: *tau,
+            });
+            let noise = Self {
+                slow,
+                alternatives: Vec::new(),
+                ..self.clone()
+            };
+            (*share, noise)
+        };
+        self.alternatives.iter().map(one).collect()
     }
 
     /// The filter that whitens rows.
@@ -295,6 +327,38 @@ impl Noise {
             own / f64::max(all, f64::MIN_POSITIVE) * (-step_s / slow.time_constant_s).exp()
         })
     }
+}
+
+/// Likelihood, time constant and variances of the slow part in units of the white one's.
+type Trial = (f64, f64, [f64; 3]);
+
+/// More points of the grid are not kept.
+const GRID: usize = 80;
+/// Alternatives below this share of the likeliest say nothing …
+const LEAST_SHARE: f64 = 0.03;
+/// … and more than so many cost more than they say.
+const MOST_ALTERNATIVES: usize = 8;
+/// What a slow part pays beforehand against white noise, as a logarithm: hardly anything. An interval
+/// that allows for a slow part that is not there is a little too wide, one that does not is far too
+/// narrow (`hidden_effects intervals`).
+const PRICE_OF_A_SLOW_PART: f64 = 1.0;
+
+/// Shares of the probability: white noise against the points of the grid together.
+fn alternatives(white: f64, tried: &[Trial]) -> Vec<(f64, f64, [f64; 3])> {
+    if tried.is_empty() {
+        return Vec::new();
+    }
+    let each = PRICE_OF_A_SLOW_PART + (tried.len() as f64).ln();
+    let slow = tried.iter().map(|(l, tau, ratio)| (l - each, *tau, *ratio));
+    let mut all: Vec<Trial> = [(white, 1.0, [0.0; 3])].into_iter().chain(slow).collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let largest = all[0].0;
+    all.retain(|a| (a.0 - largest).exp() > LEAST_SHARE);
+    all.truncate(MOST_ALTERNATIVES);
+    let total: f64 = all.iter().map(|a| (a.0 - largest).exp()).sum();
+    all.iter()
+        .map(|(l, tau, ratio)| ((l - largest).exp() / total, *tau, *ratio))
+        .collect()
 }
 
 /// What one sample does in the filter of an axis.
@@ -571,6 +635,7 @@ mod tests {
             }),
             unequal: false,
             slow_evidence: 0.0,
+            alternatives: Vec::new(),
         };
         let filter = noise.filter_over(&times, &[0]);
         let y = DVector::from_fn(7, |k, _| (k as f64 + 1.0).sin());

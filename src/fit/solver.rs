@@ -403,6 +403,17 @@ const LEAST_TOLD: f64 = 4.0;
 /// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
 const ROUNDING_MM: f64 = 1e-6;
 
+/// The spectrum of a problem with another noise at a solution, and the cost there.
+pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64) {
+    let state = State {
+        model: solution.model.clone(),
+        beside: solution.beside.clone(),
+    };
+    let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
+    let normal = sum(problem, &state, &blocks, Sums::All);
+    (spectrum_of(problem, &normal, &state), normal.cost)
+}
+
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
     let shapes = std::iter::repeat_n(f64::INFINITY, state.beside.len());
     let reaches: Vec<f64> = state

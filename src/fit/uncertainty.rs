@@ -70,7 +70,9 @@ pub fn estimates(
                 name: parameter.name,
                 value,
                 ci95: match (parameter.name, ci95) {
-                    (name, Some([low, high])) if name.starts_with("amplitude") => {
+                    (name, Some([low, high]))
+                        if name.starts_with("amplitude") || about.never_negative =>
+                    {
                         Some([low.max(0.0), high])
                     }
                     (_, ci95) => ci95,
