@@ -80,7 +80,7 @@ pub struct Found {
     pub joint: Option<usize>,
     /// Its parameters.
     pub parameters: Vec<Estimate>,
-    /// The chance that noise alone would minus_ln_p the search as much.
+    /// The chance that the search finds as much in noise alone.
     pub p_family: FamilyP,
     /// Its share of what was explained.
     pub share: f64,

@@ -1,11 +1,11 @@
-//! How often noise alone would minus_ln_p the whole search as much: simulated residuals are sent
-//! through every candidate at once, names and shapes together, and the largest minus_ln_p of each
-//! is kept.
+//! How often the whole search would find as much in noise alone: simulated residuals are sent
+//! through every candidate at once, names and shapes together, and the largest −ln p of each is
+//! kept.
 //!
 //! The simulated residuals are the fit's own with their signs flipped at random, so that heavy
 //! tails stay heavy (Winkler et al. 2014); in a long session without heavy tails they are
-//! Gaussian. A minus_ln_p beyond all of them is judged by the tail: the minus_ln_p is −ln p, so
-//! its tail falls like C·exp(−s), with C from the largest simulated ones.
+//! Gaussian. A −ln p beyond all of them is judged by the tail: it falls like
+//! C·exp(−s), with C from the largest simulated ones.
 //!
 //! Of Gaussian residuals the tail itself is simulated (importance sampling of a union, Naiman &
 //! Priebe 2001): a candidate i is drawn with a chance ∝ `p_i = exp(−s₀ − w_i)`, a residual is drawn
@@ -117,7 +117,7 @@ impl Arena<'_> {
         }
     }
 
-    /// The minus_ln_p that noise alone reaches with this chance.
+    /// The −ln p that noise alone reaches with this chance.
     pub(crate) fn minus_ln_p_for(&self, chance: f64, fit: &Fit) -> f64 {
         let at = self.null_beside(fit);
         let null = &self.familywise.borrow().null[at];
@@ -250,7 +250,7 @@ fn fingerprint(fit: &Fit) -> Vec<u64> {
 }
 
 impl Null {
-    /// The chance of a minus_ln_p as large: counted, and beyond the largest fiftieth by the tail
+    /// The chance of a −ln p as large: counted, and beyond the largest fiftieth by the tail
     /// chance(s) = share · exp(−(s − quantile)).
     fn chance(&self, minus_ln_p: f64) -> f64 {
         if let Some(tail) = self.tail.as_ref().filter(|t| minus_ln_p >= t.from) {
@@ -288,7 +288,7 @@ impl Null {
         self.largest.sort_by(|a, b| b.total_cmp(a));
     }
 
-    /// The largest minus_ln_p of each residual, and how many candidates reach `from`.
+    /// The largest −ln p of each residual, and how many candidates reach `from`.
     fn reached(&self, z: &DMatrix<f32>, from: f64) -> Vec<(f64, usize)> {
         let inside = &self.inside * z;
         let totals: Vec<f32> = (0..z.ncols())
@@ -366,7 +366,7 @@ impl Null {
 }
 
 impl Tail {
-    /// The chance of a minus_ln_p as large; beyond the largest tenth it falls like exp(−s).
+    /// The chance of a −ln p as large; beyond the largest tenth it falls like exp(−s).
     fn chance(&self, minus_ln_p: f64) -> f64 {
         let few = self.weighted.len() / 10;
         let above = self.weighted.partition_point(|w| w.0 >= minus_ln_p);

@@ -326,17 +326,21 @@ impl Document {
                 })
                 .collect(),
             next_poses: poses(&d.next_poses, &session.robot),
-            noise: Noise {
-                sigma_mm: d.noise.sigma_mm,
-                axes_differ: d.noise.unequal,
-                slow: d.noise.slow.map(|slow| Slow {
-                    rms_mm: slow.rms_mm,
-                    time_constant_s: slow.time_constant_s,
-                    says: slow.says(),
-                }),
-            },
+            noise: noise(&d.noise),
             start: None,
         }
+    }
+}
+
+fn noise(noise: &crate::fit::noise::Noise) -> Noise {
+    Noise {
+        sigma_mm: noise.sigma_mm,
+        axes_differ: noise.unequal,
+        slow: noise.slow.map(|slow| Slow {
+            rms_mm: slow.rms_mm,
+            time_constant_s: slow.time_constant_s,
+            says: slow.says(),
+        }),
     }
 }
 

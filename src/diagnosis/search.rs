@@ -2,7 +2,7 @@
 //! against pairs; once with names alone and once with shapes beside them. The likelier end wins,
 //! and names are preferred: a shape has to be twenty times likelier than what names can do.
 //!
-//! A step is taken if noise alone would minus_ln_p the whole search as much in fewer than
+//! A step is taken if noise alone would lead the whole search to as small a p in fewer than
 //! [`CHANCE`] of all sessions, if samples that the fit has not seen are predicted better, and if
 //! the effect matters in practice.
 

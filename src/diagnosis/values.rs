@@ -230,7 +230,7 @@ fn order_interval(problem: &Problem, solution: &Solution, term: &Term) -> Option
     let share = rows.samples.len() as f64 / problem.samples().max(1) as f64;
     let half = 1.96 * (share / free.norm_squared()).sqrt();
     half.is_finite()
-        .then(|| [term.setting - half, term.setting + half])
+        .then_some([term.setting - half, term.setting + half])
 }
 
 /// So many samples tell how sure an order is.

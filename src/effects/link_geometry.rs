@@ -4,7 +4,7 @@
 //! p = … exp([ξ_{i−1}] θ_{i−1}) · T_i · exp([ξ_i] θ_i) …,   T_i = exp [x X + y Y; α X + β Y]
 //! ```
 //!
-//! T_i is a constant rigid motion relative to the link before: the axis of joint i and everything
+//! `T_i` is a constant rigid motion relative to the link before: the axis of joint i and everything
 //! behind it move. Its screw is about the joint's own point (`point_mm`; the origin of the joint's
 //! frame where the robot came as DH rows or URDF), so that the angles turn the axis about that
 //! point and the lengths shift it. X is the base axis that is least parallel to the joint's axis

@@ -290,6 +290,8 @@ impl std::fmt::Debug for Term {
             .field("setting", &self.setting)
             .field("coefficients", &self.coefficients)
             .field("curve", &self.curve)
+            .field("held", &self.held)
+            .field("label", &self.label)
             .finish()
     }
 }

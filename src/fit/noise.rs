@@ -194,7 +194,13 @@ impl Noise {
         };
         // A first look decides whether to look closer.
         let steps = ((longest / shortest).ln() / 4.0_f64.ln()).ceil().max(1.0);
-        let times: Vec<f64> = (0..=steps as usize)
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small whole number"
+        )]
+        let steps_whole = steps as usize;
+        let times: Vec<f64> = (0..=steps_whole)
             .map(|k| shortest * (longest / shortest).powf(k as f64 / steps))
             .collect();
         for tau in &times {

@@ -436,9 +436,9 @@ fn join(block: &mut Block, problem: &Problem, state: &State, start: usize) {
     for (column, coefficient) in problem.beside.iter().zip(&state.beside) {
         let mut own = [[0.0; LANES]; 3];
         for (axis, values) in column.iter().enumerate() {
-            for i in 0..block.len {
-                own[axis][i] = values[start + i];
-                block.point[axis][i] += coefficient * own[axis][i];
+            own[axis][..block.len].copy_from_slice(&values[start..start + block.len]);
+            for (point, own) in block.point[axis].iter_mut().zip(own[axis]) {
+                *point += coefficient * own;
             }
         }
         block.columns.push(own);

@@ -91,7 +91,7 @@ struct InstrumentTwin<'a> {
     sigma_mm: Option<SigmaTwin>,
     /// Only where it is not the usual one; null where the places are not known.
     #[serde(skip_serializing_if = "Option::is_none")]
-    targets_sigma_mm: Option<Option<f64>>,
+    targets_sigma_mm: Option<TargetsSigmaTwin>,
 }
 
 #[derive(Debug, Serialize)]
@@ -100,6 +100,11 @@ enum SigmaTwin {
     Overall(f64),
     PerAxis([f64; 3]),
 }
+
+/// How well the places of the targets are known; null where they are not.
+#[derive(Debug, Serialize)]
+#[serde(transparent)]
+struct TargetsSigmaTwin(Option<f64>);
 
 #[derive(Debug, Serialize)]
 struct RegionTwin<'a> {
@@ -134,7 +139,7 @@ impl<'a, S> SessionTwin<'a, S> {
                     Sigma::Overall(sigma) => SigmaTwin::Overall(sigma),
                     Sigma::PerAxis(sigma) => SigmaTwin::PerAxis(sigma),
                 }),
-                targets_sigma_mm: unusual,
+                targets_sigma_mm: unusual.map(TargetsSigmaTwin),
             }),
             tolerance_mm: session.tolerance_mm,
             regions: session.regions.iter().map(RegionTwin::of).collect(),
