@@ -76,8 +76,8 @@ pub(crate) struct Score {
 }
 
 pub(crate) struct Arena<'a> {
-    pub(crate) problem: Problem<'a>,
-    pub(crate) rows: Rows,
+    pub(crate) problem: Arc<Problem<'a>>,
+    pub(crate) rows: Arc<Rows>,
     pub(crate) noise: Noise,
     pub(crate) table: Arc<Table>,
     pub(crate) white: DMatrix<f64>,
@@ -98,8 +98,8 @@ const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
 impl<'a> Arena<'a> {
     pub(crate) fn new(
-        problem: Problem<'a>,
-        rows: Rows,
+        problem: Arc<Problem<'a>>,
+        rows: Arc<Rows>,
         noise: Noise,
         table: Arc<Table>,
         base: Model,
@@ -128,8 +128,8 @@ impl<'a> Arena<'a> {
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
         Self::new(
-            self.problem.clone(),
-            self.rows.clone(),
+            Arc::clone(&self.problem),
+            Arc::clone(&self.rows),
             noise,
             Arc::clone(&self.table),
             self.base.clone(),

@@ -91,7 +91,7 @@ pub(crate) fn answer(
     let mut values = Values::of(prepared, problem, with_shapes);
     correct_for_selection(prepared, with_shapes, &mut values);
     let values = values;
-    let identified = deviations(problem, &Values::of(prepared, problem, &base).model);
+    let identified = deviations(problem, &prepared.base);
     let after = deviations(problem, &values.model);
     let suspected: Vec<bool> = problem.used.iter().map(|used| !used).collect();
     let counts = |i: usize| problem.fit[i];
@@ -179,10 +179,10 @@ pub(super) fn base_in_words(robot: &Robot) -> &'static str {
 /// are far off beside the model.
 fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Problem<'a>> {
     if !prepared.locked.contains(&true) {
-        return Cow::Borrowed(&prepared.problem);
+        return Cow::Borrowed(&*prepared.problem);
     }
     let model = &Values::of(prepared, &prepared.problem, fit).model;
-    let mut all = prepared.problem.clone();
+    let mut all = (*prepared.problem).clone();
     for (fit, locked) in all.fit.iter_mut().zip(&prepared.locked) {
         *fit |= locked;
     }

@@ -48,6 +48,7 @@ pub(crate) struct Familywise {
 /// What noise alone did to the search beside one model, so far.
 #[derive(Debug)]
 struct Null {
+    rank: usize,
     /// Of the model that it was made for.
     fingerprint: Vec<u64>,
     groups: Vec<Group>,
@@ -86,6 +87,15 @@ impl Arena<'_> {
     /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which
     /// the candidate is already: its residual is noise if the candidate is right.
     pub(crate) fn family_p(&self, minus_ln_p: f64, fit: &Fit) -> FamilyP {
+        self.family_p_beside(minus_ln_p, fit, false)
+    }
+
+    /// The same on the way there, where the null of any model of the same size is good enough.
+    pub(crate) fn rough_family_p(&self, minus_ln_p: f64, fit: &Fit) -> FamilyP {
+        self.family_p_beside(minus_ln_p, fit, true)
+    }
+
+    fn family_p_beside(&self, minus_ln_p: f64, fit: &Fit, rough: bool) -> FamilyP {
         let candidates = self.table.candidates.len() as f64;
         let smallest = 1.0 / MOST as f64;
         // Beyond what all candidates together could do by chance there is nothing to simulate.
@@ -101,7 +111,7 @@ impl Arena<'_> {
                 bound: false,
             };
         }
-        let at = self.null_beside(fit);
+        let at = self.null_beside(fit, rough);
         let mut familywise = self.familywise.borrow_mut();
         let null = &mut familywise.null[at];
         loop {
@@ -119,7 +129,7 @@ impl Arena<'_> {
 
     /// The −ln p that noise alone reaches with this chance.
     pub(crate) fn minus_ln_p_for(&self, chance: f64, fit: &Fit) -> f64 {
-        let at = self.null_beside(fit);
+        let at = self.null_beside(fit, false);
         let null = &self.familywise.borrow().null[at];
         let (mut low, mut high) = (2.0, (self.table.candidates.len() as f64).ln() + 14.0);
         for _ in 0..40 {
@@ -138,11 +148,13 @@ impl Arena<'_> {
     }
 
     /// Place of the simulations beside a fit; the first are made here.
-    fn null_beside(&self, fit: &Fit) -> usize {
+    fn null_beside(&self, fit: &Fit, rough: bool) -> usize {
         let fingerprint = fingerprint(fit);
         let mut familywise = self.familywise.borrow_mut();
         let mut known = familywise.null.iter();
-        if let Some(at) = known.position(|n| n.fingerprint == fingerprint) {
+        let rank = fit.basis.rank();
+        let same = |n: &Null| n.fingerprint == fingerprint || rough && n.rank == rank;
+        if let Some(at) = known.position(same) {
             return at;
         }
         let m = self.rows.len();
@@ -157,6 +169,7 @@ impl Arena<'_> {
             }
         });
         let mut null = Null {
+            rank,
             fingerprint,
             groups: self.orthonormal_groups(&fit.basis),
             inside: fit.basis.q.map(|v| v as f32).transpose(),
@@ -430,6 +443,7 @@ mod tests {
             }
         };
         Null {
+            rank: 0,
             fingerprint: Vec::new(),
             groups: vec![
                 group(1, 40, 0.5, &mut random),

@@ -5,6 +5,8 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Survey, Term, find};
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 
 use crate::fit::gap::{Deviations, deviations};
@@ -36,7 +38,9 @@ const LEAST_MOVE: f64 = 6.0;
 /// See the module.
 pub(crate) struct Prepared<'a> {
     /// All samples.
-    pub(crate) problem: Problem<'a>,
+    pub(crate) problem: Arc<Problem<'a>>,
+    /// The base model as `identify` fits it.
+    pub(crate) base: Model,
     pub(crate) survey: Survey,
     pub(crate) arena: Arena<'a>,
     pub(crate) folds: Folds,
@@ -74,7 +78,8 @@ impl<'a> Prepared<'a> {
         let arena = arena(&mut problem, &base, &survey, options);
         let folds = Folds::new(&arena);
         Ok(Self {
-            problem,
+            problem: Arc::new(problem),
+            base: base.clone(),
             survey,
             arena,
             folds,
@@ -107,18 +112,19 @@ impl<'a> Prepared<'a> {
 
     /// Looks again at outliers with what was found; whether the search has to be done again.
     pub(crate) fn reconsider(&mut self, found: &Found) -> bool {
-        let before = self.problem.used.clone();
-        self.problem.beside = self.table().ground.on_all(&self.problem, &found.fit.shapes);
-        let left = deviations_beside(&self.problem, &found.fit);
+        let columns = self.table().ground.on_all(&self.problem, &found.fit.shapes);
+        let left = deviations_beside(&self.problem, &columns, &found.fit);
         let suspected = suspects(&self.problem, &left);
-        self.problem.beside.clear();
-        for i in 0..before.len() {
-            self.problem.used[i] = self.problem.fit[i] && !suspected[i];
-        }
+        let kept = self.problem.fit.iter().zip(suspected);
+        let mut now = (*self.problem).clone();
+        now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
         if found.fit.shapes.is_empty() {
-            keep_clusters(&mut self.problem);
+            keep_clusters(&mut now);
         }
-        let same = self.problem.used == before;
+        let same = now.used == self.problem.used;
+        if !same {
+            self.problem = Arc::new(now);
+        }
         let noise = noise_beside_many(&self.arena, Some(&found.fit));
         if same && noise.whitens_like(&self.arena.noise) {
             return false;
@@ -184,7 +190,8 @@ impl<'a> Prepared<'a> {
 
     fn with_noise(&self, noise: Noise) -> Self {
         Self {
-            problem: self.problem.clone(),
+            problem: Arc::clone(&self.problem),
+            base: self.base.clone(),
             survey: self.survey.clone(),
             arena: self.arena.with_noise(noise),
             folds: self.folds.clone(),
@@ -206,10 +213,10 @@ impl<'a> Prepared<'a> {
 }
 
 /// What a fit with shapes leaves of every sample.
-fn deviations_beside(problem: &Problem, fit: &Fit) -> Deviations {
+fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> Deviations {
     let mut left = deviations(problem, &fit.model);
     let coefficients = fit.shapes.iter().flat_map(|s| s.coefficients.iter());
-    for (column, coefficient) in problem.beside.iter().zip(coefficients) {
+    for (column, coefficient) in beside.iter().zip(coefficients) {
         for (axis, values) in column.iter().enumerate() {
             for (e, value) in left.axes_mm[axis].iter_mut().zip(values) {
                 *e -= coefficient * value;
@@ -296,10 +303,10 @@ fn bare_arena<'a>(
     let rows = Rows::of(&problem);
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
     Arena::new(
-        problem,
-        rows,
+        Arc::new(problem),
+        Arc::new(rows),
         Noise::white(1.0),
-        std::sync::Arc::new(table),
+        Arc::new(table),
         base.clone(),
         options.seed,
     )

@@ -114,7 +114,7 @@ impl Search<'_, '_> {
             }
             let what = self.refined(fit, score.candidate);
             let next = self.arena.with(fit, &what);
-            if self.arena.family_p(score.minus_ln_p, &next).p > CHANCE {
+            if self.arena.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
                 continue;
             }
             if self.folds.rms(self.arena, &next) < unseen {

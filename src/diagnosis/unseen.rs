@@ -46,7 +46,7 @@ pub(crate) fn held_out(
             samples: count,
             gaps: Some(Gaps {
                 start_mm: rms(nominal),
-                identified_mm: rms(&deviations(problem, &seen(base))),
+                identified_mm: rms(&deviations(problem, &prepared.base)),
                 end_mm: rms(&deviations(problem, &seen(fit))),
             }),
         };

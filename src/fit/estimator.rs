@@ -47,8 +47,15 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
             break;
         }
         let first = problem.noise.is_none();
+        let before = problem.axis_weights;
         if let Some(noise) = noise {
             problem.set_noise(&noise);
+        }
+        let full = solution.spectrum.rank() == solution.model.coefficient_count();
+        let weak = problem.priors.weak;
+        if let Some(factor) = only_rescaled(problem, before).filter(|_| same && full && !weak) {
+            solution.rescale(factor);
+            break;
         }
         solution = solve(problem, &solution.model);
         // Before the noise was known a direction that it hides may have run away.
@@ -60,6 +67,18 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     solution = without_negative_sizes(problem, solution);
     solution.model = solution.model.settled();
     solution
+}
+
+/// The factor of the weights where white noise on all axes alike has become known: the fit is the
+/// same, in other units.
+fn only_rescaled(problem: &Problem, before: [f64; 3]) -> Option<f64> {
+    let white = problem.noise.as_ref().is_some_and(|n| n.slow.is_none());
+    let now = problem.axis_weights;
+    let factors = (0..3)
+        .filter(|a| before[*a] > 0.0)
+        .map(|a| now[a] / before[a]);
+    let (low, high) = factors.fold((f64::INFINITY, 0.0_f64), |(l, h), f| (l.min(f), h.max(f)));
+    (white && high - low <= 1e-9 * high).then_some(high)
 }
 
 /// Sizes that cannot be negative and came out so are zero; the others are fitted beside that. What

@@ -258,6 +258,14 @@ pub struct Solution {
     pub passes: usize,
 }
 
+impl Solution {
+    /// The same solution where every weight is so many times as large.
+    pub(super) fn rescale(&mut self, factor: f64) {
+        self.cost *= factor;
+        self.spectrum.scale *= factor.sqrt();
+    }
+}
+
 const MOST_STEPS: usize = 60;
 /// A session of more blocks than this is solved on as many first.
 const COARSE_BLOCKS: usize = 192;

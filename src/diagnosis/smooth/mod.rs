@@ -91,7 +91,7 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
     let Variable::Joint(joint) = over.variable else {
         return Err("what is left follows no joint".to_owned());
     };
-    let mut problem = prepared.problem.clone();
+    let mut problem = (*prepared.problem).clone();
     let mut fitted = fitted(&problem, prepared, model, joint, over)?;
     // Beside the names alone the peak of a bump looks like an outlier.
     for _ in 0..MOST_ROUNDS {
