@@ -56,6 +56,9 @@ pub mod diagnosis;
 
 pub mod design;
 
+pub mod paper;
+pub mod present;
+
 pub mod compensation;
 
 pub mod export;

@@ -8,11 +8,12 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use nalgebra::{Point3, Unit, Vector3};
-use truepose::diagnosis::{Options, regional_start};
+use truepose::diagnosis::Options;
 use truepose::effects::JointValues;
 use truepose::fit::regions::RegionChoice;
 use truepose::fit::{identify_exact, identify_regional};
 use truepose::kinematics::{Axis, Joint, JointKind, Pose, Range, Robot};
+use truepose::paper::regional_start;
 use truepose::pipeline::diagnose;
 use truepose::sessions::{Instrument, Region, Samples, Session, Target};
 

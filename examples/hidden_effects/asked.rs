@@ -1,10 +1,10 @@
 //! What the program is asked about a session of the rig, and how its answers are read.
 
-use truepose::diagnosis::format_v1::Document;
 use truepose::diagnosis::{Diagnosis, Options, Verdict};
 use truepose::effects::{JointValues, Term};
 use truepose::fit::{Identification, identify_with};
 use truepose::pipeline::diagnose;
+use truepose::present::diagnosis_v1::Document;
 use truepose::sessions::Session;
 
 use crate::rig::Rig;

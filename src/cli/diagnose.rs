@@ -5,14 +5,12 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use truepose::diagnosis::format_v1::Document;
-use truepose::diagnosis::{
-    Allowed, DiagnoseError, Diagnosis, Limit, Options, RegionalStart, Sight, Verdict,
-    regional_start,
-};
+use truepose::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict};
 use truepose::effects::JointValues;
 use truepose::fit::Estimate;
+use truepose::paper::{RegionalStart, regional_start};
 use truepose::pipeline::diagnose;
+use truepose::present::diagnosis_v1::Document;
 
 use super::failure::Failure;
 use super::{geometry, output};

@@ -10,9 +10,9 @@ use serde::de::IgnoredAny;
 use truepose::design::measuring_list;
 use truepose::design::needs::Locked;
 use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
-use truepose::design::plan_v1::Document;
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Options, Sight};
+use truepose::present::plan_v1::Document;
 
 use super::failure::Failure;
 use super::output;

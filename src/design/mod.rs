@@ -15,7 +15,6 @@ pub mod measuring_list;
 pub mod needs;
 pub mod next_poses;
 pub mod plan;
-pub mod plan_v1;
 
 mod candidate_poses;
 mod comparison;

@@ -13,8 +13,6 @@
 //! 7. [`limits`]: what would have been seen, had it been there.
 //! 8. [`smooth`]: what no name explains, as a correction without a name.
 //!
-//! [`regional_start`](mod@regional_start) holds the paper's regional model against the answer.
-//!
 //! Family-wise false alarms: Westfall & Young 1993. Marginal likelihood: Schwarz 1978. Poses:
 //! T-optimality, Atkinson & Fedorov 1975.
 
@@ -30,9 +28,7 @@ pub mod answer;
 pub mod blunders;
 pub mod candidates;
 pub mod familywise;
-pub mod format_v1;
 pub mod limits;
-pub mod regional_start;
 pub mod smooth;
 
 pub(crate) mod arena;
@@ -45,9 +41,8 @@ mod free_curve;
 pub(crate) mod ground;
 mod held_out;
 mod incomplete;
-mod mending;
+
 mod next_pose;
-mod place;
 pub(crate) mod prepare;
 mod remainder;
 mod robust;
@@ -61,15 +56,14 @@ mod unseen;
 mod values;
 mod verdict;
 
+pub use crate::sessions::Mend;
 pub use answer::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
 pub use candidates::Allowed;
 pub(crate) use conclude::Planner;
 pub use limits::{Limit, Sight};
-pub use mending::Mend;
 pub use next_pose::NextPose;
-pub use regional_start::{RegionalStart, regional_start};
 pub use smooth::Correction;
 
 use crate::effects::JointValues;

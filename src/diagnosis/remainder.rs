@@ -13,31 +13,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
     let arena = &prepared.arena;
     let fit = &end.fit;
     if fit.shapes.is_empty() {
-        let scores = arena.scan(fit);
-        let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
-        // Where it would be, were it more than noise.
-        let likeliest = scores
-            .iter()
-            .filter_map(|s| match &arena.table.candidates[s.candidate].what {
-                What::Anonymous(shape) => Some((s.ln_odds, shape)),
-                What::Named(_) => None,
-            })
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
-        return Unexplained {
-            present: false,
-            p: arena.family_p(largest, fit).p,
-            rms_mm: 0.0,
-            place: likeliest
-                .map(|(_, shape)| shape.place(arena.table.ground.range(shape.variable), slides)),
-            resembles: Vec::new(),
-            says: likeliest.map_or_else(String::new, |(_, shape)| {
-                format!("what is left looks most like {}", shape.says())
-            }),
-            shapes: Vec::new(),
-            noise: None,
-            correction: None,
-        };
+        return without_shapes(prepared, fit);
     }
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     let names = |fit: &Fit| -> Vec<(&'static str, usize)> {
@@ -86,6 +62,37 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
                 (placed.shape, placed.coefficients.iter().copied().collect())
             })
             .collect(),
+        noise: None,
+        correction: None,
+    }
+}
+
+/// What is left beside names alone: how much like noise it is, and what it looks most like.
+pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
+    let arena = &prepared.arena;
+    let scores = arena.scan(fit);
+    let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
+    // Where it would be, were it more than noise.
+    let likeliest = scores
+        .iter()
+        .filter_map(|s| match &arena.table.candidates[s.candidate].what {
+            What::Anonymous(shape) => Some((s.ln_odds, shape)),
+            What::Named(_) => None,
+        })
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let session = prepared.problem.session;
+    let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
+    Unexplained {
+        present: false,
+        p: arena.family_p(largest, fit).p,
+        rms_mm: 0.0,
+        place: likeliest
+            .map(|(_, shape)| shape.place(arena.table.ground.range(shape.variable), slides)),
+        resembles: Vec::new(),
+        says: likeliest.map_or_else(String::new, |(_, shape)| {
+            format!("what is left looks most like {}", shape.says())
+        }),
+        shapes: Vec::new(),
         noise: None,
         correction: None,
     }

@@ -21,6 +21,7 @@ mod hash;
 pub(crate) mod json;
 mod lines;
 mod load;
+mod mend;
 pub(crate) mod number;
 mod rows;
 mod save;
@@ -38,6 +39,7 @@ pub use lines::Lines;
 pub use load::{
     Loaded, LoadedRobot, load, load_robot, load_watched, parse, parse_robot, parse_with_csv,
 };
+pub use mend::Mend;
 pub use save::{
     Replacing, commanded_heading, samples_path, save, save_watched, write_csv, write_inline,
     write_robot,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Document;
-use crate::diagnosis::RegionalStart;
+use crate::paper::RegionalStart;
 use crate::sessions::format_v1::degrees::degrees;
 
 /// The paper's regional model, held against the answer.

@@ -27,10 +27,10 @@
 
 use serde::Serialize;
 
-use super::needs::Locked;
-use super::pair_separation::Separation;
-use super::plan::{Plan, Subject};
-use crate::diagnosis::format_v1::{Pose, poses};
+use super::diagnosis_v1::{Pose, poses};
+use crate::design::needs::Locked;
+use crate::design::pair_separation::Separation;
+use crate::design::plan::{Plan, Subject};
 
 /// The document.
 #[derive(Debug, Serialize)]
@@ -134,7 +134,7 @@ impl Document {
 }
 
 fn between(separation: &Separation) -> Between {
-    let named = |n: &super::pair_separation::Named| Named {
+    let named = |n: &crate::design::pair_separation::Named| Named {
         effect: n.id,
         joint: n.per_joint().then_some(n.joint + 1),
     };
@@ -160,7 +160,7 @@ fn lock(locked: &Locked) -> Lock {
 }
 
 fn seen(plan: &Plan) -> Vec<Seen> {
-    let one = |limit: super::plan::SeenAbove| Seen {
+    let one = |limit: crate::design::plan::SeenAbove| Seen {
         named: Named {
             effect: limit.effect,
             joint: limit.joint,

@@ -25,7 +25,7 @@ use crate::model::Model;
 use crate::sessions::{Region, Session};
 use crate::units::deg_from_rad;
 
-use super::Diagnosis;
+use crate::diagnosis::Diagnosis;
 
 /// A turn this near to 1 is one.
 const TURNS: f64 = 0.1;

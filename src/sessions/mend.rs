@@ -3,7 +3,7 @@
 //! Each is mechanical: applied to the samples it makes them read as if the mistake had not been
 //! made. The diagnosis tries them as hypotheses, and the window offers the one that it believed.
 
-use crate::sessions::{Samples, Session, Setups};
+use super::{Samples, Session, Setups};
 
 /// A change that takes a mistake back.
 #[derive(Debug, Clone, PartialEq)]

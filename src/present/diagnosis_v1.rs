@@ -7,10 +7,8 @@ use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
-use super::anonymous::Where;
-use super::answer::{Diagnosis, FloorFrom, Gaps, Verdict};
-use super::limits::{Limit, Sight};
-use super::next_pose::NextPose;
+use crate::diagnosis::anonymous::Where;
+use crate::diagnosis::{Diagnosis, FloorFrom, Gaps, Limit, NextPose, Sight, Verdict};
 
 mod correction;
 mod start;
@@ -407,7 +405,7 @@ fn grouped(estimates: &[Estimate]) -> Vec<Identified> {
     all
 }
 
-fn found(f: &super::Found) -> Found {
+fn found(f: &crate::diagnosis::Found) -> Found {
     Found {
         effect: f.effect,
         joint: f.joint,

@@ -1,0 +1,6 @@
+//! What is shown of an answer, without computing any of it: JSON documents and the words for a place.
+
+pub mod diagnosis_v1;
+pub mod plan_v1;
+
+mod place;
