@@ -88,7 +88,7 @@ pub(crate) fn answer(
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    let mut values = Values::of(prepared, problem, with_shapes);
+    let mut values = Values::of(prepared, problem, with_shapes, prepared.is_capped(end));
     correct_for_selection(prepared, with_shapes, &mut values);
     let values = values;
     let identified = deviations(problem, &prepared.base);
@@ -181,7 +181,7 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
     if !prepared.locked.contains(&true) {
         return Cow::Borrowed(&*prepared.problem);
     }
-    let model = &Values::of(prepared, &prepared.problem, fit).model;
+    let model = &Values::of(prepared, &prepared.problem, fit, false).model;
     let mut all = (*prepared.problem).clone();
     for (fit, locked) in all.fit.iter_mut().zip(&prepared.locked) {
         *fit |= locked;

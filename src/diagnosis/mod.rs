@@ -186,6 +186,21 @@ pub(crate) fn searched<'a>(
     if prepared.reconsider(&found) {
         found = prepared.search(watch)?;
     }
+    // A search that may not go on leaves names unsaid: neither a slow part of the noise nor a free
+    // curve is held against those it has, and the verdict says that something is left.
+    if !prepared.is_capped(&found) {
+        (prepared, found) = against_rivals(prepared, found, watch)?;
+    }
+    final_set::test(&prepared, &mut found, watch)?;
+    Ok((prepared, found))
+}
+
+/// What was found against a slow part of the noise and a free curve: the likeliest of them.
+fn against_rivals<'a>(
+    prepared: Prepared<'a>,
+    mut found: search::Found,
+    watch: Watch,
+) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
     let slow = prepared.with_slow_noise();
     let white = prepared
         .arena
@@ -201,7 +216,6 @@ pub(crate) fn searched<'a>(
             (prepared, found) = (rival, end);
         }
     }
-    final_set::test(&prepared, &mut found, watch)?;
     Ok((prepared, found))
 }
 

@@ -96,6 +96,12 @@ impl<'a> Prepared<'a> {
         self.options.max_effects.map_or(cap, |most| most.min(cap))
     }
 
+    /// Whether a search ended because it may add no more.
+    pub(crate) fn is_capped(&self, found: &Found) -> bool {
+        let count = self.arena.added(&found.fit).len() + found.fit.shapes.len();
+        count >= self.cap()
+    }
+
     pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
         let search = Search {
             arena: &self.arena,

@@ -40,7 +40,7 @@ pub(crate) fn held_out(
             });
             spread.map_or(0.0, |s| s.rms_mm)
         };
-        let seen = |fit: &Fit| Values::of(prepared, problem, fit).model;
+        let seen = |fit: &Fit| Values::of(prepared, problem, fit, false).model;
         return HeldOut {
             how: how.to_owned(),
             samples: count,

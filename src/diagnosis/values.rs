@@ -39,7 +39,8 @@ pub(crate) struct Values<'a> {
 
 impl<'a> Values<'a> {
     /// The names of a fit, fitted to the samples of a problem that count.
-    pub(crate) fn of(prepared: &Prepared, problem: &Problem<'a>, fit: &Fit) -> Self {
+    /// Where the search was stopped the noise stays as it was found beside many candidates.
+    pub(crate) fn of(prepared: &Prepared, problem: &Problem<'a>, fit: &Fit, stopped: bool) -> Self {
         let mut problem = problem.clone();
         let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
         if width * problem.used.len() * 3 <= MOST_BESIDE {
@@ -47,7 +48,8 @@ impl<'a> Values<'a> {
         }
         problem.set_noise(&prepared.arena.noise);
         let mut solution = solve(&problem, &fit.model);
-        for _ in 0..2 {
+        let rounds = if stopped { 0 } else { 2 };
+        for _ in 0..rounds {
             let noise = noise_beside(&problem, &solution.model, &solution.beside);
             let known = problem.noise.as_ref();
             if known.is_some_and(|known| noise.whitens_like(known)) {

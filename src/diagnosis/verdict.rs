@@ -61,13 +61,7 @@ pub(crate) fn judge(
             FloorFrom::Instrument => over_stated(prepared, values),
             FloorFrom::Estimated => None,
         };
-        let capped = names + found.fit.shapes.len() >= prepared.cap();
-        // A search that may not go on leaves to a slow part of the noise what it has no name for.
-        if capped && values.noise_is_slow() {
-            let white = prepared.with_white_noise();
-            let fit = white.refitted(&found.fit);
-            *unexplained = super::remainder::without_shapes(&white, &fit);
-        }
+        let capped = prepared.is_capped(found);
         let structure = if capped { CHANCE } else { CHANCE_OF_STRUCTURE };
         if unexplained.p <= structure {
             unexplained.present = true;
