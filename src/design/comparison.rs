@@ -53,18 +53,9 @@ pub(crate) struct Contest {
 impl Contest {
     /// `gram` is that of the refitted model's columns over what was measured already.
     pub(crate) fn new(prospects: Vec<Prospect>, gram: &DMatrix<f64>, enough: f64) -> Self {
-        let p = gram.nrows();
-        let mut information = gram.clone();
-        for k in 0..p {
-            let reach: f64 = prospects
-                .iter()
-                .map(|x| x.columns.column(k).norm_squared())
-                .sum();
-            information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
-        }
         Self {
-            covariance: inverse(&information),
-            refit: DVector::zeros(p),
+            covariance: covariance_of(gram, &prospects),
+            refit: DVector::zeros(gram.nrows()),
             prospects,
             delta: 0.0,
             enough,
@@ -119,6 +110,19 @@ impl Contest {
     }
 }
 
+/// Covariance of a model's parameters over what was measured already.
+pub(crate) fn covariance_of(gram: &DMatrix<f64>, prospects: &[Prospect]) -> DMatrix<f64> {
+    let mut information = gram.clone();
+    for k in 0..gram.nrows() {
+        let reach: f64 = prospects
+            .iter()
+            .map(|x| x.columns.column(k).norm_squared())
+            .sum();
+        information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
+    }
+    inverse(&information)
+}
+
 /// Inverse of an information matrix, well scaled or not.
 pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     let p = information.nrows();
@@ -166,12 +170,15 @@ pub(crate) fn prospects(
 /// Standard deviations of the log-odds that are allowed for: 97.7 of 100 sessions.
 const SURE: f64 = 2.0;
 
-/// The Δ that brings the odds beyond `wanted` (a logarithm) whichever model is true, where they
-/// are `so_far`: `Δ/2 − SURE √Δ = wanted + |so far|`. For 20 : 1 from even odds it is 27. Poses
-/// for one contest serve the others as well, so that all of them together need hardly more.
-pub(crate) fn enough_for(wanted: f64, so_far: f64) -> f64 {
-    let missing = wanted + so_far.abs();
-    let root = SURE + (SURE * SURE + 2.0 * missing).sqrt();
+/// The Δ that brings the odds beyond `wanted` (a logarithm) where the true model leads by `lead`:
+/// `lead + Δ/2 − SURE √Δ = wanted`. For 20 : 1 from even odds it is 27; a lead that no noise of
+/// the new poses takes back needs none.
+pub(crate) fn enough_for(wanted: f64, lead: f64) -> f64 {
+    let square = SURE * SURE + 2.0 * (wanted - lead);
+    if square <= 0.0 {
+        return 0.0;
+    }
+    let root = SURE + square.sqrt();
     root * root
 }
 
@@ -186,20 +193,9 @@ pub(crate) fn choose(
     let mut taken = vec![0_u8; choices];
     let mut order = Vec::new();
     while order.len() < most && !contests.iter().all(Contest::decided) {
-        // What is still open counts; the gain of each contest up to where it is decided.
-        let worth = |k: usize| -> f64 {
-            let open = contests.iter().filter(|c| !c.decided());
-            open.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
-                .sum()
-        };
-        let free = (0..choices).filter(|k| taken[*k] < repeats);
-        let best = free
-            .map(|k| (k, worth(k)))
-            .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
-        let Some((k, worth)) = best.filter(|b| b.1 > 1e-9) else {
+        let Some(k) = best_choice(contests, &taken, repeats) else {
             break;
         };
-        debug_assert!(worth.is_finite(), "{worth}");
         taken[k] += 1;
         order.push(k);
         for contest in contests.iter_mut() {
@@ -207,6 +203,23 @@ pub(crate) fn choose(
         }
     }
     order
+}
+
+/// The choice that is worth most to the contests that are open; `None` where nothing helps.
+pub(crate) fn best_choice(contests: &[Contest], taken: &[u8], repeats: u8) -> Option<usize> {
+    // The gain of each contest counts up to where it is decided.
+    let worth = |k: usize| -> f64 {
+        let open = contests.iter().filter(|c| !c.decided());
+        open.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
+            .sum()
+    };
+    let free = (0..taken.len()).filter(|k| taken[*k] < repeats);
+    let best = free
+        .map(|k| (k, worth(k)))
+        .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
+    let (k, worth) = best.filter(|b| b.1 > 1e-9)?;
+    debug_assert!(worth.is_finite(), "{worth}");
+    Some(k)
 }
 
 #[cfg(test)]
@@ -250,6 +263,7 @@ mod tests {
         let delta = enough_for(3.0, 0.0);
         assert!((delta / 2.0 - SURE * delta.sqrt() - 3.0).abs() < 1e-9);
         assert!((delta - 26.6).abs() < 0.1, "{delta}");
-        assert!(enough_for(3.0, 2.0) > delta);
+        assert!(enough_for(3.0, -2.0) > delta && enough_for(3.0, 2.0) < delta);
+        assert!(enough_for(3.0, 5.5) <= 0.0);
     }
 }

@@ -19,6 +19,7 @@ pub mod plan_v1;
 
 mod candidate_poses;
 mod comparison;
+mod decision;
 pub mod enabling_poses;
 pub mod expected_information;
 mod first_measurement;

@@ -1,9 +1,10 @@
 //! Poses that decide between explanations that the samples cannot tell apart: T-optimality,
 //! greedily, over everything that may be measured.
 //!
-//! The fit and each rival meet in two contests, for either may be the true one. Where one
-//! reflector cannot decide, the place of a second one is chosen with the poses: the one that
-//! decides with the fewest.
+//! Each pair of explanations meets in two contests, for either may be the true one. Poses are
+//! added until they decide all contests at once in [`SURE`] of all sessions, whichever explanation
+//! is true ([`super::decision`]). Where one reflector cannot decide, the place of a second one is
+//! chosen with the poses: the one that decides with the fewest.
 
 use crate::effects::Term;
 use crate::kinematics::JointKind;
@@ -11,16 +12,23 @@ use crate::sessions::{Session, Target};
 use crate::units::deg_from_rad;
 
 use super::candidate_poses::{self, Choice, Menu};
-use super::comparison::{Axes, Contest, choose, enough_for, prospects};
+use super::comparison::{Axes, Contest, best_choice, enough_for, prospects};
+use super::decision::{Decision, Explanation, Needed};
 use super::enabling_poses;
 use crate::diagnosis::NextPose;
-use crate::diagnosis::aliases::{Rival, UNDECIDED};
+use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
 use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::conclude::{Proposal, Undecided};
 use crate::diagnosis::prepare::Prepared;
 
 /// Poses that are proposed at most.
 pub(crate) const MOST: usize = 24;
+/// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
+/// promised by what the draws do not know: their own error, and tests beside the odds.
+const SURE: f64 = 0.98;
+/// Explanations that are compared, and of how many of them rivals are looked for.
+const MOST_COMPETING: usize = 14;
+const MOST_ASKED: usize = 3;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
 /// New poses are measured so long after the last one, s.
@@ -72,28 +80,22 @@ pub(crate) fn separate(
         .iter()
         .flat_map(|r| r.removed.iter().chain(&r.instead))
         .collect();
-    let pairs: Vec<(&Fit, &Rival)> = rivals.iter().map(|r| (fit, *r)).collect();
-    let mut best: Option<(usize, f64, usize, Offer, Vec<usize>)> = None;
+    let competing = competing(prepared, fit, rivals);
+    let mut best: Option<Attempt> = None;
     for (at, targets) in reflector_sets(prepared).into_iter().enumerate() {
         let menu = menu(prepared, &terms, targets.len());
         let offer = Offer::new(prepared, targets, &menu);
-        let mut contests = contests(prepared, &offer, &pairs);
-        let order = choose(&mut contests, offer.choices.len(), most, REPEATS);
-        let undecided = contests.iter().filter(|c| !c.decided()).count();
-        let short: f64 = contests.iter().map(|c| (c.delta / c.enough).min(1.0)).sum();
-        let better = best.as_ref().is_none_or(|b| {
-            (undecided, order.len()) < (b.0, b.2)
-                || undecided == b.0 && undecided > 0 && short > b.1 + 0.05
-        });
-        if better {
-            best = Some((undecided, short, order.len(), offer, order));
-        }
+        let attempt = attempt(prepared, offer, &competing, most);
         // Another reflector has to be mounted: only where the others do not decide.
-        if undecided == 0 && at == 0 {
+        let done = at == 0 && attempt.decides();
+        if best.as_ref().is_none_or(|b| attempt.better_than(b)) {
+            best = Some(attempt);
+        }
+        if done {
             break;
         }
     }
-    let Some((_, _, _, offer, order)) = best else {
+    let Some(Attempt { offer, order, .. }) = best else {
         return Vec::new();
     };
     let why = why(rivals);
@@ -182,24 +184,118 @@ pub(crate) fn later_s(prepared: &Prepared) -> f64 {
     times.iter().copied().fold(0.0, f64::max) + LATER_S
 }
 
-/// Both contests of each pair.
-fn contests(prepared: &Prepared, offer: &Offer, pairs: &[(&Fit, &Rival)]) -> Vec<Contest> {
+/// The fit, its open rivals, and what comes close to any of them: what is ruled out now may come
+/// back with new poses, and a rival that is true has rivals of its own.
+fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<(Fit, bool)> {
     let arena = &prepared.arena;
-    let inputs = offer.inputs(prepared);
-    let axes = axes_of(arena);
-    let mut all = Vec::new();
-    for (fit, rival) in pairs {
-        let enough = enough_for(UNDECIDED, fit.ln_evidence - rival.fit.ln_evidence);
-        let sides = [
-            (&fit.model, &rival.fit.model),
-            (&rival.fit.model, &fit.model),
-        ];
-        for (truth, other) in sides {
-            let seen = prospects(truth, other, &inputs, &axes);
-            all.push(Contest::new(seen, &gram(arena, other), enough));
+    let mut all: Vec<(Fit, bool)> = vec![(fit.clone(), true)];
+    let mut join = |one: &Fit, is_open: bool| {
+        let known = all.iter().any(|(a, _)| same_terms(a, one));
+        if !known && all.len() < MOST_COMPETING {
+            all.push((one.clone(), is_open));
+        }
+    };
+    for rival in open {
+        join(&rival.fit, true);
+    }
+    let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
+    for one in [fit].into_iter().chain(most_open) {
+        for near in aliases::rivals(arena, one) {
+            if near.other_names() {
+                join(&near.fit, false);
+            }
         }
     }
     all
+}
+
+fn same_terms(one: &Fit, other: &Fit) -> bool {
+    let (a, b) = (one.model.terms(), other.model.terms());
+    let within = |a: &[Term], b: &[Term]| a.iter().all(|t| b.iter().any(|o| o.same_column(t)));
+    a.len() == b.len() && within(a, b)
+}
+
+/// Poses for one set of reflectors.
+struct Attempt {
+    offer: Offer,
+    order: Vec<usize>,
+    /// What they are worth.
+    needed: Needed,
+    /// How much of the separation that is needed they bring, on average.
+    separation: f64,
+}
+
+impl Attempt {
+    fn decides(&self) -> bool {
+        self.needed.unparted == 0 && self.needed.probability >= SURE
+    }
+
+    fn better_than(&self, other: &Self) -> bool {
+        if self.needed.unparted != other.needed.unparted {
+            return self.needed.unparted < other.needed.unparted;
+        }
+        match (self.decides(), other.decides()) {
+            (true, true) => self.order.len() < other.order.len(),
+            (true, false) => true,
+            (false, true) => false,
+            (false, false) => {
+                let score = |a: &Self| a.needed.probability + a.separation;
+                score(self) > score(other) + 0.03
+            }
+        }
+    }
+}
+
+/// Poses one after the other until they decide often enough, or `most` are chosen.
+fn attempt(prepared: &Prepared, offer: Offer, competing: &[(Fit, bool)], most: usize) -> Attempt {
+    let arena = &prepared.arena;
+    let inputs = offer.inputs(prepared);
+    let axes = axes_of(arena);
+    let explanations: Vec<Explanation> = competing
+        .iter()
+        .map(|(fit, open)| Explanation { fit, open: *open })
+        .collect();
+    let mut decision = Decision::new(arena, &explanations, &inputs, &axes, UNDECIDED);
+    let mut contests = Vec::new();
+    for (i, truth) in explanations.iter().enumerate().filter(|(_, e)| e.open) {
+        for (j, other) in explanations.iter().enumerate() {
+            if decision.differ(i, j) {
+                let seen = prospects(&truth.fit.model, &other.fit.model, &inputs, &axes);
+                let lead = truth.fit.ln_evidence - other.fit.ln_evidence;
+                let known = gram(arena, &other.fit.model);
+                contests.push(Contest::new(seen, &known, enough_for(UNDECIDED, lead)));
+            }
+        }
+    }
+    let first_enough: Vec<f64> = contests.iter().map(|c| c.enough).collect();
+    let mut taken = vec![0_u8; offer.choices.len()];
+    let mut order = Vec::new();
+    while order.len() < most && decision.probability() < SURE {
+        while contests.iter().all(Contest::decided) && !contests.is_empty() {
+            for contest in &mut contests {
+                contest.enough = 1.3 * contest.enough.max(1.0);
+            }
+        }
+        let Some(k) = best_choice(&contests, &taken, REPEATS) else {
+            break;
+        };
+        taken[k] += 1;
+        order.push(k);
+        for contest in &mut contests {
+            contest.take(k);
+        }
+        decision.take(k);
+    }
+    let needed = decision.needed(SURE);
+    order.truncate(needed.poses);
+    let shares = contests.iter().zip(&first_enough);
+    let shares = shares.map(|(c, enough)| (c.delta / enough.max(1.0)).min(1.0));
+    Attempt {
+        separation: shares.sum::<f64>() / contests.len().max(1) as f64,
+        needed,
+        order,
+        offer,
+    }
 }
 
 /// Gram matrix of a model's columns over the samples.
