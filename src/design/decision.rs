@@ -20,7 +20,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::comparison::{Axes, Prospect, covariance_of, prospects};
+use super::comparison::{Axes, Prediction, covariance_of, predictions};
 use super::next_poses::gram;
 use crate::diagnosis::arena::{Arena, Fit};
 use crate::effects::Inputs;
@@ -44,7 +44,7 @@ pub(crate) struct Explanation<'f> {
 /// One explanation as it is refitted in every draw.
 struct Refit {
     /// Reference prediction less its own, and its columns, at every choice.
-    predictions: Vec<Prospect>,
+    predictions: Vec<Prediction>,
     covariance: DMatrix<f64>,
     /// Parameters by draws.
     refits: DMatrix<f64>,
@@ -94,7 +94,7 @@ impl Decision {
         let mut truths = Vec::new();
         for (index, explanation) in explanations.iter().enumerate() {
             let model = &explanation.fit.model;
-            let predictions = prospects(&reference.fit.model, model, inputs, axes);
+            let predictions = predictions(&reference.fit.model, model, inputs, axes);
             let information = gram(arena, model);
             if explanation.open {
                 truths.push(Truth {
@@ -255,7 +255,7 @@ pub(crate) struct Needed {
 
 impl Refit {
     fn take(&mut self, choice: usize, measured: &DMatrix<f64>) {
-        let Prospect {
+        let Prediction {
             difference,
             columns,
         } = &self.predictions[choice];
@@ -306,7 +306,7 @@ fn least(now: &[DMatrix<u8>], counts: impl Fn(usize, usize) -> bool) -> f64 {
 /// Deviations of a model's parameters as the samples leave them possible.
 fn drawn(
     information: &DMatrix<f64>,
-    predictions: &[Prospect],
+    predictions: &[Prediction],
     random: &mut ChaCha8Rng,
 ) -> DMatrix<f64> {
     let p = information.nrows();
@@ -347,7 +347,7 @@ mod tests {
     #[test]
     fn the_sum_of_squares_rises_as_a_joint_refit_says() {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
-        let one = |(d, j): &(f64, f64)| Prospect {
+        let one = |(d, j): &(f64, f64)| Prediction {
             difference: DVector::from_element(1, *d),
             columns: DMatrix::from_element(1, 1, *j),
         };
