@@ -192,7 +192,7 @@ fn what_was_never_tried_is_unlocked_and_then_found() {
         "{why}"
     );
     let plan = plan_session(&session(&rig), &PlanOptions::default(), &|_| true).expect("a plan");
-    let unlocked: Vec<&str> = plan.unlocks.iter().map(|l| l.effect).collect();
+    let unlocked: Vec<&str> = plan.enables.iter().map(|l| l.effect).collect();
     assert!(unlocked.contains(&"backlash"), "{:?}", plan.cannot);
     assert!(
         first.next_poses.len() >= 4,

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use truepose::design::measuring_list;
-use truepose::design::needs::Locked;
+use truepose::design::needs::Untestable;
 use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Options, Sight};
@@ -190,7 +190,7 @@ fn in_words(plan: &plan::Plan) -> String {
             );
         }
     }
-    for (names, locked) in grouped(&plan.unlocks) {
+    for (names, locked) in grouped(&plan.enables) {
         let _ = writeln!(text, "{names} becomes testable: {}", needs(locked));
     }
     for (names, locked) in grouped(&plan.cannot) {
@@ -232,7 +232,7 @@ fn limits(plan: &plan::Plan, text: &mut String) {
             sizes.join(", ")
         );
     }
-    for pair in &plan.foresight.alike {
+    for pair in &plan.expected.alike {
         let _ = writeln!(
             text,
             "{} and {} will look alike (correlation {:.3})",
@@ -248,11 +248,11 @@ fn named(effect: &str, joint: Option<usize>) -> String {
 }
 
 /// Joints that lack the same for the same effect stand together.
-fn grouped(all: &[Locked]) -> Vec<(String, &Locked)> {
-    let mut groups: Vec<(String, &Locked)> = Vec::new();
+fn grouped(all: &[Untestable]) -> Vec<(String, &Untestable)> {
+    let mut groups: Vec<(String, &Untestable)> = Vec::new();
     for locked in all {
         let number = locked.joint.map(|j| j + 1);
-        let same = |g: &&mut (String, &Locked)| {
+        let same = |g: &&mut (String, &Untestable)| {
             g.1.effect == locked.effect && g.1.because == locked.because
         };
         match (groups.iter_mut().find(same), number) {
@@ -265,7 +265,7 @@ fn grouped(all: &[Locked]) -> Vec<(String, &Locked)> {
     groups
 }
 
-fn needs(locked: &Locked) -> String {
+fn needs(locked: &Untestable) -> String {
     let says: Vec<&str> = locked.needs.iter().map(|n| n.says()).collect();
     says.join("; ")
 }

@@ -33,11 +33,11 @@ const VECTORS: usize = 60;
 
 /// What may be measured.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Choice {
+pub(crate) struct CandidatePose {
     pub(crate) q: Vec<f64>,
     pub(crate) dir: Vec<f64>,
     pub(crate) speed: Vec<f64>,
-    /// Way since the joints reversed, as a share of each one's range; `None`: a long one.
+    /// Travel since the joints reversed, as a share of each one's range; `None`: a long one.
     pub(crate) approach: Option<f64>,
     pub(crate) load_kg: f64,
     pub(crate) warmth_c: f64,
@@ -47,7 +47,7 @@ pub(crate) struct Choice {
 
 /// Conditions that are offered; every combination of them is a choice.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Menu {
+pub(crate) struct Conditions {
     /// Multiples of each joint's unit of speed.
     pub(crate) speeds: Vec<f64>,
     /// rad/s or mm/s, one for each joint.
@@ -59,7 +59,7 @@ pub(crate) struct Menu {
     pub(crate) time_s: f64,
 }
 
-impl Menu {
+impl Conditions {
     /// Standstill, no load, 20 °C, long approaches, the first reflector.
     pub(crate) fn plain(robot: &Robot) -> Self {
         Self {
@@ -101,18 +101,22 @@ pub(crate) fn ranges(robot: &Robot, measured: Option<&Inputs>) -> Vec<Range> {
 }
 
 /// All combinations of places, sides and conditions.
-pub(crate) fn choices(ranges: &[Range], menu: &Menu, seed: u64) -> Vec<Choice> {
+pub(crate) fn combinations(
+    ranges: &[Range],
+    conditions: &Conditions,
+    seed: u64,
+) -> Vec<CandidatePose> {
     let mut all = Vec::new();
     for q in &places(ranges, seed) {
         for side in [-1.0, 1.0] {
-            for speed in &menu.speeds {
-                let units = menu.unit_of_speed.iter();
+            for speed in &conditions.speeds {
+                let units = conditions.unit_of_speed.iter();
                 let speed: Vec<f64> = units.map(|unit| side * speed * unit + 0.0).collect();
-                for approach in &menu.approaches {
-                    for load_kg in &menu.loads_kg {
-                        for warmth_c in &menu.warmths_c {
-                            for target in &menu.targets {
-                                all.push(Choice {
+                for approach in &conditions.approaches {
+                    for load_kg in &conditions.loads_kg {
+                        for warmth_c in &conditions.warmths_c {
+                            for target in &conditions.targets {
+                                all.push(CandidatePose {
                                     q: q.clone(),
                                     dir: vec![side; ranges.len()],
                                     speed: speed.clone(),
@@ -120,7 +124,7 @@ pub(crate) fn choices(ranges: &[Range], menu: &Menu, seed: u64) -> Vec<Choice> {
                                     load_kg: *load_kg,
                                     warmth_c: *warmth_c,
                                     target: *target,
-                                    time_s: menu.time_s,
+                                    time_s: conditions.time_s,
                                 });
                             }
                         }
@@ -169,10 +173,10 @@ pub(crate) fn inputs(
     robot: &Robot,
     targets: &[Target],
     ranges: &[Range],
-    choices: &[Choice],
+    choices: &[CandidatePose],
     start_s: Option<f64>,
 ) -> Inputs<'static> {
-    let column = |f: &dyn Fn(&Choice) -> f64| choices.iter().map(f).collect::<Vec<f64>>();
+    let column = |f: &dyn Fn(&CandidatePose) -> f64| choices.iter().map(f).collect::<Vec<f64>>();
     let joints = 0..ranges.len();
     let q = joints.clone().map(|j| column(&|c| c.q[j])).collect();
     let mut inputs = Inputs::at_poses(q, reflectors_of(robot, targets));
@@ -180,7 +184,7 @@ pub(crate) fn inputs(
         let span = range.to - range.from;
         inputs.dir[j] = Some(column(&|c| c.dir[j]).into());
         inputs.speed[j] = Some(column(&|c| c.speed[j]).into());
-        let travel = |c: &Choice| c.approach.map_or(f64::INFINITY, |share| share * span);
+        let travel = |c: &CandidatePose| c.approach.map_or(f64::INFINITY, |share| share * span);
         inputs.travel[j] = Some(column(&travel));
     }
     inputs.load_kg = Some(column(&|c| c.load_kg).into());

@@ -1,4 +1,4 @@
-//! A contest: one model predicts what will be measured, another is refitted to it; how far apart
+//! A comparison: one model predicts what will be measured, another is refitted to it; how far apart
 //! the two stay is what the poses are worth (T-optimality, Atkinson & Fedorov 1975).
 //!
 //! ```text
@@ -12,7 +12,8 @@
 //! Δ += rᵀ S⁻¹ r,   β += C Jᵀ S⁻¹ r,   C −= C Jᵀ S⁻¹ J C,   S = 1 + J C Jᵀ
 //! ```
 //!
-//! The log-odds after measuring are L + Δ/2 ± √Δ, L the odds so far.
+//! The log-odds after measuring are L + Δ/2 ± √Δ, L the odds so far. That is for one pair whose
+//! sizes are known; [`super::decision`] counts all pairs and all sizes that are possible.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -29,9 +30,9 @@ pub(crate) struct Axes {
     pub(crate) sigma_mm: [f64; 3],
 }
 
-/// One choice in a contest, in units of the noise.
+/// One choice in a comparison, in units of the noise.
 #[derive(Debug, Clone)]
-pub(crate) struct Prospect {
+pub(crate) struct Prediction {
     /// Difference of the predictions.
     pub(crate) difference: DVector<f64>,
     /// Columns of the model that is refitted.
@@ -40,8 +41,8 @@ pub(crate) struct Prospect {
 
 /// See the module.
 #[derive(Debug, Clone)]
-pub(crate) struct Contest {
-    prospects: Vec<Prospect>,
+pub(crate) struct Comparison {
+    predictions: Vec<Prediction>,
     covariance: DMatrix<f64>,
     refit: DVector<f64>,
     /// How far apart the models are so far.
@@ -50,22 +51,13 @@ pub(crate) struct Contest {
     pub(crate) enough: f64,
 }
 
-impl Contest {
+impl Comparison {
     /// `gram` is that of the refitted model's columns over what was measured already.
-    pub(crate) fn new(prospects: Vec<Prospect>, gram: &DMatrix<f64>, enough: f64) -> Self {
-        let p = gram.nrows();
-        let mut information = gram.clone();
-        for k in 0..p {
-            let reach: f64 = prospects
-                .iter()
-                .map(|x| x.columns.column(k).norm_squared())
-                .sum();
-            information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
-        }
+    pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, enough: f64) -> Self {
         Self {
-            covariance: inverse(&information),
-            refit: DVector::zeros(p),
-            prospects,
+            covariance: covariance_of(gram, &predictions),
+            refit: DVector::zeros(gram.nrows()),
+            predictions,
             delta: 0.0,
             enough,
         }
@@ -92,7 +84,7 @@ impl Contest {
         let Some(factor) = spread.cholesky() else {
             return;
         };
-        let columns = &self.prospects[choice].columns;
+        let columns = &self.predictions[choice].columns;
         let carried = &self.covariance * columns.transpose();
         let solved = factor.solve(&left);
         self.delta += solved.dot(&left).max(0.0);
@@ -106,10 +98,10 @@ impl Contest {
     }
 
     fn innovation(&self, choice: usize) -> (DVector<f64>, DMatrix<f64>) {
-        let Prospect {
+        let Prediction {
             difference,
             columns,
-        } = &self.prospects[choice];
+        } = &self.predictions[choice];
         let left = difference - columns * &self.refit;
         let mut spread = columns * &self.covariance * columns.transpose();
         for k in 0..left.len() {
@@ -117,6 +109,19 @@ impl Contest {
         }
         (left, spread)
     }
+}
+
+/// Covariance of a model's parameters over what was measured already.
+pub(crate) fn covariance_of(gram: &DMatrix<f64>, predictions: &[Prediction]) -> DMatrix<f64> {
+    let mut information = gram.clone();
+    for k in 0..gram.nrows() {
+        let reach: f64 = predictions
+            .iter()
+            .map(|x| x.columns.column(k).norm_squared())
+            .sum();
+        information[(k, k)] += LEAST_INFORMATION * (gram[(k, k)] + reach).max(1e-300);
+    }
+    inverse(&information)
 }
 
 /// Inverse of an information matrix, well scaled or not.
@@ -138,12 +143,12 @@ pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// What each choice shows of `truth` where `other` is refitted.
-pub(crate) fn prospects(
+pub(crate) fn predictions(
     truth: &Model,
     other: &Model,
     inputs: &Inputs,
     axes: &Axes,
-) -> Vec<Prospect> {
+) -> Vec<Prediction> {
     let predicted = truth.predict(inputs);
     let mut all = Vec::with_capacity(inputs.len());
     other.visit(inputs, true, |start, block| {
@@ -151,7 +156,7 @@ pub(crate) fn prospects(
             let at = predicted.get(start + i);
             let own = axes.axes.iter();
             let difference = own.map(|a| (at[*a] - block.point[*a][i]) / axes.sigma_mm[*a]);
-            all.push(Prospect {
+            all.push(Prediction {
                 difference: DVector::from_iterator(axes.axes.len(), difference),
                 columns: DMatrix::from_fn(axes.axes.len(), block.columns.len(), |row, k| {
                     let axis = axes.axes[row];
@@ -166,47 +171,56 @@ pub(crate) fn prospects(
 /// Standard deviations of the log-odds that are allowed for: 97.7 of 100 sessions.
 const SURE: f64 = 2.0;
 
-/// The Δ that brings the odds beyond `wanted` (a logarithm) whichever model is true, where they
-/// are `so_far`: `Δ/2 − SURE √Δ = wanted + |so far|`. For 20 : 1 from even odds it is 27. Poses
-/// for one contest serve the others as well, so that all of them together need hardly more.
-pub(crate) fn enough_for(wanted: f64, so_far: f64) -> f64 {
-    let missing = wanted + so_far.abs();
-    let root = SURE + (SURE * SURE + 2.0 * missing).sqrt();
+/// The Δ that brings the odds beyond `wanted` (a logarithm) where the true model leads by `lead`:
+/// `lead + Δ/2 − SURE √Δ = wanted`. For 20 : 1 from even odds it is 27; a lead that no noise of
+/// the new poses takes back needs none.
+pub(crate) fn enough_for(wanted: f64, lead: f64) -> f64 {
+    let square = SURE * SURE + 2.0 * (wanted - lead);
+    if square <= 0.0 {
+        return 0.0;
+    }
+    let root = SURE + square.sqrt();
     root * root
 }
 
-/// Chooses poses greedily until every contest is decided, or `most` are chosen, or nothing helps;
+/// Chooses poses greedily until every comparison is decided, or `most` are chosen, or nothing helps;
 /// no choice more than `repeats` times.
 pub(crate) fn choose(
-    contests: &mut [Contest],
+    comparisons: &mut [Comparison],
     choices: usize,
     most: usize,
     repeats: u8,
 ) -> Vec<usize> {
     let mut taken = vec![0_u8; choices];
     let mut order = Vec::new();
-    while order.len() < most && !contests.iter().all(Contest::decided) {
-        // What is still open counts; the gain of each contest up to where it is decided.
-        let worth = |k: usize| -> f64 {
-            let open = contests.iter().filter(|c| !c.decided());
-            open.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
-                .sum()
-        };
-        let free = (0..choices).filter(|k| taken[*k] < repeats);
-        let best = free
-            .map(|k| (k, worth(k)))
-            .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
-        let Some((k, worth)) = best.filter(|b| b.1 > 1e-9) else {
+    while order.len() < most && !comparisons.iter().all(Comparison::decided) {
+        let Some(k) = best_choice(comparisons, &taken, repeats) else {
             break;
         };
-        debug_assert!(worth.is_finite(), "{worth}");
         taken[k] += 1;
         order.push(k);
-        for contest in contests.iter_mut() {
-            contest.take(k);
+        for comparison in comparisons.iter_mut() {
+            comparison.take(k);
         }
     }
     order
+}
+
+/// The choice that is worth most to the comparisons that are open; `None` where nothing helps.
+pub(crate) fn best_choice(comparisons: &[Comparison], taken: &[u8], repeats: u8) -> Option<usize> {
+    // The gain of each comparison counts up to where it is decided.
+    let worth = |k: usize| -> f64 {
+        let open = comparisons.iter().filter(|c| !c.decided());
+        open.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
+            .sum()
+    };
+    let free = (0..taken.len()).filter(|k| taken[*k] < repeats);
+    let best = free
+        .map(|k| (k, worth(k)))
+        .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
+    let (k, worth) = best.filter(|b| b.1 > 1e-9)?;
+    debug_assert!(worth.is_finite(), "{worth}");
+    Some(k)
 }
 
 #[cfg(test)]
@@ -214,8 +228,8 @@ mod tests {
     use super::*;
 
     /// Difference and column of one number at every choice.
-    fn prospects_of(rows: &[(f64, f64)]) -> Vec<Prospect> {
-        let one = |(d, j): &(f64, f64)| Prospect {
+    fn predictions_of(rows: &[(f64, f64)]) -> Vec<Prediction> {
+        let one = |(d, j): &(f64, f64)| Prediction {
             difference: DVector::from_element(1, *d),
             columns: DMatrix::from_element(1, 1, *j),
         };
@@ -225,24 +239,32 @@ mod tests {
     #[test]
     fn delta_is_what_a_least_squares_refit_leaves() {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
-        let mut contest = Contest::new(prospects_of(&rows), &DMatrix::from_element(1, 1, 4.0), 1.0);
+        let mut comparison = Comparison::new(
+            predictions_of(&rows),
+            &DMatrix::from_element(1, 1, 4.0),
+            1.0,
+        );
         for k in 0..3 {
-            let gain = contest.gain(k);
-            let before = contest.delta;
-            contest.take(k);
-            assert!((contest.delta - before - gain).abs() < 1e-9);
+            let gain = comparison.gain(k);
+            let before = comparison.delta;
+            comparison.take(k);
+            assert!((comparison.delta - before - gain).abs() < 1e-9);
         }
         // min over β of Σ (d − jβ)² + 4 β²: Σ d² − (Σ jd)² / (4 + Σ j²).
         let expected = 14.0 - 4.0 / 7.0;
-        assert!((contest.delta - expected).abs() < 1e-6, "{}", contest.delta);
+        assert!(
+            (comparison.delta - expected).abs() < 1e-6,
+            "{}",
+            comparison.delta
+        );
     }
 
     #[test]
     fn a_difference_that_the_rival_can_imitate_is_worth_nothing() {
         let rows = [(3.0, 1.0), (6.0, 2.0)];
-        let mut contest = Contest::new(prospects_of(&rows), &DMatrix::zeros(1, 1), 10.0);
-        let order = choose(std::slice::from_mut(&mut contest), 2, 5, 2);
-        assert!(contest.delta < 1e-6, "{order:?}: {}", contest.delta);
+        let mut comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
+        let order = choose(std::slice::from_mut(&mut comparison), 2, 5, 2);
+        assert!(comparison.delta < 1e-6, "{order:?}: {}", comparison.delta);
     }
 
     #[test]
@@ -250,6 +272,7 @@ mod tests {
         let delta = enough_for(3.0, 0.0);
         assert!((delta / 2.0 - SURE * delta.sqrt() - 3.0).abs() < 1e-9);
         assert!((delta - 26.6).abs() < 0.1, "{delta}");
-        assert!(enough_for(3.0, 2.0) > delta);
+        assert!(enough_for(3.0, -2.0) > delta && enough_for(3.0, 2.0) < delta);
+        assert!(enough_for(3.0, 5.5) <= 0.0);
     }
 }

@@ -1,7 +1,7 @@
 //! What would make an effect testable that a session cannot show: each effect is asked again with
 //! one condition after the other met, until nothing stands against it. Then poses under these
 //! conditions are chosen on which each such effect, at one and a half times the noise, cannot
-//! hide behind the model or behind another effect that is unlocked with it (T-optimality, as for
+//! hide behind the model or behind another effect that is enabled with it (T-optimality, as for
 //! rivals).
 
 use nalgebra::DVector;
@@ -11,10 +11,10 @@ use crate::effects::{Effect, Setting, Term, find};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
-use super::candidate_poses::{self, Choice, Menu};
-use super::comparison::{Axes, Contest, Prospect, choose, enough_for, prospects};
-use super::needs::{Locked, Need, TEST_LOAD_KG, WARMING_C, lacks};
-use super::next_poses::{Offer, axes_of, gram, later_s, poses_of};
+use super::candidate_poses::{self, CandidatePose, Conditions};
+use super::comparison::{Axes, Comparison, Prediction, choose, enough_for, predictions};
+use super::needs::{Need, TEST_LOAD_KG, Untestable, WARMING_C, lacks};
+use super::next_poses::{CandidatePoses, axes_of, gram, later_s, poses_of};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::candidates::NotTestable;
@@ -22,7 +22,7 @@ use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::search::compatible;
 
 /// Every effect that cannot be seen, with what would change that.
-pub(crate) fn locked(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<Locked> {
+pub(crate) fn untestable(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<Untestable> {
     let one = |n: &NotTestable| {
         let joint = n.joint.unwrap_or(0);
         let needs = find(n.effect).map_or_else(Vec::new, |effect| {
@@ -32,7 +32,7 @@ pub(crate) fn locked(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<L
                 lacks_geometry(prepared, effect, joint)
             }
         });
-        Locked {
+        Untestable {
             effect: n.effect,
             joint: n.joint,
             because: n.because.clone(),
@@ -46,19 +46,19 @@ pub(crate) fn locked(prepared: &Prepared, not_testable: &[NotTestable]) -> Vec<L
 /// reflector.
 fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Need> {
     for (need, reflector) in [(Need::Travel, false), (Need::Reflector, true)] {
-        let (offer, _) = offer_for(prepared, &[need], reflector);
-        let inputs = offer.inputs(prepared);
+        let (candidates, _) = candidates_for(prepared, &[need], reflector);
+        let inputs = candidates.inputs(prepared);
         let axes = axes_of(&prepared.arena);
         let truth = with_effect(&prepared.arena.base, effect, joint, &inputs, &axes);
-        let seen = prospects(&truth, &prepared.arena.base, &inputs, &axes);
+        let seen = predictions(&truth, &prepared.arena.base, &inputs, &axes);
         let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
         let p = prepared.arena.base.coefficient_count();
         let nothing = nalgebra::DMatrix::zeros(p, p);
-        let mut contest = Contest::new(seen, &nothing, f64::INFINITY);
-        for k in 0..offer.choices.len() {
-            contest.take(k);
+        let mut comparison = Comparison::new(seen, &nothing, f64::INFINITY);
+        for k in 0..candidates.poses.len() {
+            comparison.take(k);
         }
-        if contest.delta > 1e-3 * all && all > 0.0 {
+        if comparison.delta > 1e-3 * all && all > 0.0 {
             return vec![need];
         }
     }
@@ -66,7 +66,11 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize
 }
 
 /// What is offered where these needs are to be met.
-fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Menu) {
+fn candidates_for(
+    prepared: &Prepared,
+    needs: &[Need],
+    reflector: bool,
+) -> (CandidatePoses, Conditions) {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     let turns = session
@@ -81,18 +85,22 @@ fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Me
                 .take(1),
         );
     }
-    let mut menu = Menu::plain(&session.robot);
-    for (unit, joint) in menu.unit_of_speed.iter_mut().zip(&prepared.survey.joints) {
+    let mut conditions = Conditions::plain(&session.robot);
+    for (unit, joint) in conditions
+        .unit_of_speed
+        .iter_mut()
+        .zip(&prepared.survey.joints)
+    {
         if joint.largest_speed > 0.0 {
             *unit = joint.largest_speed;
         }
     }
     if needs.contains(&Need::Speeds) {
-        menu.speeds = vec![0.0, 1.0, 2.0];
+        conditions.speeds = vec![0.0, 1.0, 2.0];
     }
     if needs.contains(&Need::Loads) {
         let heaviest = prepared.survey.largest_load_kg;
-        menu.loads_kg = vec![
+        conditions.loads_kg = vec![
             0.0,
             if heaviest > 0.0 {
                 heaviest
@@ -102,14 +110,17 @@ fn offer_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> (Offer, Me
         ];
     }
     if needs.contains(&Need::Temperatures) {
-        menu.warmths_c = vec![0.0, WARMING_C];
+        conditions.warmths_c = vec![0.0, WARMING_C];
     }
-    menu.targets = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
-    menu.time_s = later_s(prepared);
-    (Offer::new(prepared, targets, &menu), menu)
+    conditions.targets = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
+    conditions.time_s = later_s(prepared);
+    (
+        CandidatePoses::new(prepared, targets, &conditions),
+        conditions,
+    )
 }
 
-/// Size of an effect that is to be unlocked, in units of the noise: small enough that each new
+/// Size of an effect that is to be enabled, in units of the noise: small enough that each new
 /// condition is measured several times, as a single odd sample would pass for an outlier.
 const SMALL: f64 = 1.5;
 
@@ -142,7 +153,7 @@ pub(crate) fn with_effect(
         .sum::<usize>();
     let size = term.coefficients.len();
     let mut energy = vec![0.0; size];
-    for Prospect { columns, .. } in prospects(model, &absent, inputs, axes) {
+    for Prediction { columns, .. } in predictions(model, &absent, inputs, axes) {
         for (k, energy) in energy.iter_mut().enumerate() {
             *energy += columns.column(first + k).norm_squared();
         }
@@ -162,7 +173,7 @@ const MOST_BESIDE: usize = 12;
 
 /// What a diagnosis proposes where nothing is ambiguous: poses for what the session recorded but
 /// never changed, and for the side of approach, which costs nothing. No new equipment.
-pub(crate) fn worth_unlocking(
+pub(crate) fn worth_enabling(
     prepared: &Prepared,
     fit: &Fit,
     not_testable: &[NotTestable],
@@ -175,25 +186,25 @@ pub(crate) fn worth_unlocking(
         Need::Temperatures => samples.temperature_c.is_some(),
         _ => false,
     };
-    let mut locked = locked(prepared, not_testable);
-    locked.retain(|l| l.needs.iter().all(cheap));
-    unlock(prepared, fit, &locked, false, MOST_BESIDE)
+    let mut untestable = untestable(prepared, not_testable);
+    untestable.retain(|l| l.needs.iter().all(cheap));
+    enable(prepared, fit, &untestable, false, MOST_BESIDE)
 }
 
 /// What remains of the session's information where it does not say under which condition it was
 /// measured.
 const WEAK: f64 = 0.02;
 
-/// At most `most` poses that unlock what poses can unlock. Where `reflector` is false nothing has
+/// At most `most` poses that make testable what poses can make testable. Where `reflector` is false nothing has
 /// to be mounted.
-pub(crate) fn unlock(
+pub(crate) fn enable(
     prepared: &Prepared,
     fit: &Fit,
-    locked: &[Locked],
+    untestable: &[Untestable],
     reflector: bool,
     most: usize,
 ) -> Vec<NextPose> {
-    let wanted: Vec<&Locked> = locked
+    let wanted: Vec<&Untestable> = untestable
         .iter()
         .filter(|l| !l.needs.is_empty() && l.needs.iter().all(|n| n.by_poses()))
         .filter(|l| reflector || !l.needs.contains(&Need::Reflector))
@@ -205,8 +216,8 @@ pub(crate) fn unlock(
     needs.sort_unstable();
     needs.dedup();
     let mounted = needs.contains(&Need::Reflector);
-    let (offer, _) = offer_for(prepared, &needs, mounted);
-    let inputs = offer.inputs(prepared);
+    let (candidates, _) = candidates_for(prepared, &needs, mounted);
+    let inputs = candidates.inputs(prepared);
     let axes = axes_of(&prepared.arena);
     let samples = &prepared.problem.session.samples;
     let terms: Vec<Term> = wanted
@@ -219,9 +230,9 @@ pub(crate) fn unlock(
             terms.find(own).cloned()
         })
         .collect();
-    let mut contests: Vec<Contest> = Vec::new();
+    let mut comparisons: Vec<Comparison> = Vec::new();
     for (one, term) in wanted.iter().zip(&terms) {
-        // What is unlocked together has to be told apart as well.
+        // What is enabled together has to be told apart as well.
         let others = terms.iter().filter(|t| compatible(&[term], t));
         let rival = others.fold(fit.model.clone(), |model, t| {
             model.with_term(Term::absent(t.effect, t.joint, t.setting))
@@ -239,18 +250,18 @@ pub(crate) fn unlock(
             1.0
         };
         let truth = fit.model.with_term(term.clone());
-        let seen = prospects(&truth, &rival, &inputs, &axes);
+        let seen = predictions(&truth, &rival, &inputs, &axes);
         let known = gram(&prepared.arena, &rival) * weight;
-        let contest = Contest::new(seen, &known, enough_for(6.0, 0.0));
+        let comparison = Comparison::new(seen, &known, enough_for(6.0, 0.0));
         // The effect was there already; the samples so far could not show it.
         let (pull, square) = history(&prepared.arena, &truth, &rival);
-        contests.push(contest.starting(&(pull * weight), square * weight));
+        comparisons.push(comparison.starting(&(pull * weight), square * weight));
     }
-    let fresh = contests.clone();
-    let mut order = choose(&mut contests, offer.choices.len(), most, 1);
+    let fresh = comparisons.clone();
+    let mut order = choose(&mut comparisons, candidates.poses.len(), most, 1);
     // Warming up and changing the load take time: once each.
     order.sort_by(|a, b| {
-        let (a, b) = (&offer.choices[*a], &offer.choices[*b]);
+        let (a, b) = (&candidates.poses[*a], &candidates.poses[*b]);
         let warmth = a.warmth_c.total_cmp(&b.warmth_c);
         warmth.then(a.load_kg.total_cmp(&b.load_kg))
     });
@@ -258,19 +269,19 @@ pub(crate) fn unlock(
     let why = |k: usize| {
         let gains: Vec<f64> = fresh.iter().map(|c| c.gain(k)).collect();
         let largest = gains.iter().copied().fold(0.0, f64::max);
-        let shown: Vec<&Locked> = wanted
+        let shown: Vec<&Untestable> = wanted
             .iter()
             .zip(&gains)
             .filter(|(_, gain)| **gain > 0.3 * largest)
             .map(|(one, _)| *one)
             .collect();
-        words(&shown, &offer.choices[k])
+        words(&shown, &candidates.poses[k])
     };
     let mut all: Vec<NextPose> = order
         .into_iter()
         .flat_map(|k| {
             let why = why(k);
-            let mut poses = poses_of(&offer.choices[k], session, &offer, &why);
+            let mut poses = poses_of(&candidates.poses[k], session, &candidates, &why);
             for pose in &mut poses {
                 pose.why.clone_from(&why);
             }
@@ -300,7 +311,7 @@ fn history(arena: &Arena, truth: &Model, other: &Model) -> (DVector<f64>, f64) {
 /// At most so many effects are named in the reason for a pose.
 const MOST_NAMED: usize = 3;
 
-fn words(shown: &[&Locked], choice: &Choice) -> String {
+fn words(shown: &[&Untestable], choice: &CandidatePose) -> String {
     let matters = |need: &Need| match need {
         Need::Speeds => choice.speed.iter().any(|s| *s != 0.0),
         Need::Loads => choice.load_kg != 0.0,

@@ -15,7 +15,7 @@ use crate::kinematics::Robot;
 use crate::model::Model;
 use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
 
-use super::candidate_poses::Choice;
+use super::candidate_poses::CandidatePose;
 use super::first_measurement::SECONDS_PER_POSE;
 use super::next_poses::LATER_S;
 use crate::diagnosis::NextPose;
@@ -46,7 +46,7 @@ pub struct Alike {
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Foresight {
+pub struct ExpectedInformation {
     /// What will be seen above which size, with a chance of 95 %.
     pub limits: Vec<Limit>,
     /// What will not be seen.
@@ -59,11 +59,11 @@ pub struct Foresight {
 pub(crate) fn imagined(
     robot: &Robot,
     targets: &[Target],
-    choices: &[Choice],
+    choices: &[CandidatePose],
     noise: Option<(f64, u64)>,
 ) -> Session {
     let joints = robot.joints.len();
-    let column = |f: &dyn Fn(&Choice) -> f64| choices.iter().map(f).collect::<Vec<f64>>();
+    let column = |f: &dyn Fn(&CandidatePose) -> f64| choices.iter().map(f).collect::<Vec<f64>>();
     let zeros = vec![0.0; choices.len()];
     let warmth = crate::effects::inputs::REFERENCE_TEMPERATURE_C;
     let samples = Samples {
@@ -191,11 +191,11 @@ pub(crate) fn extended(
 }
 
 /// What an imagined session with this noise could tell.
-pub(crate) fn foresee(
+pub(crate) fn expected(
     session: &Session,
     sigma_mm: f64,
     options: &Options,
-) -> Result<Foresight, DiagnoseError> {
+) -> Result<ExpectedInformation, DiagnoseError> {
     let prepared = Prepared::new(session, options)?;
     let arena = with_noise(&prepared, sigma_mm, options.seed);
     let mut fit = arena.fit(&arena.base, Vec::new());
@@ -208,7 +208,7 @@ pub(crate) fn foresee(
     let mut not_testable = not_testable(&arena, &fit);
     // Names that belong to every calibration are in the base, not among the candidates.
     not_testable.retain(|n| !crate::fit::DEFAULT_EFFECTS.contains(&n.effect));
-    Ok(Foresight {
+    Ok(ExpectedInformation {
         limits: limits::limits(&arena, &fit),
         alike: alike(&arena, &fit),
         not_testable,

@@ -22,8 +22,8 @@ use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::candidate_poses::{self, Choice};
-use super::comparison::Prospect;
+use super::candidate_poses::{self, CandidatePose};
+use super::comparison::Prediction;
 use super::information::Information;
 use super::needs::WARMING_C;
 
@@ -40,7 +40,7 @@ const SHORT: [f64; 3] = [0.01, 0.03, 0.09];
 
 /// What a first measurement is made for.
 #[derive(Debug, Clone)]
-pub(crate) struct Brief {
+pub(crate) struct Request {
     pub(crate) poses: usize,
     pub(crate) load_kg: f64,
     pub(crate) seed: u64,
@@ -48,7 +48,7 @@ pub(crate) struct Brief {
 
 /// How a pose is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Way {
+pub(crate) enum Arrival {
     /// From far.
     Long,
     /// After a reversal so many of the joint's ranges before.
@@ -59,9 +59,9 @@ pub(crate) enum Way {
 
 /// One pose of the design.
 #[derive(Debug, Clone)]
-pub(crate) struct Stop {
-    pub(crate) choice: Choice,
-    pub(crate) way: Way,
+pub(crate) struct PlannedPose {
+    pub(crate) choice: CandidatePose,
+    pub(crate) arrival: Arrival,
 }
 
 /// The reflectors of a first measurement: the tool's origin and one more, where something turns.
@@ -81,12 +81,12 @@ pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
 }
 
 /// What was measured already, as a model's columns show it.
-pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prospect>;
+pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prediction>;
 
 /// The poses in measuring order.
-pub(crate) fn design(robot: &Robot, targets: &[Target], brief: &Brief) -> Vec<Stop> {
+pub(crate) fn design(robot: &Robot, targets: &[Target], request: &Request) -> Vec<PlannedPose> {
     let ranges = candidate_poses::ranges(robot, None);
-    extension(robot, targets, &ranges, brief, &|_| Vec::new())
+    extension(robot, targets, &ranges, request, &|_| Vec::new())
 }
 
 /// More poses beside what is known.
@@ -94,52 +94,52 @@ pub(crate) fn extension(
     robot: &Robot,
     targets: &[Target],
     ranges: &[Range],
-    brief: &Brief,
+    request: &Request,
     known: Known,
-) -> Vec<Stop> {
-    let n = brief.poses;
-    let mut random = ChaCha8Rng::seed_from_u64(brief.seed ^ 0x5eed);
+) -> Vec<PlannedPose> {
+    let n = request.poses;
+    let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
     let mut information = Information::new(robot, targets, ranges, n, &mut random);
     information.learn(&known(&information.model));
-    let schedule = Schedule::new(robot, targets.len(), brief, &mut random);
-    let mut stops: Vec<Stop> = Vec::with_capacity(n);
+    let schedule = Schedule::new(robot, targets.len(), request, &mut random);
+    let mut planned: Vec<PlannedPose> = Vec::with_capacity(n);
     for i in 0..n {
         let like = schedule.conditions(i);
         let candidates = candidates(
             ranges,
-            &stops,
+            &planned,
             &like,
-            schedule.ways[i],
+            schedule.arrivals[i],
             &information,
             &mut random,
         );
-        let best = information.best(&candidates, &stops);
-        stops.extend(candidates.into_iter().nth(best));
+        let best = information.best(&candidates, &planned);
+        planned.extend(candidates.into_iter().nth(best));
     }
-    stops
+    planned
 }
 
 /// Conditions of every pose, before its joint values.
 struct Schedule {
-    plain: Choice,
+    plain: CandidatePose,
     count: usize,
     unit: Vec<f64>,
     load_kg: f64,
     speeds: Vec<f64>,
     targets: Vec<u32>,
-    ways: Vec<WayWanted>,
+    arrivals: Vec<ArrivalWanted>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum WayWanted {
+enum ArrivalWanted {
     Long,
     Short(f64),
     Return,
 }
 
 impl Schedule {
-    fn new(robot: &Robot, targets: usize, brief: &Brief, random: &mut ChaCha8Rng) -> Self {
-        let n = brief.poses;
+    fn new(robot: &Robot, targets: usize, request: &Request, random: &mut ChaCha8Rng) -> Self {
+        let n = request.poses;
         let joints = robot.joints.len();
         // Stretches of ten hold every speed for every reflector once, in random order.
         let mut speeds = Vec::new();
@@ -155,14 +155,14 @@ impl Schedule {
             speeds.extend(stretch.iter().map(|s| s.0));
             of.extend(stretch.iter().map(|s| s.1));
         }
-        let way = |i: usize| match i % 5 {
-            1 if i >= 5 => WayWanted::Short(SHORT[(i / 5) % SHORT.len()]),
+        let arrival = |i: usize| match i % 5 {
+            1 if i >= 5 => ArrivalWanted::Short(SHORT[(i / 5) % SHORT.len()]),
             // Returns wait until there is something to return to.
-            4 if 4 * i > n => WayWanted::Return,
-            _ => WayWanted::Long,
+            4 if 4 * i > n => ArrivalWanted::Return,
+            _ => ArrivalWanted::Long,
         };
         Self {
-            plain: Choice {
+            plain: CandidatePose {
                 q: vec![0.0; joints],
                 dir: vec![1.0; joints],
                 speed: vec![0.0; joints],
@@ -178,17 +178,17 @@ impl Schedule {
                 .iter()
                 .map(|j| candidate_poses::usual_speed(j.kind))
                 .collect(),
-            load_kg: brief.load_kg,
+            load_kg: request.load_kg,
             speeds,
             targets: of,
-            ways: (0..n).map(way).collect(),
+            arrivals: (0..n).map(arrival).collect(),
         }
     }
 
     /// Everything but where and from which side; speeds without their signs.
-    fn conditions(&self, i: usize) -> Choice {
+    fn conditions(&self, i: usize) -> CandidatePose {
         let part = |parts: usize| i * parts / self.count.max(1);
-        Choice {
+        CandidatePose {
             speed: self.unit.iter().map(|u| u * self.speeds[i]).collect(),
             load_kg: LOADS[part(LOADS.len())] * self.load_kg,
             warmth_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
@@ -202,14 +202,14 @@ impl Schedule {
 /// Stops that may come next.
 fn candidates(
     ranges: &[Range],
-    before: &[Stop],
-    like: &Choice,
-    wanted: WayWanted,
+    before: &[PlannedPose],
+    like: &CandidatePose,
+    wanted: ArrivalWanted,
     information: &Information,
     random: &mut ChaCha8Rng,
-) -> Vec<Stop> {
+) -> Vec<PlannedPose> {
     let last = before.last().map(|s| &s.choice);
-    let reached = |q: Vec<f64>, way: Way| {
+    let reached = |q: Vec<f64>, arrival: Arrival| {
         let from = |j: usize| last.map_or(0.5 * (ranges[j].from + ranges[j].to), |l| l.q[j]);
         let dir: Vec<f64> = (0..q.len())
             .map(|j| if q[j] >= from(j) { 1.0 } else { -1.0 })
@@ -220,15 +220,15 @@ fn candidates(
             .zip(&dir)
             .map(|(s, d)| s * d + 0.0)
             .collect();
-        let choice = Choice {
+        let choice = CandidatePose {
             q,
             dir,
             speed,
             ..like.clone()
         };
-        Stop { choice, way }
+        PlannedPose { choice, arrival }
     };
-    if let (WayWanted::Short(share), Some(last)) = (wanted, last) {
+    if let (ArrivalWanted::Short(share), Some(last)) = (wanted, last) {
         let step = |j: usize| {
             let range = &ranges[j];
             last.q[j] - last.dir[j] * typed(share * (range.to - range.from), range)
@@ -239,31 +239,33 @@ fn candidates(
             .zip(ranges)
             .all(|(q, r)| *q >= r.from && *q <= r.to);
         if inside {
-            return vec![reached(q, Way::Short(share))];
+            return vec![reached(q, Arrival::Short(share))];
         }
     }
-    if wanted == WayWanted::Return {
-        let same = |s: &&Stop| s.choice.load_kg == like.load_kg && !matches!(s.way, Way::Return(_));
+    if wanted == ArrivalWanted::Return {
+        let same = |s: &&PlannedPose| {
+            s.choice.load_kg == like.load_kg && !matches!(s.arrival, Arrival::Return(_))
+        };
         let earlier = before.len().saturating_sub(2);
-        let all: Vec<Stop> = before[..earlier]
+        let all: Vec<PlannedPose> = before[..earlier]
             .iter()
             .enumerate()
             .filter(|(_, s)| same(s))
-            .map(|(k, s)| Stop {
-                choice: Choice {
+            .map(|(k, s)| PlannedPose {
+                choice: CandidatePose {
                     warmth_c: like.warmth_c,
                     time_s: like.time_s,
                     ..s.choice.clone()
                 },
-                way: Way::Return(k),
+                arrival: Arrival::Return(k),
             })
             .collect();
         // Where the way leads there from the right side, no detour is needed.
-        let direct = |s: &&Stop| {
-            let came = reached(s.choice.q.clone(), Way::Long);
+        let direct = |s: &&PlannedPose| {
+            let came = reached(s.choice.q.clone(), Arrival::Long);
             came.choice.dir == s.choice.dir
         };
-        let short: Vec<Stop> = all.iter().filter(direct).cloned().collect();
+        let short: Vec<PlannedPose> = all.iter().filter(direct).cloned().collect();
         if let Some(one) = [short, all].into_iter().find(|list| !list.is_empty()) {
             let pick = random.random_range(0..one.len());
             return vec![one[pick].clone()];
@@ -285,7 +287,7 @@ fn candidates(
             let rounded = typed(*q, range);
             rounded.clamp(range.from, range.to)
         });
-        reached(q.collect(), Way::Long)
+        reached(q.collect(), Arrival::Long)
     });
     drawn.collect()
 }

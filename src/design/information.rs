@@ -10,9 +10,9 @@ use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::candidate_poses::{self, Choice};
-use super::comparison::{Axes, Prospect, inverse, prospects};
-use super::first_measurement::{SECONDS_PER_POSE, Stop, reflectors};
+use super::candidate_poses::{self, CandidatePose};
+use super::comparison::{Axes, Prediction, inverse, predictions};
+use super::first_measurement::{PlannedPose, SECONDS_PER_POSE, reflectors};
 use super::needs::{WARMING_C, all_met};
 
 /// Settings of gear orders that stand for all of them.
@@ -53,7 +53,7 @@ impl Information {
         };
         // Each column is scaled to a root mean square of one over random poses and conditions.
         let mut sum = vec![0.0; p];
-        let pool: Vec<Choice> = (0..64)
+        let pool: Vec<CandidatePose> = (0..64)
             .map(|k| {
                 let side = |_| if random.random::<bool>() { 1.0 } else { -1.0 };
                 let dir: Vec<f64> = (0..ranges.len()).map(side).collect();
@@ -61,7 +61,7 @@ impl Information {
                     .joints
                     .iter()
                     .map(|j| candidate_poses::usual_speed(j.kind));
-                Choice {
+                CandidatePose {
                     q: candidate_poses::anywhere(ranges, random),
                     speed: units.zip(&dir).map(|(u, d)| u * d).collect(),
                     dir,
@@ -85,7 +85,7 @@ impl Information {
     }
 
     /// Takes in what was measured already.
-    pub(crate) fn learn(&mut self, known: &[Prospect]) {
+    pub(crate) fn learn(&mut self, known: &[Prediction]) {
         let p = self.scale.len();
         let mut precision = DMatrix::identity(p, p);
         for seen in known {
@@ -100,7 +100,7 @@ impl Information {
         }
     }
 
-    fn seen(&self, choices: &[Choice], travel: Option<&[Vec<f64>]>) -> Vec<Prospect> {
+    fn seen(&self, choices: &[CandidatePose], travel: Option<&[Vec<f64>]>) -> Vec<Prediction> {
         let mut inputs =
             candidate_poses::inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
         if let Some(travel) = travel {
@@ -112,15 +112,15 @@ impl Information {
             axes: vec![0, 1, 2],
             sigma_mm: [1.0; 3],
         };
-        prospects(&self.model, &self.model, &inputs, &axes)
+        predictions(&self.model, &self.model, &inputs, &axes)
     }
 
     /// From 0 at an earlier place to 1 far from all: places that lie together hide what is local.
-    fn gap(&self, choice: &Choice, before: &[Stop]) -> f64 {
-        let apart = |stop: &Stop| {
+    fn gap(&self, choice: &CandidatePose, before: &[PlannedPose]) -> f64 {
+        let apart = |planned_pose: &PlannedPose| {
             let each = (0..self.ranges.len()).map(|j| {
                 let span = self.ranges[j].to - self.ranges[j].from;
-                ((choice.q[j] - stop.choice.q[j]) / span).abs()
+                ((choice.q[j] - planned_pose.choice.q[j]) / span).abs()
             });
             each.fold(0.0, f64::max)
         };
@@ -130,8 +130,8 @@ impl Information {
     }
 
     /// The candidate that adds most; it is taken.
-    pub(crate) fn best(&mut self, candidates: &[Stop], before: &[Stop]) -> usize {
-        let choices: Vec<Choice> = candidates.iter().map(|s| s.choice.clone()).collect();
+    pub(crate) fn best(&mut self, candidates: &[PlannedPose], before: &[PlannedPose]) -> usize {
+        let choices: Vec<CandidatePose> = candidates.iter().map(|s| s.choice.clone()).collect();
         let travel = travels(before, &choices);
         let mut scaled: Vec<DMatrix<f64>> = Vec::new();
         for seen in self.seen(&choices, Some(&travel)) {
@@ -173,12 +173,12 @@ impl Information {
 }
 
 /// Travel since the last reversal of each joint at each choice, were it the next.
-fn travels(before: &[Stop], choices: &[Choice]) -> Vec<Vec<f64>> {
+fn travels(before: &[PlannedPose], choices: &[CandidatePose]) -> Vec<Vec<f64>> {
     let joints = choices.first().map_or(0, |c| c.q.len());
-    let after = |j: usize, choice: &Choice| {
+    let after = |j: usize, choice: &CandidatePose| {
         let mut travel = f64::INFINITY;
         let all = before.iter().map(|s| &s.choice).chain([choice]);
-        let all: Vec<&Choice> = all.collect();
+        let all: Vec<&CandidatePose> = all.collect();
         // Only the way since the last reversal counts.
         for pair in all.windows(2) {
             let moved = (pair[1].q[j] - pair[0].q[j]).abs();

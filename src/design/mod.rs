@@ -18,6 +18,7 @@ pub mod plan;
 
 mod candidate_poses;
 mod comparison;
+mod decision;
 pub mod enabling_poses;
 pub mod expected_information;
 mod first_measurement;

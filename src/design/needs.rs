@@ -106,7 +106,7 @@ impl Need {
 
 /// An effect that cannot be seen, and what would change that.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Locked {
+pub struct Untestable {
     /// The effect's name.
     pub effect: &'static str,
     /// Joint, counted from 0; `None` where it belongs to none.

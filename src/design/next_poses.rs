@@ -1,26 +1,36 @@
 //! Poses that decide between explanations that the samples cannot tell apart: T-optimality,
 //! greedily, over everything that may be measured.
 //!
-//! The fit and each rival meet in two contests, for either may be the true one. Where one
-//! reflector cannot decide, the place of a second one is chosen with the poses: the one that
-//! decides with the fewest.
+//! Each pair of explanations meets in two comparisons, for either may be the true one. Poses are
+//! added until they decide all comparisons at once in [`SURE`] of all sessions, whichever explanation
+//! is true ([`super::decision`]). Where one reflector cannot decide, the place of a second one is
+//! chosen with the poses: the one that decides with the fewest.
 
 use crate::effects::Term;
 use crate::kinematics::JointKind;
 use crate::sessions::{Session, Target};
 use crate::units::deg_from_rad;
 
-use super::candidate_poses::{self, Choice, Menu};
-use super::comparison::{Axes, Contest, choose, enough_for, prospects};
+use super::candidate_poses::{self, CandidatePose, Conditions};
+use super::comparison::{Axes, Comparison, best_choice, enough_for, predictions};
+use super::decision::{Decision, Explanation, Needed};
 use super::enabling_poses;
 use crate::diagnosis::NextPose;
-use crate::diagnosis::aliases::{Rival, UNDECIDED};
+use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
 use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::conclude::{Proposal, Undecided};
 use crate::diagnosis::prepare::Prepared;
 
 /// Poses that are proposed at most.
 pub(crate) const MOST: usize = 24;
+/// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
+/// promised by what the draws do not know: their own error, and tests beside the odds.
+const SURE: f64 = 0.98;
+/// Explanations that are compared, and of how many of them rivals are looked for.
+const MOST_COMPETING: usize = 14;
+const MOST_ASKED: usize = 3;
+/// A separation that decides whatever the noise does.
+const MOST_SEPARATION: f64 = 1e6;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
 /// New poses are measured so long after the last one, s.
@@ -28,18 +38,18 @@ pub(crate) const LATER_S: f64 = 60.0;
 
 /// What is offered, and where: the session's reflectors and perhaps one more.
 #[derive(Debug, Clone)]
-pub(crate) struct Offer {
+pub(crate) struct CandidatePoses {
     pub(crate) targets: Vec<Target>,
     pub(crate) ranges: Vec<crate::kinematics::Range>,
-    pub(crate) choices: Vec<Choice>,
+    pub(crate) poses: Vec<CandidatePose>,
 }
 
-impl Offer {
-    pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, menu: &Menu) -> Self {
+impl CandidatePoses {
+    pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
         let robot = &prepared.problem.session.robot;
         let ranges = candidate_poses::ranges(robot, Some(&prepared.problem.inputs));
         Self {
-            choices: candidate_poses::choices(&ranges, menu, prepared.options().seed),
+            poses: candidate_poses::combinations(&ranges, conditions, prepared.options().seed),
             ranges,
             targets,
         }
@@ -48,13 +58,7 @@ impl Offer {
     pub(crate) fn inputs(&self, prepared: &Prepared) -> crate::effects::Inputs<'static> {
         let start = prepared.problem.inputs.start_s();
         let robot = &prepared.problem.session.robot;
-        candidate_poses::inputs(
-            robot,
-            &self.targets,
-            &self.ranges,
-            &self.choices,
-            Some(start),
-        )
+        candidate_poses::inputs(robot, &self.targets, &self.ranges, &self.poses, Some(start))
     }
 }
 
@@ -72,35 +76,32 @@ pub(crate) fn separate(
         .iter()
         .flat_map(|r| r.removed.iter().chain(&r.instead))
         .collect();
-    let pairs: Vec<(&Fit, &Rival)> = rivals.iter().map(|r| (fit, *r)).collect();
-    let mut best: Option<(usize, f64, usize, Offer, Vec<usize>)> = None;
+    let competing = competing(prepared, fit, rivals);
+    let mut best: Option<Attempt> = None;
     for (at, targets) in reflector_sets(prepared).into_iter().enumerate() {
-        let menu = menu(prepared, &terms, targets.len());
-        let offer = Offer::new(prepared, targets, &menu);
-        let mut contests = contests(prepared, &offer, &pairs);
-        let order = choose(&mut contests, offer.choices.len(), most, REPEATS);
-        let undecided = contests.iter().filter(|c| !c.decided()).count();
-        let short: f64 = contests.iter().map(|c| (c.delta / c.enough).min(1.0)).sum();
-        let better = best.as_ref().is_none_or(|b| {
-            (undecided, order.len()) < (b.0, b.2)
-                || undecided == b.0 && undecided > 0 && short > b.1 + 0.05
-        });
-        if better {
-            best = Some((undecided, short, order.len(), offer, order));
-        }
+        let conditions = conditions(prepared, &terms, targets.len());
+        let candidates = CandidatePoses::new(prepared, targets, &conditions);
+        let attempt = attempt(prepared, candidates, &competing, most);
         // Another reflector has to be mounted: only where the others do not decide.
-        if undecided == 0 && at == 0 {
+        let done = at == 0 && attempt.decides();
+        if best.as_ref().is_none_or(|b| attempt.better_than(b)) {
+            best = Some(attempt);
+        }
+        if done {
             break;
         }
     }
-    let Some((_, _, _, offer, order)) = best else {
+    let Some(Attempt {
+        candidates, order, ..
+    }) = best
+    else {
         return Vec::new();
     };
     let why = why(rivals);
     let session = prepared.problem.session;
     let poses = order
         .into_iter()
-        .flat_map(|k| poses_of(&offer.choices[k], session, &offer, &why));
+        .flat_map(|k| poses_of(&candidates.poses[k], session, &candidates, &why));
     let mut poses: Vec<NextPose> = poses.take(most).collect();
     for k in 0..poses.len() {
         let (before, rest) = poses.split_at_mut(k);
@@ -116,7 +117,7 @@ pub(crate) fn separate(
 pub fn propose(undecided: &Undecided) -> Proposal {
     let (prepared, fit) = (undecided.prepared, undecided.fit);
     let poses = if undecided.rivals.is_empty() {
-        enabling_poses::worth_unlocking(prepared, fit, undecided.not_testable)
+        enabling_poses::worth_enabling(prepared, fit, undecided.not_testable)
     } else {
         separate(prepared, fit, undecided.rivals, MOST)
     };
@@ -144,36 +145,36 @@ pub(crate) fn reflector_sets(prepared: &Prepared) -> Vec<Vec<Target>> {
 }
 
 /// Conditions that matter to these effects.
-pub(crate) fn menu(prepared: &Prepared, terms: &[&Term], targets: usize) -> Menu {
+pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term], targets: usize) -> Conditions {
     let survey = &prepared.survey;
     let inputs = &prepared.problem.inputs;
     let uses = |ids: &[&str]| terms.iter().any(|t| ids.contains(&t.effect.about().id));
-    let mut menu = Menu::plain(&prepared.problem.session.robot);
-    for (unit, joint) in menu.unit_of_speed.iter_mut().zip(&survey.joints) {
+    let mut conditions = Conditions::plain(&prepared.problem.session.robot);
+    for (unit, joint) in conditions.unit_of_speed.iter_mut().zip(&survey.joints) {
         if joint.largest_speed > 0.0 {
             *unit = joint.largest_speed;
         }
     }
     let speeds_known = survey.joints.iter().any(|j| j.speeds > 0);
     if uses(&["tracking-lag"]) || speeds_known && uses(&["backlash", "lost-motion"]) {
-        menu.speeds = vec![0.0, 1.0, 3.0];
+        conditions.speeds = vec![0.0, 1.0, 3.0];
     }
     if survey.loads > 0 && survey.largest_load_kg > 0.0 {
-        menu.loads_kg = vec![0.0, survey.largest_load_kg];
+        conditions.loads_kg = vec![0.0, survey.largest_load_kg];
     }
     let thermal = uses(&["thermal-growth", "thermal-zero-drift", "frame-drift"]);
     if let Some(warmth) = inputs.warmth_c.as_ref().filter(|_| thermal) {
         let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
         let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        menu.warmths_c = vec![low, high];
-        menu.warmths_c.dedup();
+        conditions.warmths_c = vec![low, high];
+        conditions.warmths_c.dedup();
     }
     if uses(&["lost-motion"]) {
-        menu.approaches = vec![None, Some(0.01), Some(0.05)];
+        conditions.approaches = vec![None, Some(0.01), Some(0.05)];
     }
-    menu.targets = (0..u32::try_from(targets).unwrap_or(1)).collect();
-    menu.time_s = later_s(prepared);
-    menu
+    conditions.targets = (0..u32::try_from(targets).unwrap_or(1)).collect();
+    conditions.time_s = later_s(prepared);
+    conditions
 }
 
 /// A time after the last sample, s.
@@ -182,24 +183,128 @@ pub(crate) fn later_s(prepared: &Prepared) -> f64 {
     times.iter().copied().fold(0.0, f64::max) + LATER_S
 }
 
-/// Both contests of each pair.
-fn contests(prepared: &Prepared, offer: &Offer, pairs: &[(&Fit, &Rival)]) -> Vec<Contest> {
+/// The fit, its open rivals, and what comes close to any of them: what is ruled out now may come
+/// back with new poses, and a rival that is true has rivals of its own.
+fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<(Fit, bool)> {
     let arena = &prepared.arena;
-    let inputs = offer.inputs(prepared);
-    let axes = axes_of(arena);
-    let mut all = Vec::new();
-    for (fit, rival) in pairs {
-        let enough = enough_for(UNDECIDED, fit.ln_evidence - rival.fit.ln_evidence);
-        let sides = [
-            (&fit.model, &rival.fit.model),
-            (&rival.fit.model, &fit.model),
-        ];
-        for (truth, other) in sides {
-            let seen = prospects(truth, other, &inputs, &axes);
-            all.push(Contest::new(seen, &gram(arena, other), enough));
+    let mut all: Vec<(Fit, bool)> = vec![(fit.clone(), true)];
+    let mut join = |one: &Fit, is_open: bool| {
+        let known = all.iter().any(|(a, _)| same_terms(a, one));
+        if !known && all.len() < MOST_COMPETING {
+            all.push((one.clone(), is_open));
+        }
+    };
+    for rival in open {
+        join(&rival.fit, true);
+    }
+    let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
+    for one in [fit].into_iter().chain(most_open) {
+        for near in aliases::rivals(arena, one) {
+            if near.other_names() {
+                join(&near.fit, false);
+            }
         }
     }
     all
+}
+
+fn same_terms(one: &Fit, other: &Fit) -> bool {
+    let (a, b) = (one.model.terms(), other.model.terms());
+    let within = |a: &[Term], b: &[Term]| a.iter().all(|t| b.iter().any(|o| o.same_column(t)));
+    a.len() == b.len() && within(a, b)
+}
+
+/// Poses for one set of reflectors.
+struct Attempt {
+    candidates: CandidatePoses,
+    order: Vec<usize>,
+    /// What they are worth.
+    needed: Needed,
+    /// How much of the separation that is needed they bring, on average.
+    separation: f64,
+}
+
+impl Attempt {
+    fn decides(&self) -> bool {
+        self.needed.unparted == 0 && self.needed.probability >= SURE
+    }
+
+    fn better_than(&self, other: &Self) -> bool {
+        if self.needed.unparted != other.needed.unparted {
+            return self.needed.unparted < other.needed.unparted;
+        }
+        match (self.decides(), other.decides()) {
+            (true, true) => self.order.len() < other.order.len(),
+            (true, false) => true,
+            (false, true) => false,
+            (false, false) => {
+                let score = |a: &Self| a.needed.probability + a.separation;
+                score(self) > score(other) + 0.03
+            }
+        }
+    }
+}
+
+/// Poses one after the other until they decide often enough, or `most` are chosen.
+fn attempt(
+    prepared: &Prepared,
+    candidates: CandidatePoses,
+    competing: &[(Fit, bool)],
+    most: usize,
+) -> Attempt {
+    let arena = &prepared.arena;
+    let inputs = candidates.inputs(prepared);
+    let axes = axes_of(arena);
+    let explanations: Vec<Explanation> = competing
+        .iter()
+        .map(|(fit, open)| Explanation { fit, open: *open })
+        .collect();
+    let mut decision = Decision::new(arena, &explanations, &inputs, &axes, UNDECIDED);
+    let mut comparisons = Vec::new();
+    for (i, truth) in explanations.iter().enumerate().filter(|(_, e)| e.open) {
+        for (j, other) in explanations.iter().enumerate() {
+            if decision.differ(i, j) {
+                let seen = predictions(&truth.fit.model, &other.fit.model, &inputs, &axes);
+                let lead = truth.fit.ln_evidence - other.fit.ln_evidence;
+                let known = gram(arena, &other.fit.model);
+                comparisons.push(Comparison::new(seen, &known, enough_for(UNDECIDED, lead)));
+            }
+        }
+    }
+    let first_enough: Vec<f64> = comparisons.iter().map(|c| c.enough).collect();
+    let mut taken = vec![0_u8; candidates.poses.len()];
+    let mut order = Vec::new();
+    while order.len() < most && decision.probability() < SURE {
+        // All are far enough apart and still too few draws are decided: further apart, then.
+        while !comparisons.is_empty()
+            && comparisons
+                .iter()
+                .all(|c| c.decided() && c.enough < MOST_SEPARATION)
+        {
+            for comparison in &mut comparisons {
+                comparison.enough = 1.3 * comparison.enough.max(1.0);
+            }
+        }
+        let Some(k) = best_choice(&comparisons, &taken, REPEATS) else {
+            break;
+        };
+        taken[k] += 1;
+        order.push(k);
+        for comparison in &mut comparisons {
+            comparison.take(k);
+        }
+        decision.take(k);
+    }
+    let needed = decision.needed(SURE);
+    order.truncate(needed.poses);
+    let shares = comparisons.iter().zip(&first_enough);
+    let shares = shares.map(|(c, enough)| (c.delta / enough.max(1.0)).min(1.0));
+    Attempt {
+        separation: shares.sum::<f64>() / comparisons.len().max(1) as f64,
+        needed,
+        order,
+        candidates,
+    }
 }
 
 /// Gram matrix of a model's columns over the samples.
@@ -269,12 +374,12 @@ fn why(rivals: &[&Rival]) -> String {
 
 /// The pose of a choice; before a short approach the place where the joints reverse.
 pub(crate) fn poses_of(
-    choice: &Choice,
+    choice: &CandidatePose,
     session: &Session,
-    offer: &Offer,
+    candidates: &CandidatePoses,
     why: &str,
 ) -> Vec<NextPose> {
-    let target = &offer.targets[choice.target as usize];
+    let target = &candidates.targets[choice.target as usize];
     let is_new = choice.target as usize >= session.targets.len();
     let samples = &session.samples;
     let shown: Vec<String> = choice
@@ -290,7 +395,7 @@ pub(crate) fn poses_of(
     let pose = NextPose {
         q: choice.q.clone(),
         dir: choice.dir.clone(),
-        target: (offer.targets.len() > 1).then(|| target.name.clone()),
+        target: (candidates.targets.len() > 1).then(|| target.name.clone()),
         target_mm: is_new.then(|| target.position_mm.coords.into()),
         speed: speed.then(|| choice.speed.clone()),
         load_kg: (samples.load_kg.is_some() || choice.load_kg != 0.0).then_some(choice.load_kg),
@@ -303,7 +408,7 @@ pub(crate) fn poses_of(
     };
     // The joint comes from the other side to a place from which it reverses towards the pose.
     let from = |(j, q): (usize, &f64)| {
-        let range = &offer.ranges[j];
+        let range = &candidates.ranges[j];
         let back = q - choice.dir[j] * share * (range.to - range.from);
         back.clamp(range.from, range.to)
     };

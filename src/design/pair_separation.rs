@@ -12,8 +12,8 @@ use crate::effects::{Effect, Setting, Term, find};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::comparison::{Contest, Prospect, choose, enough_for, inverse, prospects};
-use super::next_poses::{Offer, axes_of, gram, menu, poses_of, reflector_sets};
+use super::comparison::{Comparison, Prediction, choose, enough_for, inverse, predictions};
+use super::next_poses::{CandidatePoses, axes_of, conditions, gram, poses_of, reflector_sets};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::arena::Fit;
 use crate::diagnosis::prepare::Prepared;
@@ -23,7 +23,7 @@ const JUST_SEEN: f64 = 40.0;
 /// What is left of an effect beside the other, in the best of all places, below which no pose
 /// tells them apart.
 const NOTHING_LEFT: f64 = 1e-4;
-/// Weight of the whole offer where a session cannot show an effect at all: as so many poses.
+/// Weight of all candidates together where a session cannot show an effect at all: as so many poses.
 const AS_MANY_POSES: f64 = 40.0;
 
 /// One of the two: a name and a joint counted from 0.
@@ -97,7 +97,7 @@ pub(crate) fn separate_two(
     let poses = best
         .order
         .iter()
-        .flat_map(|k| poses_of(&best.offer.choices[*k], session, &best.offer, &why))
+        .flat_map(|k| poses_of(&best.candidates.poses[*k], session, &best.candidates, &why))
         .take(most)
         .collect();
     Separation {
@@ -127,7 +127,7 @@ fn is(term: &Term, named: Named) -> bool {
 }
 
 struct Attempt {
-    offer: Offer,
+    candidates: CandidatePoses,
     order: Vec<usize>,
     decided: bool,
     worst: f64,
@@ -163,74 +163,74 @@ fn attempt(
         .map(|n| terms_of(prepared, fit, *n))
         .collect();
     let shown: Vec<&Term> = terms.iter().flatten().collect();
-    let offer = Offer::new(
+    let candidates = CandidatePoses::new(
         prepared,
         targets.to_vec(),
-        &menu(prepared, &shown, targets.len()),
+        &conditions(prepared, &shown, targets.len()),
     );
-    let inputs = offer.inputs(prepared);
+    let inputs = candidates.inputs(prepared);
     let axes = axes_of(&prepared.arena);
-    let (mut contests, mut possible, mut left) = (Vec::new(), 1.0_f64, [[1.0; 2]; 2]);
+    let (mut comparisons, mut possible, mut left) = (Vec::new(), 1.0_f64, [[1.0; 2]; 2]);
     let mut directions = Vec::new();
     for (k, (own, others)) in [(&terms[0], &terms[1]), (&terms[1], &terms[0])]
         .into_iter()
         .enumerate()
     {
         // Of all settings the pair that is hardest to part.
-        let mut hardest: Option<(f64, Duel, Contest)> = None;
+        let mut hardest: Option<(f64, Pair, Comparison)> = None;
         for one in own {
             for other in others {
-                let duel = Duel::new(base, one, other);
-                let seen = prospects(base, &duel.both, &inputs, &axes);
-                let known = gram(&prepared.arena, &duel.both);
+                let pair = Pair::new(base, one, other);
+                let seen = predictions(base, &pair.both, &inputs, &axes);
+                let known = gram(&prepared.arena, &pair.both);
                 let everywhere = over(&seen, 1.0);
-                let (share, _) = duel.worst(&(&known + &everywhere));
+                let (share, _) = pair.worst(&(&known + &everywhere));
                 if hardest.as_ref().is_some_and(|h| h.0 <= share) {
                     continue;
                 }
                 let weak = everywhere * (AS_MANY_POSES / seen.len().max(1) as f64);
-                let (before, mut direction) = duel.worst(&known);
-                let mut strength = duel.strength(&known, &direction);
-                if strength < 1e-3 * duel.strength(&weak, &duel.worst(&weak).1) {
-                    direction = duel.worst(&(&known + &weak)).1;
-                    strength = duel.strength(&weak, &direction);
+                let (before, mut direction) = pair.worst(&known);
+                let mut strength = pair.strength(&known, &direction);
+                if strength < 1e-3 * pair.strength(&weak, &pair.worst(&weak).1) {
+                    direction = pair.worst(&(&known + &weak)).1;
+                    strength = pair.strength(&weak, &direction);
                 }
                 direction *= (JUST_SEEN / strength.max(1e-300)).sqrt();
                 left[0][k] = before;
-                let contest = duel.contest(&seen, &known, &direction);
-                hardest = Some((share, duel, contest));
+                let comparison = pair.comparison(&seen, &known, &direction);
+                hardest = Some((share, pair, comparison));
             }
         }
-        if let Some((share, duel, contest)) = hardest {
+        if let Some((share, pair, comparison)) = hardest {
             possible = possible.min(share);
-            contests.push(contest);
-            directions.push((k, duel));
+            comparisons.push(comparison);
+            directions.push((k, pair));
         }
     }
-    let order = choose(&mut contests, offer.choices.len(), most, 2);
-    for (k, duel) in &directions {
-        let seen = prospects(base, &duel.both, &inputs, &axes);
-        let mut all = gram(&prepared.arena, &duel.both);
+    let order = choose(&mut comparisons, candidates.poses.len(), most, 2);
+    for (k, pair) in &directions {
+        let seen = predictions(base, &pair.both, &inputs, &axes);
+        let mut all = gram(&prepared.arena, &pair.both);
         for taken in &order {
             all += over(std::slice::from_ref(&seen[*taken]), 1.0);
         }
-        left[1][*k] = duel.worst(&all).0;
+        left[1][*k] = pair.worst(&all).0;
     }
     Attempt {
-        decided: !contests.is_empty() && contests.iter().all(Contest::decided),
-        worst: contests
+        decided: !comparisons.is_empty() && comparisons.iter().all(Comparison::decided),
+        worst: comparisons
             .iter()
             .map(|c| c.delta)
             .fold(f64::INFINITY, f64::min),
-        offer,
+        candidates,
         order,
         possible,
         left,
     }
 }
 
-/// Gram matrix of all columns over some prospects.
-fn over(seen: &[Prospect], weight: f64) -> DMatrix<f64> {
+/// Gram matrix of all columns over some predictions.
+fn over(seen: &[Prediction], weight: f64) -> DMatrix<f64> {
     let p = seen.first().map_or(0, |s| s.columns.ncols());
     let mut sum = DMatrix::zeros(p, p);
     for one in seen {
@@ -278,14 +278,14 @@ fn settings_of(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -
 }
 
 /// A base model with both effects, absent, and where their columns are.
-struct Duel {
+struct Pair {
     both: Model,
     own: Vec<usize>,
     other: Vec<usize>,
     rest: Vec<usize>,
 }
 
-impl Duel {
+impl Pair {
     fn new(base: &Model, one: &Term, other: &Term) -> Self {
         let both = base.with_term(one.clone()).with_term(other.clone());
         let (mut own, mut theirs, mut rest) = (Vec::new(), Vec::new(), Vec::new());
@@ -359,14 +359,14 @@ impl Duel {
     }
 
     /// One is there with these coefficients; the base and the other are refitted.
-    fn contest(
+    fn comparison(
         &self,
-        seen: &[Prospect],
+        seen: &[Prediction],
         known: &DMatrix<f64>,
         direction: &DVector<f64>,
-    ) -> Contest {
+    ) -> Comparison {
         let columns: Vec<usize> = self.rest.iter().chain(&self.other).copied().collect();
-        let own = seen.iter().map(|s| Prospect {
+        let own = seen.iter().map(|s| Prediction {
             difference: s.columns.select_columns(&self.own) * direction,
             columns: s.columns.select_columns(&columns),
         });
@@ -376,6 +376,6 @@ impl Duel {
         let there = known.select_rows(&self.own).select_columns(&self.own);
         let square = direction.dot(&(there * direction));
         let enough = enough_for(crate::diagnosis::aliases::UNDECIDED, 0.0);
-        Contest::new(own.collect(), &gram, enough).starting(&pull, square)
+        Comparison::new(own.collect(), &gram, enough).starting(&pull, square)
     }
 }

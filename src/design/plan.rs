@@ -1,26 +1,26 @@
-//! What to measure: for a session the poses that decide what it leaves open, that unlock what it
-//! cannot show, and that sharpen the rest; for a robot alone a first measurement.
+//! What to measure: for a session the poses that decide what it leaves open, that make testable
+//! what it cannot show, and that sharpen the rest; for a robot alone a first measurement.
 //!
 //! 1. Rivals of the diagnosis first (`next_poses`), or the two effects that
-//!    the user names (`duel`).
-//! 2. Then what is locked (`unlock`): which condition is missing, and poses under
+//!    the user names (`pair_separation`).
+//! 2. Then what is not testable (`enabling_poses`): which condition is missing, and poses under
 //!    that condition.
 //! 3. Then, where more poses are asked for, greedy D-optimality over every effect of the catalogue
 //!    (`first_measurement`), which lowers the detection limits.
 //!
 //! What the plan claims is checked on the session as it would be with the poses measured
-//! (`foresight`): an effect counts as unlocked only if nothing stands against
+//! (`expected_information`): an effect counts as enabled only if nothing stands against
 //! it there.
 
 use crate::effects::{Form, find};
 use crate::kinematics::Robot;
 use crate::sessions::{Session, Target};
 
-use super::comparison::{Axes, prospects};
+use super::comparison::{Axes, predictions};
 use super::enabling_poses;
-use super::expected_information::{self, Foresight};
-use super::first_measurement::{self, Brief, Stop, Way};
-use super::needs::{self, Locked, TEST_LOAD_KG};
+use super::expected_information::{self, ExpectedInformation};
+use super::first_measurement::{self, Arrival, PlannedPose, Request};
+use super::needs::{self, TEST_LOAD_KG, Untestable};
 use super::next_poses;
 use super::pair_separation::{self, Named, Separation};
 use crate::diagnosis::NextPose;
@@ -34,8 +34,8 @@ use crate::diagnosis::{DiagnoseError, Options, Watch, checked, searched};
 pub const USUAL_SIGMA_MM: f64 = 0.03;
 /// Poses of a first measurement for each joint, where nobody says how many.
 const POSES_PER_JOINT: usize = 60;
-/// Poses that unlock, where nobody says how many.
-const MOST_UNLOCKING: usize = 24;
+/// Poses that make effects testable, where no number is given.
+const MOST_ENABLING: usize = 24;
 /// Poses that a plan holds at most.
 pub const MOST_POSES: usize = 2000;
 
@@ -81,13 +81,13 @@ pub struct Plan {
     /// The two effects that were asked for.
     pub separation: Option<Separation>,
     /// What the poses make testable.
-    pub unlocks: Vec<Locked>,
+    pub enables: Vec<Untestable>,
     /// What stays untestable; `needs` says what would help beside poses, if anything does.
-    pub cannot: Vec<Locked>,
+    pub cannot: Vec<Untestable>,
     /// Noise that the detection limits are for, mm.
     pub sigma_mm: f64,
     /// What can be told once the poses are measured.
-    pub foresight: Foresight,
+    pub expected: ExpectedInformation,
 }
 
 /// Why there is no plan.
@@ -187,7 +187,7 @@ pub fn plan_session(
         .unwrap_or_else(|| mean_sigma_mm(arena) * arena.scale(fit).max(1e-6));
     let most = |usual: usize| options.poses.unwrap_or(usual);
     let base = arena.fit(&arena.base, Vec::new());
-    let locked_now = enabling_poses::locked(&prepared, &not_testable(arena, &base));
+    let untestable_now = enabling_poses::untestable(&prepared, &not_testable(arena, &base));
     let name = session.name.clone();
     let (robot, targets) = (&session.robot, &session.targets);
     let mut plan = Plan::empty(Subject::Session, name, robot, targets, sigma_mm);
@@ -208,12 +208,12 @@ pub fn plan_session(
         plan.poses = next_poses::separate(&prepared, fit, &rivals, most(next_poses::MOST));
         let room = options
             .poses
-            .map_or(MOST_UNLOCKING, |n| n - plan.poses.len());
+            .map_or(MOST_ENABLING, |n| n - plan.poses.len());
         let own_reflector = plan
             .poses
             .iter()
             .find_map(|p| p.target_mm.map(|_| p.clone()));
-        let mut more = enabling_poses::unlock(&prepared, fit, &locked_now, true, room);
+        let mut more = enabling_poses::enable(&prepared, fit, &untestable_now, true, room);
         same_reflector(&mut more, own_reflector.as_ref());
         plan.poses.extend(more);
     }
@@ -229,13 +229,14 @@ pub fn plan_session(
     }
     let with_poses =
         expected_information::extended(session, &fit.model, &plan.poses, &plan.targets);
-    plan.foresight = expected_information::foresee(&with_poses, sigma_mm, &options.diagnosis)?;
-    let still = |l: &Locked| {
+    plan.expected = expected_information::expected(&with_poses, sigma_mm, &options.diagnosis)?;
+    let still = |l: &Untestable| {
         let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
-        plan.foresight.not_testable.iter().any(same)
+        plan.expected.not_testable.iter().any(same)
     };
-    let (cannot, unlocks): (Vec<Locked>, Vec<Locked>) = locked_now.into_iter().partition(still);
-    (plan.cannot, plan.unlocks) = (cannot, unlocks);
+    let (cannot, enables): (Vec<Untestable>, Vec<Untestable>) =
+        untestable_now.into_iter().partition(still);
+    (plan.cannot, plan.enables) = (cannot, enables);
     Ok(plan)
 }
 
@@ -250,50 +251,50 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
     let usual = (POSES_PER_JOINT * (1 + robot.joints.len()) / 2).min(240);
     let poses = options.poses.unwrap_or(usual);
     let targets = first_measurement::reflectors(robot);
-    let brief = Brief {
+    let request = Request {
         poses,
         load_kg: options.load_kg.unwrap_or(TEST_LOAD_KG),
         seed: options.diagnosis.seed,
     };
-    let mut stops = first_measurement::design(robot, &targets, &brief);
+    let mut planned = first_measurement::design(robot, &targets, &request);
     let name = robot.name.clone();
     let mut plan = Plan::empty(Subject::Robot, name, robot, &targets, sigma_mm);
-    let imagined = |stops: &[Stop]| {
-        let choices: Vec<_> = stops.iter().map(|s| s.choice.clone()).collect();
+    let imagined = |planned: &[PlannedPose]| {
+        let choices: Vec<_> = planned.iter().map(|s| s.choice.clone()).collect();
         let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
         expected_information::imagined(robot, &targets, &choices, Some(noise))
     };
     let mut decisive = Vec::new();
     if let Some(between) = between {
         // Half of the poses measure the robot, of the other half as many as it takes decide.
-        stops.truncate(poses.div_ceil(2));
-        let session = imagined(&stops);
+        planned.truncate(poses.div_ceil(2));
+        let session = imagined(&planned);
         let prepared = Prepared::new(&session, &options.diagnosis)?;
         let fit = prepared.arena.fit(&prepared.arena.base, Vec::new());
-        let separation = two(&prepared, &fit, between, poses - stops.len());
+        let separation = two(&prepared, &fit, between, poses - planned.len());
         decisive.clone_from(&separation.poses);
-        let rest = Brief {
+        let rest = Request {
             poses: poses - decisive.len(),
-            ..brief
+            ..request
         };
-        stops = first_measurement::design(robot, &targets, &rest);
+        planned = first_measurement::design(robot, &targets, &rest);
         if separation.impossible.is_some() {
-            stops.clear();
+            planned.clear();
         }
         plan.separation = Some(separation);
     }
-    plan.poses = poses_of_stops(&stops, &targets, robot);
+    plan.poses = poses_of_planned(&planned, &targets, robot);
     plan.poses.extend(decisive.iter().cloned());
     plan.targets.extend(new_targets(&plan.poses, &targets));
-    if stops.is_empty() {
+    if planned.is_empty() {
         return Ok(plan);
     }
     let model = crate::model::Model::nominal(robot.clone());
     let session =
-        expected_information::extended(&imagined(&stops), &model, &decisive, &plan.targets);
-    plan.foresight = expected_information::foresee(&session, sigma_mm, &options.diagnosis)?;
+        expected_information::extended(&imagined(&planned), &model, &decisive, &plan.targets);
+    plan.expected = expected_information::expected(&session, sigma_mm, &options.diagnosis)?;
     let prepared = Prepared::new(&session, &options.diagnosis)?;
-    plan.cannot = enabling_poses::locked(&prepared, &plan.foresight.not_testable);
+    plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
     Ok(plan)
 }
 
@@ -350,7 +351,7 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
     } else {
         TEST_LOAD_KG
     };
-    let brief = Brief {
+    let request = Request {
         poses: count,
         load_kg: options.load_kg.unwrap_or(load),
         seed: options.diagnosis.seed,
@@ -363,10 +364,10 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
         expected_information::extended(session, &prepared.arena.base, &plan.poses, &plan.targets);
     let inputs = crate::effects::Inputs::new(&extended, prepared.options().joint_values);
     let ranges = super::candidate_poses::ranges(&session.robot, Some(&prepared.problem.inputs));
-    let known = |model: &crate::model::Model| prospects(model, model, &inputs, &axes);
-    let stops =
-        first_measurement::extension(&session.robot, &plan.targets, &ranges, &brief, &known);
-    let mut poses = poses_of_stops(&stops, &plan.targets, &session.robot);
+    let known = |model: &crate::model::Model| predictions(model, model, &inputs, &axes);
+    let planned =
+        first_measurement::extension(&session.robot, &plan.targets, &ranges, &request, &known);
+    let mut poses = poses_of_planned(&planned, &plan.targets, &session.robot);
     for pose in &mut poses {
         let is_new = |t: &&Target| Some(&t.name) == pose.target.as_ref();
         let own = session.targets.iter().any(|t| is_new(&t));
@@ -376,11 +377,11 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
     poses
 }
 
-/// The stops of a design as poses, with what each is good for.
-fn poses_of_stops(stops: &[Stop], targets: &[Target], robot: &Robot) -> Vec<NextPose> {
-    let loads = stops.iter().any(|s| s.choice.load_kg != 0.0);
-    let one = |stop: &Stop| {
-        let choice = &stop.choice;
+/// The planned poses of a design, with the reason for each.
+fn poses_of_planned(planned: &[PlannedPose], targets: &[Target], robot: &Robot) -> Vec<NextPose> {
+    let loads = planned.iter().any(|s| s.choice.load_kg != 0.0);
+    let one = |planned_pose: &PlannedPose| {
+        let choice = &planned_pose.choice;
         let target = targets.get(choice.target as usize);
         NextPose {
             q: choice.q.clone(),
@@ -392,23 +393,23 @@ fn poses_of_stops(stops: &[Stop], targets: &[Target], robot: &Robot) -> Vec<Next
             speed: Some(choice.speed.clone()),
             load_kg: loads.then_some(choice.load_kg),
             temperature_c: Some(choice.warmth_c + crate::effects::inputs::REFERENCE_TEMPERATURE_C),
-            why: why(stop, robot),
+            why: why(planned_pose, robot),
         }
     };
-    stops.iter().map(one).collect()
+    planned.iter().map(one).collect()
 }
 
-fn why(stop: &Stop, robot: &Robot) -> String {
-    match stop.way {
-        Way::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
-        Way::Short(_) => {
+fn why(planned_pose: &PlannedPose, robot: &Robot) -> String {
+    match planned_pose.arrival {
+        Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
+        Arrival::Short(_) => {
             "a short approach after a reversal: lost motion against backlash".to_owned()
         }
-        Way::Long if stop.choice.speed.iter().any(|s| *s != 0.0) => {
+        Arrival::Long if planned_pose.choice.speed.iter().any(|s| *s != 0.0) => {
             "measure while moving: tracking lag against backlash".to_owned()
         }
-        Way::Long if robot.joints.len() > 1 => "joint values that tell most".to_owned(),
-        Way::Long => "a place that tells most, unequal steps".to_owned(),
+        Arrival::Long if robot.joints.len() > 1 => "joint values that tell most".to_owned(),
+        Arrival::Long => "a place that tells most, unequal steps".to_owned(),
     }
 }
 
@@ -439,10 +440,10 @@ impl Plan {
             poses: Vec::new(),
             open: Vec::new(),
             separation: None,
-            unlocks: Vec::new(),
+            enables: Vec::new(),
             cannot: Vec::new(),
             sigma_mm,
-            foresight: Foresight::default(),
+            expected: ExpectedInformation::default(),
         }
     }
 
@@ -469,6 +470,6 @@ impl Plan {
                 sizes: limit.sizes.iter().map(size).collect(),
             }
         };
-        self.foresight.limits.iter().map(one).collect()
+        self.expected.limits.iter().map(one).collect()
     }
 }

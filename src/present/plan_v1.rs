@@ -28,7 +28,7 @@
 use serde::Serialize;
 
 use super::diagnosis_v1::{Pose, poses};
-use crate::design::needs::Locked;
+use crate::design::needs::Untestable;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
 
@@ -43,8 +43,8 @@ pub struct Document {
     poses: Vec<Pose>,
     separates: Vec<Open>,
     separation: Option<Between>,
-    unlocks: Vec<Lock>,
-    cannot: Vec<Lock>,
+    unlocks: Vec<UntestableEntry>,
+    cannot: Vec<UntestableEntry>,
     will_be_seen_above: Vec<Seen>,
     alike: Vec<Alike>,
 }
@@ -73,7 +73,7 @@ struct Between {
 }
 
 #[derive(Debug, Serialize)]
-struct Lock {
+struct UntestableEntry {
     #[serde(flatten)]
     named: Named,
     because: String,
@@ -116,11 +116,11 @@ impl Document {
                 })
                 .collect(),
             separation: plan.separation.as_ref().map(between),
-            unlocks: plan.unlocks.iter().map(lock).collect(),
-            cannot: plan.cannot.iter().map(lock).collect(),
+            unlocks: plan.enables.iter().map(untestable_entry).collect(),
+            cannot: plan.cannot.iter().map(untestable_entry).collect(),
             will_be_seen_above: seen(plan),
             alike: plan
-                .foresight
+                .expected
                 .alike
                 .iter()
                 .map(|a| Alike {
@@ -148,14 +148,14 @@ fn between(separation: &Separation) -> Between {
     }
 }
 
-fn lock(locked: &Locked) -> Lock {
-    Lock {
+fn untestable_entry(untestable: &Untestable) -> UntestableEntry {
+    UntestableEntry {
         named: Named {
-            effect: locked.effect,
-            joint: locked.joint.map(|j| j + 1),
+            effect: untestable.effect,
+            joint: untestable.joint.map(|j| j + 1),
         },
-        because: locked.because.clone(),
-        needs: locked.needs.iter().map(|n| n.says()).collect(),
+        because: untestable.because.clone(),
+        needs: untestable.needs.iter().map(|n| n.says()).collect(),
     }
 }
 
