@@ -36,7 +36,6 @@ pub mod regional_start;
 pub mod smooth;
 
 pub(crate) mod arena;
-mod as_identification;
 pub(crate) mod classes;
 pub(crate) mod conclude;
 mod final_set;
