@@ -417,3 +417,115 @@ fn a_limit_that_is_none_is_said_in_words_and_has_no_number() {
     assert!(text.contains("joint-scale: would have been seen at any size: there is no noise"));
     assert!(!text.contains("above scale_ppm 0.000"), "{text}");
 }
+
+/// A session that has everything to be said beside names and values: `tests/reference/facts.py`.
+fn facts() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/facts/facts.json");
+    path.display().to_string()
+}
+
+#[test]
+fn noise_outliers_and_sizes_that_no_machine_has_are_said_in_words() {
+    let text = truepose(&["diagnose", &facts()]).stdout;
+    let text = String::from_utf8(text).unwrap();
+    let line = |start: &str| {
+        let mut lines = text.lines().map(str::trim);
+        let found = lines.find(|line| line.starts_with(start));
+        found.unwrap_or_else(|| panic!("{start}: {text}"))
+    };
+    let noise = line("measurement noise: σ = ");
+    assert!(
+        noise.contains("0.0200 mm as stated for the instrument"),
+        "{noise}"
+    );
+    assert!(line("slow noise: the measuring frame wanders by ").ends_with(" min"));
+    assert_eq!(
+        line("excluded outliers: "),
+        "excluded outliers: 3 of 160 samples"
+    );
+    for sample in [17, 71, 122] {
+        line(&format!("sample {sample}: "));
+    }
+    let amplitude = line("encoder-eccentricity: amplitude_deg ");
+    let says = "), implausibly large: more than ten times what is usual";
+    assert!(amplitude.ends_with(says), "{amplitude}");
+    // A whole number is no estimate: it has no interval.
+    assert_eq!(line("bearing-runout: order"), "bearing-runout: order 3");
+
+    let identified = truepose(&["identify", &facts()]).stdout;
+    let identified = String::from_utf8(identified).unwrap();
+    let effects = "joint-zero-offset,link-length,encoder-eccentricity,bearing-runout";
+    let with_names = truepose(&["identify", &facts(), "--effects", effects]).stdout;
+    let with_names = String::from_utf8(with_names).unwrap();
+    assert!(identified.contains("measurement noise: σ = "));
+    assert!(with_names.contains("slow noise: the measuring frame"));
+    assert!(with_names.contains("excluded outliers: 3 of 160 samples"));
+    assert!(with_names.contains("implausibly large"), "{with_names}");
+    let order = with_names.lines().find(|line| line.contains(" order "));
+    assert!(order.unwrap().ends_with(" 3"), "{with_names}");
+}
+
+#[test]
+fn the_document_of_a_diagnosis_has_the_noise_and_what_was_excluded() {
+    let answer = json(&truepose(&["diagnose", &facts(), "--json"]));
+    let slow = &answer["noise"]["slow"];
+    assert_eq!(slow["rms_mm"].as_array().unwrap().len(), 3);
+    assert!(slow["time_constant_s"].as_f64().unwrap() > 20.0);
+    assert!(slow["says"].as_str().unwrap().contains("wanders"));
+    let stated = &answer["unexplained"]["noise"];
+    assert_eq!(stated["stated_mm"], 0.02);
+    assert!((stated["found_mm"].as_f64().unwrap() / 0.05 - 1.0).abs() < 0.2);
+    let outliers = answer["outliers"].as_array().unwrap();
+    let samples: Vec<u64> = outliers
+        .iter()
+        .map(|o| o["sample"].as_u64().unwrap())
+        .collect();
+    assert_eq!(samples.len(), 3);
+    assert!([17, 71, 122].iter().all(|sample| samples.contains(sample)));
+    let found = answer["found"].as_array().unwrap();
+    let runout = found.iter().find(|f| f["effect"] == "bearing-runout");
+    let order = &runout.unwrap()["parameters"][0];
+    assert_eq!(
+        (&order["name"], &order["value"]),
+        (&"order".into(), &3.0.into())
+    );
+    assert!(order["ci95"].is_null());
+    // Quiet and white, and stated as it is: nothing to tell.
+    let quiet = json(&truepose(&[
+        "diagnose",
+        &bundled("lamp-commissioning.json"),
+        "--json",
+    ]));
+    assert!(quiet["noise"]["slow"].is_null());
+    assert!(quiet["unexplained"]["noise"].is_null());
+}
+
+#[test]
+fn a_diagnosis_says_what_is_not_identifiable_as_an_identification_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("free.json").display().to_string();
+    // A measuring frame that is free turns as the zero offset does.
+    let text = std::fs::read_to_string(facts()).unwrap();
+    let mut session: Value = serde_json::from_str(&text).unwrap();
+    session["samples"]["columns"]["setup"] = vec!["A"; 160].into();
+    std::fs::write(&path, session.to_string()).unwrap();
+    let of = |command: &str| json(&truepose(&[command, &path, "--json"]));
+    let combinations = |answer: &Value| {
+        let all = answer["not_identifiable"].as_array().unwrap();
+        let names: Vec<String> = all
+            .iter()
+            .map(|one| one["combination"].as_str().unwrap().to_owned())
+            .collect();
+        names.join("; ")
+    };
+    let (identified, diagnosed) = (of("identify"), of("diagnose"));
+    assert!(combinations(&identified).contains("joint-zero-offset"));
+    assert!(
+        combinations(&diagnosed).contains("joint-zero-offset"),
+        "{}",
+        combinations(&diagnosed)
+    );
+    let text = truepose(&["diagnose", &path]).stdout;
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.contains("not identifiable: "), "{text}");
+}

@@ -102,6 +102,27 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     assert!(says(&window, "dashed: moving negative"));
 }
 
+#[test]
+fn noise_outliers_and_sizes_that_no_machine_has_are_shown() {
+    let facts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/facts/facts.json");
+    let mut window = window_of([1280.0, 800.0], Some(facts), Runner::AtOnce);
+    press(&mut window, "4 Find the gap");
+    press(&mut window, "Search");
+    assert!(says(&window, "Slow noise: the measuring frame wanders by"));
+    assert!(says(&window, "noise σ, stated"));
+    assert!(says(&window, "noise σ, as found"));
+    assert!(says(&window, "Excluded outliers: 3 of 160"));
+    assert!(says(
+        &window,
+        "amplitude: implausibly large: more than ten times what is usual"
+    ));
+    assert!(!says(&window, "did not converge"));
+    assert!(
+        !says(&window, "not determined"),
+        "an order of 3 has no interval"
+    );
+}
+
 /// Every table of the search goes into a spreadsheet as it is.
 fn tables_can_be_copied(window: &mut Window) {
     let found = copied(window, "Copy table of found effects");

@@ -13,7 +13,8 @@ use serde_json::{Value, json};
 mod tiny_font;
 
 use tiny_font::{Tiny, collection};
-use truepose::diagnosis::{DiagnoseError, Options};
+use truepose::diagnosis::{DiagnoseError, Diagnosis, Options};
+use truepose::fit::NotIdentifiable;
 use truepose::fonts::{Library, Purpose, cannot_be_shown};
 use truepose::model::Calibration;
 use truepose::model::format_v1::model_hash;
@@ -380,7 +381,7 @@ fn ambiguous_unexplained_and_noisy_sessions_say_so() {
     }
     for (name, expected) in [
         ("nothing-gauss", "Nothing is missing in the model"),
-        ("nothing-outliers", "Suspected samples: "),
+        ("nothing-outliers", "Excluded outliers: "),
         (
             "alias-one-speed",
             "Names that the samples cannot tell apart",
@@ -398,6 +399,41 @@ fn ambiguous_unexplained_and_noisy_sessions_say_so() {
         assert!(page.contains(expected), "{name}: {expected}");
         check_offline(&page);
         check_pdf(&pdf(&made).unwrap());
+    }
+}
+
+#[test]
+fn noise_outliers_and_a_fit_that_did_not_converge_are_reported() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/facts/facts.json");
+    let session = load(path).unwrap().session;
+    let options = Options::default();
+    let mut found = diagnose(&session, &options, &|_| true).unwrap();
+    let page = |found: &Diagnosis| {
+        let extras = Extras::default();
+        let made = Report::of_diagnosis(&session, found, None, &options, &extras).unwrap();
+        let page = html(&made);
+        check_offline(&page);
+        check_pdf(&pdf(&made).unwrap());
+        page
+    };
+    let said = page(&found);
+    for part in [
+        "measurement noise: σ = ",
+        "slow noise: the measuring frame wanders by ",
+        "Excluded outliers: 3 of 160 samples",
+        "implausibly large: more than ten times what is usual",
+    ] {
+        assert!(said.contains(part), "{part}");
+    }
+    assert!(!said.contains("did not converge"));
+    found.identification.quality.converged = false;
+    found.not_identifiable = vec![NotIdentifiable {
+        combination: "offset_deg with about_z_mrad".to_owned(),
+        because: "the samples show only their sum".to_owned(),
+    }];
+    let said = page(&found);
+    for part in ["the fit did not converge", "offset_deg with about_z_mrad"] {
+        assert!(said.contains(part), "{part}");
     }
 }
 

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 
 use truepose::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict};
 use truepose::effects::JointValues;
-use truepose::fit::Estimate;
+use truepose::fit::{Estimate, IMPLAUSIBLE};
 use truepose::paper::{RegionalStart, regional_start};
 use truepose::pipeline::diagnose;
 use truepose::present::diagnosis_v1::Document;
@@ -173,6 +173,7 @@ fn in_words(d: &Diagnosis) -> String {
             gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
         );
     }
+    noise_in_words(&mut text, d);
     let arm = geometry::is_of_an_arm(&d.identified);
     if arm {
         text += &geometry::table(&d.identified);
@@ -208,21 +209,7 @@ fn in_words(d: &Diagnosis) -> String {
     for limit in &d.not_found {
         let _ = writeln!(text, "{}: {}", limit.effect, limit_in_words(limit));
     }
-    for open in &d.not_identifiable {
-        let _ = writeln!(
-            text,
-            "not identifiable: {}: {}",
-            open.combination, open.because
-        );
-    }
-    for outlier in &d.outliers {
-        let _ = writeln!(
-            text,
-            "sample {} is suspected: {:.3} mm off",
-            outlier.sample + 1,
-            outlier.deviation_mm
-        );
-    }
+    left_out_in_words(&mut text, d);
     if !d.next_poses.is_empty() {
         let _ = writeln!(
             text,
@@ -236,6 +223,47 @@ fn in_words(d: &Diagnosis) -> String {
         );
     }
     text
+}
+
+/// What the samples do not determine, and which of them were not fitted.
+fn left_out_in_words(text: &mut String, d: &Diagnosis) {
+    for open in &d.not_identifiable {
+        let _ = writeln!(
+            text,
+            "not identifiable: {}: {}",
+            open.combination, open.because
+        );
+    }
+    if !d.outliers.is_empty() {
+        let _ = writeln!(
+            text,
+            "excluded outliers: {} of {} samples",
+            d.outliers.len(),
+            d.samples
+        );
+    }
+    for outlier in &d.outliers {
+        let _ = writeln!(
+            text,
+            "  sample {}: {:.3} mm from the model",
+            outlier.sample + 1,
+            outlier.deviation_mm
+        );
+    }
+}
+
+/// What there is to say of the noise, and of a fit that cannot be relied on.
+fn noise_in_words(text: &mut String, d: &Diagnosis) {
+    if let Some(noise) = &d.unexplained.noise {
+        let _ = writeln!(text, "measurement noise: {}", noise.says());
+    }
+    if let Some(slow) = &d.noise.slow {
+        let _ = writeln!(text, "slow noise: {}", slow.says());
+    }
+    let quality = &d.identification.quality;
+    if !quality.converged {
+        let _ = writeln!(text, "the fit did not converge: {}", quality.stopped);
+    }
 }
 
 /// What no name explains, and its correction where one was asked for.
@@ -311,12 +339,23 @@ pub(super) fn three_digits(size: f64) -> String {
 }
 
 fn estimate_in_words(estimate: &Estimate) -> String {
-    let interval = estimate.ci95.map_or_else(
-        || "not determined".to_owned(),
-        |[low, high]| format!("95 % from {low:.6} to {high:.6}"),
-    );
-    format!(
-        "{}: {} {:.6} ({interval})",
-        estimate.effect, estimate.name, estimate.value
-    )
+    let Estimate {
+        effect,
+        name,
+        value,
+        ..
+    } = estimate;
+    let mut text = if estimate.is_whole_number() {
+        format!("{effect}: {name} {value}")
+    } else {
+        let interval = estimate.ci95.map_or_else(
+            || "not determined".to_owned(),
+            |[low, high]| format!("95 % from {low:.6} to {high:.6}"),
+        );
+        format!("{effect}: {name} {value:.6} ({interval})")
+    };
+    if estimate.is_implausible() {
+        let _ = write!(text, ", {IMPLAUSIBLE}");
+    }
+    text
 }

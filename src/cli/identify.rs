@@ -6,9 +6,11 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 use truepose::effects::JointValues;
+use truepose::fit::noise::StatedNoise;
 use truepose::fit::regions::RegionChoice;
-use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, Identification};
+use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, IMPLAUSIBLE, Identification};
 use truepose::pipeline;
+use truepose::sessions::Session;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
@@ -104,7 +106,7 @@ impl Identify {
         } else if to_stdout {
             Ok(())
         } else {
-            output::text(&in_words(&answer))
+            output::text(&in_words(&answer, session))
         }
     }
 }
@@ -320,7 +322,7 @@ fn rounded_degrees(rad: f64) -> f64 {
     (deg_from_rad(rad) * 1e9).round() / 1e9
 }
 
-fn in_words(answer: &Identification) -> String {
+fn in_words(answer: &Identification, session: &Session) -> String {
     let gap = &answer.gap;
     let mut text = format!(
         "{}: {} identification of {} samples\n",
@@ -349,18 +351,7 @@ fn in_words(answer: &Identification) -> String {
         );
     }
     for p in rows {
-        let joint = match (&p.setup, p.joint) {
-            (Some(setup), _) => setup.clone(),
-            (None, Some(joint)) => joint.to_string(),
-            (None, None) => "-".to_owned(),
-        };
-        let interval = p
-            .ci95
-            .map_or("open".to_owned(), |[a, b]| format!("{a:.6} … {b:.6}"));
-        text += &format!(
-            "{:<24} {joint:>5}  {:<22} {:>14.6}   {interval}\n",
-            p.effect, p.name, p.value
-        );
+        text += &parameter_row(p);
     }
     if !answer.regions.is_empty() {
         text += &format!(
@@ -385,9 +376,17 @@ fn in_words(answer: &Identification) -> String {
     for n in &answer.not_identifiable {
         text += &format!("\nnot identifiable: {}: {}", n.combination, n.because);
     }
+    text += &noise_in_words(answer, session);
+    if !answer.outliers.is_empty() {
+        text += &format!(
+            "\nexcluded outliers: {} of {} samples",
+            answer.outliers.len(),
+            answer.samples
+        );
+    }
     for o in &answer.outliers {
         text += &format!(
-            "\nsuspected outlier: sample {}, {:.4} mm from the model",
+            "\n  sample {}: {:.4} mm from the model",
             o.sample + 1,
             o.deviation_mm
         );
@@ -396,6 +395,9 @@ fn in_words(answer: &Identification) -> String {
         text += &format!("\nleft out: sample {}: {}", l.sample + 1, l.because.says());
     }
     let quality = &answer.quality;
+    if !quality.converged {
+        text += "\nthe fit did not converge";
+    }
     text += &format!(
         "\nsolver: {}; {} of {} coefficients determined, condition {:.1}",
         quality.stopped, quality.rank, quality.coefficients, quality.condition
@@ -405,6 +407,51 @@ fn in_words(answer: &Identification) -> String {
     }
     if !text.ends_with('\n') {
         text.push('\n');
+    }
+    text
+}
+
+/// A row of the table of parameters.
+fn parameter_row(p: &Estimate) -> String {
+    let joint = match (&p.setup, p.joint) {
+        (Some(setup), _) => setup.clone(),
+        (None, Some(joint)) => joint.to_string(),
+        (None, None) => "-".to_owned(),
+    };
+    let whole = p.is_whole_number();
+    let value = if whole {
+        p.value.to_string()
+    } else {
+        format!("{:.6}", p.value)
+    };
+    let interval = match p.ci95 {
+        Some([a, b]) => format!("{a:.6} … {b:.6}"),
+        None if whole => String::new(),
+        None => "not determined".to_owned(),
+    };
+    let remark = if p.is_implausible() {
+        format!("   {IMPLAUSIBLE}")
+    } else {
+        String::new()
+    };
+    let row = format!(
+        "{:<24} {joint:>5}  {:<22} {value:>14}   {interval}{remark}",
+        p.effect, p.name
+    );
+    format!("{}\n", row.trim_end())
+}
+
+/// What there is to say of the noise that the fit allows for.
+fn noise_in_words(answer: &Identification, session: &Session) -> String {
+    let mut text = String::new();
+    let Some(noise) = &answer.noise else {
+        return text;
+    };
+    if let Some(stated) = noise.against_stated(session).filter(StatedNoise::differs) {
+        text += &format!("\nmeasurement noise: {}", stated.says());
+    }
+    if let Some(slow) = &noise.slow {
+        text += &format!("\nslow noise: {}", slow.says());
     }
     text
 }

@@ -14,7 +14,7 @@ use super::familywise::FamilyP;
 use super::limits::Limit;
 use super::next_pose::NextPose;
 use super::smooth::Correction;
-use crate::fit::noise::Noise;
+use crate::fit::noise::{Noise, StatedNoise};
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,7 +130,7 @@ pub struct Unexplained {
     pub says: String,
     /// The shapes themselves with their coefficients.
     pub shapes: Vec<(Shape, Vec<f64>)>,
-    /// Noise as stated and as found, where all that is left is more of it.
+    /// Noise as stated and as found, where they differ; whether anything is unexplained or not.
     pub noise: Option<StatedNoise>,
     /// A smooth correction of it, or why there is none; `None` where nobody asked for one.
     pub correction: Option<Result<Correction, String>>,
@@ -141,15 +141,6 @@ impl Unexplained {
     pub fn corrected(&self) -> Option<&Correction> {
         self.correction.as_ref()?.as_ref().ok()
     }
-}
-
-/// White residuals above the noise that is stated for the instrument.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StatedNoise {
-    /// As stated, root mean square over the axes, mm.
-    pub stated_mm: f64,
-    /// As found, mm.
-    pub found_mm: f64,
 }
 
 /// See the module.
@@ -202,6 +193,13 @@ pub struct Diagnosis {
 }
 
 impl Diagnosis {
+    /// The answer without the smooth correction of what no name explains.
+    #[must_use]
+    pub fn uncorrected(mut self) -> Self {
+        self.unexplained.correction = None;
+        self
+    }
+
     /// Whether the samples can show any effect beside the ones that every calibration has. Where they
     /// cannot, that nothing was found says nothing about the robot.
     pub fn tested_anything(&self) -> bool {

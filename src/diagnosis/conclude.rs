@@ -5,7 +5,6 @@ use std::borrow::Cow;
 
 use crate::effects::Term;
 use crate::fit::gap::{Deviations, Spread, deviations};
-use crate::fit::outliers;
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::kinematics::{Range, Robot};
@@ -93,7 +92,6 @@ pub(crate) fn answer(
     let values = values;
     let identified = deviations(problem, &prepared.base);
     let after = deviations(problem, &values.model);
-    let suspected: Vec<bool> = problem.used.iter().map(|used| !used).collect();
     let counts = |i: usize| problem.fit[i];
     let rms = |d: &Deviations| {
         let spread = Spread::of(&d.length_mm, counts, |i| !problem.used[i]);
@@ -135,8 +133,7 @@ pub(crate) fn answer(
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
-    let counted = problem.fit.iter().zip(&suspected);
-    let outliers = outliers(&after, counted.map(|(fit, suspected)| *fit && *suspected));
+    let identification = values.identification(prepared.not_identifiable.clone());
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
@@ -146,14 +143,14 @@ pub(crate) fn answer(
         gap,
         held_out,
         identified: values.identified(),
-        not_identifiable: prepared.not_identifiable.clone(),
-        identification: values.identification(prepared.not_identifiable.clone()),
+        not_identifiable: identification.not_identifiable.clone(),
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
         not_testable,
         not_found: limits::limits(arena, with_shapes),
-        outliers,
+        outliers: identification.outliers.clone(),
+        identification,
         next_poses: proposal.poses,
         noise: values
             .problem

@@ -32,7 +32,6 @@ pub mod limits;
 pub mod smooth;
 
 pub(crate) mod arena;
-mod as_identification;
 pub(crate) mod classes;
 pub(crate) mod conclude;
 mod final_set;

@@ -14,7 +14,7 @@ use crate::fit::regression::Rows;
 use crate::fit::solver::{Solution, solve};
 use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
-    noise_beside, parameters_of, report,
+    noise_beside, outliers, parameters_of, report,
 };
 use crate::model::Model;
 
@@ -85,13 +85,6 @@ impl<'a> Values<'a> {
         noise.map_or([scale; 3], |n| n.sigma_mm.map(|s| s * scale))
     }
 
-    /// The same over some axes, root mean square.
-    pub(crate) fn white_mm(&self, axes: &[usize]) -> f64 {
-        let sigma = self.sigma_mm();
-        let sum: f64 = axes.iter().map(|a| sigma[*a].powi(2)).sum();
-        (sum / axes.len().max(1) as f64).sqrt()
-    }
-
     /// Mean square of a whitened coordinate that is left, its degrees of freedom, and the kurtosis
     /// of what is left.
     pub(crate) fn white(&self) -> (f64, f64, f64) {
@@ -149,7 +142,8 @@ impl<'a> Values<'a> {
         self.solution.model = self.model.clone();
     }
 
-    /// This fit as `identify` would answer it.
+    /// This fit as `identify` would answer it. The samples that are suspected are those that it left
+    /// out: what no name explains is in the residuals again, and could accuse others.
     pub(crate) fn identification(&self, not_identifiable: Vec<NotIdentifiable>) -> Identification {
         let session = self.problem.session;
         let nominal = Model::nominal(session.robot.clone());
@@ -162,6 +156,19 @@ impl<'a> Values<'a> {
         );
         answer.parameters = self.estimates.concat();
         answer.covariance.clone_from(&self.covariance);
+        answer.model = self.model.settled();
+        let problem = &self.problem;
+        let apart = |i: usize| problem.fit[i] && !problem.used[i];
+        let over_fit = |model: &Model| {
+            let left = deviations(problem, model);
+            let spread = Spread::of(&left.length_mm, |i| problem.fit[i], apart);
+            (left, spread)
+        };
+        let (_, before) = over_fit(&nominal);
+        let (left, after) = over_fit(&self.model);
+        answer.gap.before = before.unwrap_or(answer.gap.before);
+        answer.gap.after = after.unwrap_or(answer.gap.after);
+        answer.outliers = outliers(&left, (0..problem.used.len()).map(apart));
         answer
     }
 

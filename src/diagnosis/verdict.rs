@@ -14,7 +14,9 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
 
 use crate::sessions::Sigma;
 
-use super::answer::{Floor, FloorFrom, HeldOut, StatedNoise, Unexplained, Verdict};
+use crate::fit::noise::StatedNoise;
+
+use super::answer::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use super::floor::{PureError, pure_error};
 use super::prepare::Prepared;
 use super::search::{CHANCE, Found};
@@ -88,6 +90,9 @@ pub(crate) fn judge(
             unexplained.says.clear();
         }
     }
+    if unexplained.noise.is_none() {
+        unexplained.noise = against_stated(prepared, values).filter(StatedNoise::differs);
+    }
     match (names == 0, unexplained.present) {
         (true, false) => Verdict::Noise,
         (false, false) => Verdict::Explained,
@@ -107,7 +112,6 @@ fn flag(
     excess: Excess,
     unexplained: &mut Unexplained,
 ) {
-    let found_mm = values.white_mm(&prepared.arena.rows.axes);
     unexplained.present = true;
     unexplained.p = excess.p.max(f64::MIN_POSITIVE);
     unexplained.place = None;
@@ -121,15 +125,15 @@ fn flag(
         excess.ratio, floor.mm
     );
     if floor.from == FloorFrom::Instrument {
-        let stated = prepared.problem.session.instrument.sigma_mm;
-        unexplained.noise = Some(StatedNoise {
-            stated_mm: match stated {
-                Some(Sigma::Overall(sigma)) => sigma,
-                _ => floor.mm / (prepared.arena.rows.axes.len() as f64).sqrt(),
-            },
-            found_mm,
-        });
+        unexplained.noise = against_stated(prepared, values);
     }
+}
+
+/// Noise as stated and as found.
+fn against_stated(prepared: &Prepared, values: &Values) -> Option<StatedNoise> {
+    let stated = prepared.problem.session.instrument.sigma_mm?;
+    let axes = &prepared.arena.rows.axes;
+    Some(StatedNoise::of(stated, values.sigma_mm(), axes))
 }
 
 /// F of the lack of fit against pure error.

@@ -138,6 +138,14 @@ impl Form {
         }
     }
 
+    /// The parameters that are sizes: neither a setting nor a phase.
+    pub fn sizes(&self) -> &[Quantity] {
+        match self {
+            Self::Plain(quantities) => quantities,
+            Self::Harmonic(quantity) | Self::Fading(quantity) => std::slice::from_ref(quantity),
+        }
+    }
+
     /// [`Quantity::reach`] of each coefficient.
     pub fn reaches(&self) -> Vec<f64> {
         match self {

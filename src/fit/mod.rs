@@ -31,7 +31,8 @@ pub use exact::{
 };
 pub(crate) use exact::{free_frames, outliers};
 pub use outcome::{
-    Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality, RegionResult,
+    Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
+    RegionResult,
 };
 pub use plane::{RegionSums, sum_by_region};
 pub use regional::identify_regional;

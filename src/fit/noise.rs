@@ -23,7 +23,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-use crate::sessions::Sigma;
+use crate::sessions::{Session, Sigma};
 
 use super::regression::Rows;
 
@@ -45,6 +45,57 @@ impl Slow {
             self.time_constant_s / 60.0
         )
     }
+}
+
+/// The size of the white noise as it is stated for the instrument, and as it was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedNoise {
+    /// As stated, root mean square over the axes, mm.
+    pub stated_mm: f64,
+    /// As found, mm.
+    pub found_mm: f64,
+}
+
+/// Stated and found noise that differ by more than this factor are told.
+const WORTH_TELLING: f64 = 1.15;
+
+impl StatedNoise {
+    /// Stated and found noise of the measured axes.
+    pub fn of(stated: Sigma, found_mm: [f64; 3], axes: &[usize]) -> Self {
+        let stated_mm = match stated {
+            Sigma::Overall(sigma) => sigma,
+            Sigma::PerAxis(sigma) => over(sigma, axes),
+        };
+        Self {
+            stated_mm,
+            found_mm: over(found_mm, axes),
+        }
+    }
+
+    /// Whether the two differ by more than 15 %.
+    pub fn differs(&self) -> bool {
+        let ratio = self.found_mm / self.stated_mm;
+        !(WORTH_TELLING.recip()..=WORTH_TELLING).contains(&ratio)
+    }
+
+    /// In words.
+    pub fn says(&self) -> String {
+        let Self {
+            stated_mm,
+            found_mm,
+        } = self;
+        format!(
+            "σ = {found_mm:.4} mm as found, {stated_mm:.4} mm as stated for the instrument \
+             ({:.2} times)",
+            found_mm / stated_mm
+        )
+    }
+}
+
+/// Root mean square over some axes.
+fn over(sigma: [f64; 3], axes: &[usize]) -> f64 {
+    let sum: f64 = axes.iter().map(|a| sigma[*a].powi(2)).sum();
+    (sum / axes.len().max(1) as f64).sqrt()
 }
 
 /// See the module.
@@ -91,6 +142,14 @@ impl Noise {
             slow_evidence: 0.0,
             alternatives: Vec::new(),
         }
+    }
+
+    /// This noise beside the one that is stated for the instrument, where one is.
+    pub fn against_stated(&self, session: &Session) -> Option<StatedNoise> {
+        let stated = session.instrument.sigma_mm?;
+        let planar = session.samples.z_mm.is_none();
+        let axes = if planar { &[0, 1][..] } else { &[0, 1, 2] };
+        Some(StatedNoise::of(stated, self.sigma_mm, axes))
     }
 
     /// From raw residuals and the columns of the fit that left them.

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::Inputs;
+use crate::effects::{Effect, Inputs, find};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::sessions::Session;
@@ -28,6 +28,27 @@ pub struct Estimate {
     pub value: f64,
     /// 95 % interval; `None` where the samples leave it open.
     pub ci95: Option<[f64; 2]>,
+}
+
+/// What is said of a size that [`Estimate::is_implausible`].
+pub const IMPLAUSIBLE: &str = "implausibly large: more than ten times what is usual";
+
+impl Estimate {
+    /// Whether it is a whole number, which was chosen and has no interval: an order of 2.
+    pub fn is_whole_number(&self) -> bool {
+        self.name == "order" && self.ci95.is_none() && self.value.fract() == 0.0
+    }
+
+    /// Whether it is a size beyond what its effect has on any machine.
+    pub fn is_implausible(&self) -> bool {
+        let Some(about) = find(self.effect).map(Effect::about) else {
+            return false;
+        };
+        // A sliding joint has other units, and no limit is known for those.
+        let is_size = about.form.sizes().iter().any(|q| q.name == self.name);
+        let limit = about.implausible_above.filter(|_| is_size);
+        limit.is_some_and(|limit| self.value.abs() > limit)
+    }
 }
 
 /// One region's correction.

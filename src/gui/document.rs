@@ -230,18 +230,44 @@ pub(crate) enum Asks {
 
 /// A search whose answer is asked for.
 #[derive(Debug, Clone)]
-pub(crate) struct Found(Arc<Search>);
+pub(crate) struct Found {
+    search: Arc<Search>,
+    /// Whether the smooth correction of what no name explains is asked for too.
+    corrected: bool,
+}
 
 impl PartialEq for Found {
     fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0) || self.0.answer == other.0.answer
+        let same = Arc::ptr_eq(&self.search, &other.search);
+        self.corrected == other.corrected && (same || self.search.answer == other.search.answer)
     }
 }
 
 impl Found {
-    /// What it found.
-    pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
-        self.0.answer.as_ref().ok()
+    /// The search, where these terms are all that it found.
+    fn all_of(search: &Arc<Search>, with: &[Term]) -> Option<Self> {
+        let diagnosis = search.answer.as_ref().ok()?;
+        let mut terms: Vec<Term> = search::terms(diagnosis).into_iter().flatten().collect();
+        let same = |terms: &[Term]| {
+            terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
+        };
+        let corrected = diagnosis.unexplained.corrected().is_some();
+        let all = same(&terms);
+        let all_names = corrected && terms.pop().is_some() && same(&terms);
+        (all || all_names).then(|| Self {
+            search: Arc::clone(search),
+            corrected: corrected && all,
+        })
+    }
+
+    /// What it found, with no more of the smooth correction than is asked for.
+    pub(crate) fn diagnosis(&self) -> Option<Diagnosis> {
+        let diagnosis = self.search.answer.as_ref().ok()?.clone();
+        Some(if self.corrected {
+            diagnosis
+        } else {
+            diagnosis.uncorrected()
+        })
     }
 }
 
@@ -257,20 +283,12 @@ impl Question {
         else {
             return self;
         };
-        let Ok(diagnosis) = &search.answer else {
-            return self;
-        };
         let base = effects.len() == DEFAULT_EFFECTS.len()
             && DEFAULT_EFFECTS.iter().all(|id| effects.contains(id));
-        let mut terms: Vec<Term> = search::terms(diagnosis).into_iter().flatten().collect();
-        let same = |terms: &[Term]| {
-            terms.len() == with.len() && terms.iter().all(|term| with.contains(term))
-        };
-        let corrected = diagnosis.unexplained.corrected().is_some();
-        let all = same(&terms) || (corrected && terms.pop().is_some() && same(&terms));
-        let asked = base && all && diagnosis.data_problems.is_empty();
-        if asked && Arc::ptr_eq(&search.subject, &self.subject) {
-            *found = Some(Found(Arc::clone(search)));
+        let clean = |d: &Diagnosis| d.data_problems.is_empty();
+        let as_given = search.answer.as_ref().is_ok_and(clean);
+        if base && as_given && Arc::ptr_eq(&search.subject, &self.subject) {
+            *found = Found::all_of(search, with);
         }
         self
     }

@@ -52,7 +52,9 @@ words! {
     EXACT, "Exact fit",
         "One model for the whole range: all parameters at once, in the frame of the instrument";
     OUTLIER, "Suspected outlier",
-        "A sample more than five times as far off as the middle one. It is left out of the fit, stays on the screen, and is worth measuring again";
+        "A sample so far from the model that it is at least four times likelier to be a mistake of the measurement than noise. It is excluded from the fit, stays on the screen, and is worth measuring again";
+    SLOW_NOISE, "Slow noise",
+        "A part of the error that wanders in time, whatever the robot does: a tripod that settles, air, a tracker that warms up. The intervals allow for it, and no effect of the robot is read into it";
     NOT_IDENTIFIABLE, "Not identifiable",
         "Two causes that do the same to every sample measured so far. Poses that differ more, a second reflector, or both directions usually tell them apart";
     REMAINDER, "What the joint cannot remove",
@@ -129,7 +131,7 @@ pub(crate) fn about(name: &str) -> Option<Word> {
         "gap" | "nominal robot" | "identified" | "with all that was found" | "what is left" => GAP,
         "largest deviation" | "largest" | "largest then" => LARGEST,
         "tolerance" | "within tolerance" => TOLERANCE,
-        "noise, one σ" | "noise" => NOISE,
+        "noise, one σ" | "noise" | "noise σ, stated" | "noise σ, as found" => NOISE,
         "noise floor" => FLOOR,
         "held out" | "held-out gap" | "held-out gap, corrected" => HELD_OUT,
         "regions" => REGION,

@@ -7,13 +7,14 @@ use crate::compensation::Verification;
 use crate::diagnosis::Diagnosis;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues, Term};
-use crate::fit::gap::deviations;
+use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::fit::regions::{Assignment, RegionChoice};
 use crate::fit::{Identification, identify_regional, identify_watched};
 use crate::model::{Calibration, GapStep};
+use crate::sessions::Session;
 
-use super::document::{Asks, Question};
+use super::document::{Asks, Found, Question};
 use super::layers::Remainder;
 use super::overview::{Lengths, readable};
 use super::subject::Subject;
@@ -103,61 +104,35 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     let subject = &*question.subject;
     let session = &subject.session;
     let values = JointValues::Commanded;
-    let mut steps = vec![];
-    let searched = searched(question);
-    let (identification, after_mm) = match &question.asks {
-        Asks::Exact { effects, with, .. } => {
-            let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
-            // How many passes there will be nobody knows; each takes a part of what is left.
-            let left = Cell::new(1.0_f64);
-            let go_on = || {
-                left.set(left.get() * 0.85);
-                watch.done(1.0 - left.get());
-                !watch.stopped()
-            };
-            let first = |n: usize| identify_watched(session, &effects, &with[..n], values, &go_on);
-            let identification = first(with.len()).map_err(|e| e.to_string())?;
-            let identification = if let Some((diagnosis, calibration)) = &searched {
-                diagnosis.identification(session, calibration, identification)
-            } else {
-                for n in 0..with.len() {
-                    let before = first(n).map_err(|e| e.to_string())?;
-                    steps.push(before.gap.after.rms_mm);
-                }
-                steps.push(identification.gap.after.rms_mm);
-                identification
-            };
-            let problem = Problem::new(session, values);
-            let after = deviations(&problem, &identification.model);
-            (identification, after.axes_mm)
+    let (identification, calibration) = match &question.asks {
+        Asks::Given(given) => return given.answer(subject),
+        Asks::Exact {
+            effects,
+            with,
+            found,
+        } => {
+            let searched = found.as_ref().and_then(Found::diagnosis);
+            match searched {
+                Some(diagnosis) => of_search(session, &diagnosis),
+                None => fitted(session, effects, with, watch)?,
+            }
         }
         Asks::Regional(regions) => {
             let choice = RegionChoice::Given(regions.to_vec());
             let identification =
                 identify_regional(session, &choice, values).map_err(|e| e.to_string())?;
-            let after = after_regional(subject, &identification);
-            (identification, after)
+            let calibration = identification.calibration(session, &Inputs::new(session, values));
+            (identification, calibration)
         }
-        Asks::Given(given) => return given.answer(subject),
+    };
+    let after_mm = if let Asks::Regional(_) = &question.asks {
+        after_regional(subject, &identification)
+    } else {
+        deviations(&Problem::new(session, values), &identification.model).axes_mm
     };
     let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
     let lengths_mm = (0..subject.len()).map(length).collect();
-    let mut suspected = vec![false; subject.len()];
-    for outlier in &identification.outliers {
-        suspected[outlier.sample] = true;
-    }
-    let calibration = if let Some((_, calibration)) = searched {
-        calibration
-    } else {
-        let mut plain = identification.calibration(session, &Inputs::new(session, values));
-        if let Asks::Exact { with, .. } = &question.asks
-            && !with.is_empty()
-        {
-            plain.history.truncate(1);
-            plain.history.extend(history(with, &steps));
-        }
-        plain
-    };
+    let suspected = suspected(&identification, subject.len());
     Ok(Answer {
         identification,
         calibration,
@@ -168,18 +143,62 @@ fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
     })
 }
 
-/// What a search says, and its calibration, where all that it found is asked for; with its smooth
-/// correction only where that is asked for too.
-fn searched(question: &Question) -> Option<(Diagnosis, Calibration)> {
-    let Asks::Exact { with, found, .. } = &question.asks else {
-        return None;
-    };
-    let mut diagnosis = found.as_ref()?.diagnosis()?.clone();
-    if with.len() == diagnosis.found.len() {
-        diagnosis = diagnosis.uncorrected();
+fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
+    let mut suspected = vec![false; samples];
+    for outlier in &identification.outliers {
+        suspected[outlier.sample] = true;
     }
-    let calibration = diagnosis.calibration(&question.subject.session);
-    Some((diagnosis, calibration))
+    suspected
+}
+
+/// What a search says, where all that it found is asked for: its own fit, and the smooth correction
+/// where that is asked for too.
+fn of_search(session: &Session, diagnosis: &Diagnosis) -> (Identification, Calibration) {
+    let calibration = diagnosis.calibration(session);
+    let mut identification = diagnosis.identification.clone();
+    if diagnosis.unexplained.corrected().is_some() {
+        // The correction was made beside the fit: only the error that remains is another.
+        let problem = Problem::new(session, JointValues::Commanded);
+        let left = deviations(&problem, &calibration.model).length_mm;
+        let suspected = suspected(&identification, left.len());
+        let after = Spread::of(&left, |i| problem.fit[i], |i| suspected[i]);
+        identification.gap.after = after.unwrap_or(identification.gap.after);
+        identification.model = calibration.model.clone();
+    }
+    (identification, calibration)
+}
+
+/// A fit of these effects, with some of what a search found.
+fn fitted(
+    session: &Session,
+    effects: &[&'static str],
+    with: &[Term],
+    watch: &Watch,
+) -> Result<(Identification, Calibration), String> {
+    let values = JointValues::Commanded;
+    let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
+    // How many passes there will be nobody knows; each takes a part of what is left.
+    let left = Cell::new(1.0_f64);
+    let go_on = || {
+        left.set(left.get() * 0.85);
+        watch.done(1.0 - left.get());
+        !watch.stopped()
+    };
+    let first = |n: usize| {
+        identify_watched(session, &effects, &with[..n], values, &go_on).map_err(|e| e.to_string())
+    };
+    let identification = first(with.len())?;
+    let mut calibration = identification.calibration(session, &Inputs::new(session, values));
+    if !with.is_empty() {
+        let mut steps = Vec::with_capacity(with.len() + 1);
+        for n in 0..with.len() {
+            steps.push(first(n)?.gap.after.rms_mm);
+        }
+        steps.push(identification.gap.after.rms_mm);
+        calibration.history.truncate(1);
+        calibration.history.extend(history(with, &steps));
+    }
+    Ok((identification, calibration))
 }
 
 /// The gap after the identification and after each effect that was added.

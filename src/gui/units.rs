@@ -3,6 +3,7 @@
 
 use std::cell::Cell;
 
+use crate::fit::Estimate;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 use super::view::{AngleUnit, LengthUnit};
@@ -139,6 +140,19 @@ impl Units {
         (value, half, unit)
     }
 
+    /// A parameter with half of its interval, and the name of its unit; a whole number has no
+    /// interval.
+    pub(crate) fn estimate(
+        self,
+        one: &Estimate,
+        unit: &'static str,
+    ) -> (String, String, &'static str) {
+        if one.is_whole_number() {
+            return (trimmed(one.value, 0), String::new(), unit);
+        }
+        self.with_interval(one.value, one.ci95, unit)
+    }
+
     /// `36.0°`.
     pub(crate) fn angle(self, rad: f64) -> String {
         match self.angle {
@@ -189,7 +203,7 @@ fn with_interval(value: f64, interval: Option<[f64; 2]>) -> (String, String) {
             )
         }
         Some(_) => (significant(value, 6), "± 0".to_owned()),
-        None => (significant(value, 6), "open".to_owned()),
+        None => (significant(value, 6), "not determined".to_owned()),
     }
 }
 
@@ -353,7 +367,7 @@ mod tests {
     fn an_interval_decides_how_many_digits_a_value_has() {
         let (value, half) = with_interval(-3.01234567, Some([-3.026, -2.998]));
         assert_eq!((value.as_str(), half.as_str()), ("−3.012", "± 0.014"));
-        assert_eq!(with_interval(1.5, None).1, "open");
+        assert_eq!(with_interval(1.5, None).1, "not determined");
     }
 
     #[test]

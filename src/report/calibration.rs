@@ -10,7 +10,8 @@ use super::Extras;
 use super::document::{Block, Figure, Report, Section, Table, clean};
 use super::numbers::{mm, plain};
 use super::parts::{
-    fact, foot, gap, or_unnamed, parameters, robot_facts, signatures, tables, tolerance,
+    fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
+    tolerance,
 };
 use super::plots::waterfall;
 
@@ -119,6 +120,7 @@ pub(super) fn values(c: &Calibration) -> Section {
                 .to_owned(),
         ));
         blocks.push(parameters(all.iter(), &c.model.robot));
+        blocks.extend(implausible(all.iter(), &c.model.robot));
     }
     if !c.regions.is_empty() {
         let mut table = Table::new(&[

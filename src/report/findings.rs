@@ -100,12 +100,20 @@ impl Told<'_> {
             }
             blocks.push(Block::Table(table));
         }
+        if !d.not_identifiable.is_empty() {
+            blocks.push(Block::Heading("Not identifiable".to_owned()));
+            let mut table = Table::new(&["Parameter or combination", "Why"]);
+            for open in d.not_identifiable.iter().take(4 * MOST_ROWS) {
+                table.row([clean(&open.combination), clean(&open.because)]);
+            }
+            blocks.push(Block::Table(table));
+        }
         blocks.extend(self.next_poses());
         blocks.extend(self.outliers());
         if blocks.is_empty() {
             let mut text =
                 "Nothing in these samples: no data problem, no rival explanation, nothing \
-                            left without a name, no suspected sample"
+                            left without a name, no outlier"
                     .to_owned();
             if !self.given.note.trim().is_empty() {
                 text += ". The note says where they come from";
@@ -176,7 +184,11 @@ impl Told<'_> {
             text += &format!("; {} of {} are listed", MOST_ROWS, outliers.len());
         }
         vec![
-            Block::Heading(format!("Suspected samples: {}", outliers.len())),
+            Block::Heading(format!(
+                "Excluded outliers: {} of {} samples",
+                outliers.len(),
+                self.found.samples
+            )),
             Block::Text(text),
             Block::Table(table),
         ]

@@ -1,7 +1,7 @@
 //! Pieces that reports of sessions and of models share.
 
 use crate::effects;
-use crate::fit::Estimate;
+use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 
@@ -80,7 +80,11 @@ pub(super) fn parameters<'a>(
         if let Some(setup) = &estimate.setup {
             parameter += &format!(", setup {}", clean(setup));
         }
-        let (value, interval) = with_interval(estimate.value, estimate.ci95);
+        let (value, interval) = if estimate.is_whole_number() {
+            (short(estimate.value), String::new())
+        } else {
+            with_interval(estimate.value, estimate.ci95)
+        };
         let shown = if name == last {
             String::new()
         } else {
@@ -90,6 +94,24 @@ pub(super) fn parameters<'a>(
         table.row([shown, parameter, value, unit.to_owned(), interval]);
     }
     Block::Table(table)
+}
+
+/// Sizes that no machine has, where there are any.
+pub(super) fn implausible<'a>(
+    estimates: impl Iterator<Item = &'a Estimate>,
+    robot: &Robot,
+) -> Option<Block> {
+    let remark = |one: &Estimate| {
+        let usual = effects::find(one.effect).map_or("", |e| e.about().usual_size);
+        let name = title(one.effect, one.joint, robot);
+        let (parameter, _) = in_words(one.name);
+        format!("{name}, {parameter}: {IMPLAUSIBLE} ({usual})")
+    };
+    let remarks: Vec<String> = estimates
+        .filter(|one| one.is_implausible())
+        .map(remark)
+        .collect();
+    (!remarks.is_empty()).then_some(Block::List(remarks))
 }
 
 /// A gap, or a dash where there is none.

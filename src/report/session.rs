@@ -17,8 +17,8 @@ use super::calibration::values;
 use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::numbers::{mm, plain, short};
 use super::parts::{
-    fact, foot, gap, instrument, or_unnamed, parameters, robot_facts, signatures, tables, title,
-    tolerance,
+    fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts, signatures,
+    tables, title, tolerance,
 };
 use super::plots::waterfall;
 use super::stages::{section as deviations_of, stages};
@@ -165,6 +165,9 @@ impl Told<'_> {
         }
         if !d.data_problems.is_empty() {
             answer += "; the data had problems, which are named below";
+        }
+        if !d.identification.quality.converged {
+            answer += "; the fit did not converge";
         }
         if let Some(other) = &self.other {
             answer += &format!("; the model in use is another one: {other}");
@@ -398,6 +401,7 @@ impl Told<'_> {
                     .map(|s| clean(s)),
             );
         }
+        remarks.extend(self.noise());
         remarks.extend(v.notes.iter().map(|n| clean(n)));
         blocks.push(Block::List(remarks));
         blocks.push(Block::Plot(
@@ -410,22 +414,42 @@ impl Told<'_> {
         }
     }
 
+    /// What there is to say of the noise, and of a fit that cannot be relied on.
+    fn noise(&self) -> Vec<String> {
+        let d = self.found;
+        let mut lines = Vec::new();
+        if let Some(noise) = &d.unexplained.noise {
+            lines.push(format!("measurement noise: {}", noise.says()));
+        }
+        if let Some(slow) = &d.noise.slow {
+            lines.push(format!("slow noise: {}", slow.says()));
+        }
+        let quality = &d.identification.quality;
+        if !quality.converged {
+            lines.push(format!("the fit did not converge: {}", quality.stopped));
+        }
+        lines
+    }
+
     fn parameters(&self) -> Section {
         let d = self.found;
         if self.other.is_some() {
             return values(self.calibration);
         }
         let found = d.found.iter().flat_map(|f| &f.parameters);
+        let all = d.identified.iter().chain(found);
+        let mut blocks = vec![
+            Block::Text(
+                "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
+                 What was commanded has to be corrected by the opposite"
+                    .to_owned(),
+            ),
+            parameters(all.clone(), self.robot()),
+        ];
+        blocks.extend(implausible(all, self.robot()));
         Section {
             title: "Parameters of the real robot".to_owned(),
-            blocks: vec![
-                Block::Text(
-                    "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
-                     What was commanded has to be corrected by the opposite"
-                        .to_owned(),
-                ),
-                parameters(d.identified.iter().chain(found), self.robot()),
-            ],
+            blocks,
         }
     }
 }

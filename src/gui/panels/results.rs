@@ -3,13 +3,14 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::effects::find;
-use crate::fit::{Estimate, Gap, RegionResult};
+use crate::fit::noise::StatedNoise;
+use crate::fit::{Estimate, Gap, IMPLAUSIBLE, NotIdentifiable, RegionResult};
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::given;
 use crate::gui::outcome::Answer;
 use crate::gui::room::Room;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::{Units, number_of, trimmed};
+use crate::gui::units::{Units, grouped, number_of, trimmed};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::units::deg_from_rad;
@@ -97,16 +98,22 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     if !found.regions.is_empty() {
         widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
     }
-    if !found.not_identifiable.is_empty() {
-        widgets::card(ui, |ui| {
-            title(ui, "Not identifiable");
-            for one in &found.not_identifiable {
-                ui.label(&one.combination);
-                widgets::hint(ui, &one.because);
-            }
-        });
-    }
+    not_identifiable(ui, &found.not_identifiable);
     notes(ui, workbench, answer);
+}
+
+/// The card of what the samples do not determine.
+pub(super) fn not_identifiable(ui: &mut Ui, all: &[NotIdentifiable]) {
+    if all.is_empty() {
+        return;
+    }
+    widgets::card(ui, |ui| {
+        title(ui, "Not identifiable");
+        for one in all {
+            ui.label(&one.combination);
+            widgets::hint(ui, &one.because);
+        }
+    });
 }
 
 fn title(ui: &mut Ui, text: &str) {
@@ -192,11 +199,22 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
             widgets::explained_effect(name, one.effect);
         }
         let (name, unit) = named(one.name);
-        let (value, half, unit) = units.with_interval(one.value, one.ci95, unit);
+        let (value, half, unit) = units.estimate(one, unit);
         estimate(ui, &name, &value, &format!("{half} {unit}"));
     }
+    implausible(ui, estimates);
     widgets::hint(ui, "± half the 95 % interval");
     copies::button(ui, "parameters", || copies::parameters(estimates));
+}
+
+/// Says which sizes no machine has.
+pub(super) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
+    let warning = Palette::of(ui).warning;
+    for one in estimates.iter().filter(|one| one.is_implausible()) {
+        let usual = find(one.effect).map_or("", |e| e.about().usual_size);
+        let text = format!("{}: {IMPLAUSIBLE} ({usual})", named(one.name).0);
+        ui.label(RichText::new(text).color(warning));
+    }
 }
 
 /// A parameter: its name, its value and how sure that is, each in a column of one width throughout,
@@ -351,11 +369,22 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let units = workbench.units();
     let mut lines: Vec<String> = found.notes.clone();
     if !found.quality.converged {
-        lines.push(format!("the fit stopped early: {}", found.quality.stopped));
+        let stopped = found.quality.stopped;
+        lines.push(format!("the fit did not converge: {stopped}"));
+    }
+    if let Some(noise) = &found.noise {
+        let stated = noise.against_stated(&workbench.subject().session);
+        let differs = stated.filter(StatedNoise::differs);
+        lines.extend(differs.map(|n| format!("measurement noise: {}", n.says())));
+        lines.extend(noise.slow.map(|slow| slow.says()));
+    }
+    if !found.outliers.is_empty() {
+        let (excluded, all) = (found.outliers.len(), grouped(found.samples));
+        lines.push(format!("excluded outliers: {excluded} of {all} samples"));
     }
     for outlier in found.outliers.iter().take(MOST) {
         lines.push(format!(
-            "sample {} is a suspected outlier: {}",
+            "sample {} is an outlier: {} from the model",
             outlier.sample + 1,
             units.length(outlier.deviation_mm)
         ));

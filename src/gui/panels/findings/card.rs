@@ -9,7 +9,7 @@ use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
 use crate::gui::help;
 use crate::gui::panels::gap;
-use crate::gui::panels::results::named;
+use crate::gui::panels::results::{implausible, named};
 use crate::gui::search::term_of;
 use crate::gui::tokens::{Palette, size, strong};
 use crate::gui::units::{Units, significant};
@@ -98,13 +98,14 @@ fn estimates(ui: &mut Ui, units: Units, id: &str, parameters: &[Estimate]) {
         .show(ui, |ui| {
             for one in parameters {
                 let (name, unit) = named(one.name);
-                let (value, half, unit) = units.with_interval(one.value, one.ci95, unit);
+                let (value, half, unit) = units.estimate(one, unit);
                 ui.label(name);
                 widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));
                 ui.label(RichText::new(format!("{half} {unit}")).color(palette.muted));
                 ui.end_row();
             }
         });
+    implausible(ui, parameters);
 }
 
 /// Shows what an effect does, in the chart.

@@ -13,10 +13,12 @@ use egui::{RichText, Ui};
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
 use crate::effects::find;
 use crate::gui::commands::{Command, Workbench};
+use crate::gui::help;
 use crate::gui::tokens::{Palette, size, space, strong};
-use crate::gui::units::significant;
+use crate::gui::units::{grouped, significant};
 use crate::gui::widgets::{self};
 
+use crate::gui::panels::results::not_identifiable;
 use crate::gui::panels::{copies, unexplained};
 
 /// Shows the right-hand side of the step.
@@ -54,7 +56,8 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
     if !d.next_poses.is_empty() {
         widgets::card(ui, |ui| next::show(ui, workbench, &d.next_poses, commands));
     }
-    suspected(ui, workbench, d);
+    excluded(ui, workbench, d);
+    not_identifiable(ui, &d.not_identifiable);
     limits::show(ui, d);
     limits::not_testable(ui, d);
 }
@@ -118,8 +121,27 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
         }
         let floor = format!("{}, {from}", units.length(d.floor.mm));
         widgets::fact(ui, "noise floor", floor);
+        noise(ui, workbench, d);
         widgets::hint(ui, format!("Held out: {}", d.held_out.how));
     });
+}
+
+/// What there is to say of the noise, and of a fit that cannot be relied on.
+fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+    let units = workbench.units();
+    if let Some(noise) = &d.unexplained.noise {
+        widgets::fact(ui, "noise σ, stated", units.length(noise.stated_mm));
+        widgets::fact(ui, "noise σ, as found", units.length(noise.found_mm));
+    }
+    if let Some(slow) = &d.noise.slow {
+        let says = format!("Slow noise: {}", slow.says());
+        widgets::hint_about(ui, says, help::SLOW_NOISE);
+    }
+    let quality = &d.identification.quality;
+    if !quality.converged {
+        let says = format!("the fit did not converge: {}", quality.stopped);
+        ui.label(RichText::new(says).color(Palette::of(ui).warning));
+    }
 }
 
 fn equivalent(ui: &mut Ui, d: &Diagnosis) {
@@ -140,13 +162,14 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
     });
 }
 
-fn suspected(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     const MOST: usize = 8;
     if d.outliers.is_empty() {
         return;
     }
     widgets::card(ui, |ui| {
-        title(ui, "Suspected samples");
+        let (excluded, all) = (d.outliers.len(), grouped(d.samples));
+        title(ui, &format!("Excluded outliers: {excluded} of {all}"));
         for one in d.outliers.iter().take(MOST) {
             let off = workbench.units().length(one.deviation_mm);
             widgets::fact(ui, &format!("sample {}", one.sample + 1), off);
