@@ -136,7 +136,7 @@ fn names_keep_their_values_when_everything_is_fitted_again_beside_it() {
     let problem = Problem::new(&session, JointValues::Commanded);
     let [before, after] = [&d.model, &with].map(|m| solve(&problem, m).model.coefficients());
     assert_eq!(before.len(), after.len(), "nothing of it is solved for");
-    let covariance = d.covariance.as_ref().unwrap();
+    let covariance = d.identification.covariance.as_ref().unwrap();
     for (k, (a, b)) in before.iter().zip(&after).enumerate() {
         let sigma = covariance[(k, k)].sqrt();
         // A turn by s moves the point by s²R/2 along the radius: that is second order.

@@ -184,7 +184,7 @@ fn in_words(d: &Diagnosis) -> String {
         }
     }
     for found in &d.found {
-        let joint = found.joint.filter(|_| d.measured.len() > 1);
+        let joint = found.joint.filter(|_| d.model.robot.joints.len() > 1);
         let place = joint.map_or_else(String::new, |joint| format!(", joint {joint}"));
         let _ = writeln!(text, "found {}{place}", found.effect);
         for estimate in &found.parameters {
@@ -227,7 +227,7 @@ fn in_words(d: &Diagnosis) -> String {
 
 /// What the samples do not determine, and which of them were not fitted.
 fn left_out_in_words(text: &mut String, d: &Diagnosis) {
-    for open in &d.not_identifiable {
+    for open in &d.identification.not_identifiable {
         let _ = writeln!(
             text,
             "not identifiable: {}: {}",

@@ -22,7 +22,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::comparison::{Axes, Prediction, covariance_of, predictions};
 use super::next_poses::gram;
-use crate::diagnosis::arena::{Arena, Fit};
+use crate::diagnosis::regression::{Fit, Regression};
 use crate::effects::Inputs;
 
 /// Draws of each explanation: the probability is known to about one in a hundred.
@@ -78,13 +78,13 @@ pub(crate) struct Decision {
 
 impl Decision {
     pub(crate) fn new(
-        arena: &Arena,
+        regression: &Regression,
         explanations: &[Explanation],
         inputs: &Inputs,
         axes: &Axes,
         wanted: f64,
     ) -> Self {
-        let mut random = ChaCha8Rng::seed_from_u64(arena.seed);
+        let mut random = ChaCha8Rng::seed_from_u64(regression.seed);
         let open = explanations.iter().filter(|e| e.open).count();
         let draws = open * DRAWS;
         let Some(reference) = explanations.first() else {
@@ -95,7 +95,7 @@ impl Decision {
         for (index, explanation) in explanations.iter().enumerate() {
             let model = &explanation.fit.model;
             let predictions = predictions(&reference.fit.model, model, inputs, axes);
-            let information = gram(arena, model);
+            let information = gram(regression, model);
             if explanation.open {
                 truths.push(Truth {
                     index,
@@ -112,7 +112,10 @@ impl Decision {
                 ln_evidence: explanation.fit.ln_evidence,
             });
         }
-        let names: Vec<_> = explanations.iter().map(|e| names(arena, e.fit)).collect();
+        let names: Vec<_> = explanations
+            .iter()
+            .map(|e| names(regression, e.fit))
+            .collect();
         let within = |a: &[Name], b: &[Name]| a.iter().all(|n| b.contains(n));
         let differ = names
             .iter()
@@ -126,7 +129,7 @@ impl Decision {
             truths,
             differ,
             random,
-            rows: arena.m(),
+            rows: regression.m(),
             new_rows: 0.0,
             wanted,
             history: Vec::new(),
@@ -283,8 +286,8 @@ impl Refit {
 
 type Name = (&'static str, usize);
 
-fn names(arena: &Arena, fit: &Fit) -> Vec<Name> {
-    let added = arena.added(fit).into_iter();
+fn names(regression: &Regression, fit: &Fit) -> Vec<Name> {
+    let added = regression.added(fit).into_iter();
     added.map(|t| (t.effect.about().id, t.joint)).collect()
 }
 

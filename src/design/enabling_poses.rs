@@ -16,9 +16,9 @@ use super::comparison::{Axes, Comparison, Prediction, choose, enough_for, predic
 use super::needs::{Need, TEST_LOAD_KG, Untestable, WARMING_C, lacks};
 use super::next_poses::{CandidatePoses, axes_of, gram, later_s, poses_of};
 use crate::diagnosis::NextPose;
-use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::candidates::NotTestable;
 use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::regression::{Fit, Regression};
 use crate::diagnosis::search::compatible;
 
 /// Every effect that cannot be seen, with what would change that.
@@ -48,11 +48,11 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize
     for (need, reflector) in [(Need::Travel, false), (Need::Reflector, true)] {
         let (candidates, _) = candidates_for(prepared, &[need], reflector);
         let inputs = candidates.inputs(prepared);
-        let axes = axes_of(&prepared.arena);
-        let truth = with_effect(&prepared.arena.base, effect, joint, &inputs, &axes);
-        let seen = predictions(&truth, &prepared.arena.base, &inputs, &axes);
+        let axes = axes_of(&prepared.regression);
+        let truth = with_effect(&prepared.regression.base, effect, joint, &inputs, &axes);
+        let seen = predictions(&truth, &prepared.regression.base, &inputs, &axes);
         let all: f64 = seen.iter().map(|p| p.difference.norm_squared()).sum();
-        let p = prepared.arena.base.coefficient_count();
+        let p = prepared.regression.base.coefficient_count();
         let nothing = nalgebra::DMatrix::zeros(p, p);
         let mut comparison = Comparison::new(seen, &nothing, f64::INFINITY);
         for k in 0..candidates.poses.len() {
@@ -218,7 +218,7 @@ pub(crate) fn enable(
     let mounted = needs.contains(&Need::Reflector);
     let (candidates, _) = candidates_for(prepared, &needs, mounted);
     let inputs = candidates.inputs(prepared);
-    let axes = axes_of(&prepared.arena);
+    let axes = axes_of(&prepared.regression);
     let samples = &prepared.problem.session.samples;
     let terms: Vec<Term> = wanted
         .iter()
@@ -251,10 +251,10 @@ pub(crate) fn enable(
         };
         let truth = fit.model.with_term(term.clone());
         let seen = predictions(&truth, &rival, &inputs, &axes);
-        let known = gram(&prepared.arena, &rival) * weight;
+        let known = gram(&prepared.regression, &rival) * weight;
         let comparison = Comparison::new(seen, &known, enough_for(6.0, 0.0));
         // The effect was there already; the samples so far could not show it.
-        let (pull, square) = history(&prepared.arena, &truth, &rival);
+        let (pull, square) = history(&prepared.regression, &truth, &rival);
         comparisons.push(comparison.starting(&(pull * weight), square * weight));
     }
     let fresh = comparisons.clone();
@@ -300,11 +300,13 @@ pub(crate) fn enable(
 
 /// What the samples so far show of a model where another is fitted: columnsᵀ · difference and
 /// ‖difference‖².
-fn history(arena: &Arena, truth: &Model, other: &Model) -> (DVector<f64>, f64) {
-    let (without, columns) = arena.rows.extract(other);
-    let (with, _) = arena.rows.extract(truth);
-    let difference = arena.noise.whitened_vector(&arena.rows, &(without - with));
-    let white = arena.noise.whitened(&arena.rows, &columns);
+fn history(regression: &Regression, truth: &Model, other: &Model) -> (DVector<f64>, f64) {
+    let (without, columns) = regression.rows.extract(other);
+    let (with, _) = regression.rows.extract(truth);
+    let difference = regression
+        .noise
+        .whitened_vector(&regression.rows, &(without - with));
+    let white = regression.noise.whitened(&regression.rows, &columns);
     (white.tr_mul(&difference), difference.norm_squared())
 }
 

@@ -19,10 +19,10 @@ use super::candidate_poses::CandidatePose;
 use super::first_measurement::SECONDS_PER_POSE;
 use super::next_poses::LATER_S;
 use crate::diagnosis::NextPose;
-use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::candidates::NotTestable;
 use crate::diagnosis::limits::{self, Limit};
 use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::regression::{Fit, Regression};
 use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, Options};
 use crate::fit::linear::Basis;
@@ -197,28 +197,28 @@ pub(crate) fn expected(
     options: &Options,
 ) -> Result<ExpectedInformation, DiagnoseError> {
     let prepared = Prepared::new(session, options)?;
-    let arena = with_noise(&prepared, sigma_mm, options.seed);
-    let mut fit = arena.fit(&arena.base, Vec::new());
+    let regression = with_noise(&prepared, sigma_mm, options.seed);
+    let mut fit = regression.fit(&regression.base, Vec::new());
     // The residual is that of noise of exactly the stated size.
-    let freedom = arena.m() - fit.basis.rank() as f64;
+    let freedom = regression.m() - fit.basis.rank() as f64;
     if freedom > 0.0 && fit.rss > 0.0 {
         fit.residual *= (freedom / fit.rss).sqrt();
         fit.rss = freedom;
     }
-    let mut not_testable = not_testable(&arena, &fit);
+    let mut not_testable = not_testable(&regression, &fit);
     // Names that belong to every calibration are in the base, not among the candidates.
     not_testable.retain(|n| !crate::fit::DEFAULT_EFFECTS.contains(&n.effect));
     Ok(ExpectedInformation {
-        limits: limits::limits(&arena, &fit),
-        alike: alike(&arena, &fit),
+        limits: limits::limits(&regression, &fit),
+        alike: alike(&regression, &fit),
         not_testable,
     })
 }
 
-fn with_noise<'a>(prepared: &Prepared<'a>, sigma_mm: f64, seed: u64) -> Arena<'a> {
-    let mut arena = prepared.arena.with_noise(Noise::white(sigma_mm));
-    arena.seed = seed;
-    arena
+fn with_noise<'a>(prepared: &Prepared<'a>, sigma_mm: f64, seed: u64) -> Regression<'a> {
+    let mut regression = prepared.regression.with_noise(Noise::white(sigma_mm));
+    regression.seed = seed;
+    regression
 }
 
 /// Columns of one name at one setting, orthonormal, beside the base.
@@ -228,14 +228,14 @@ struct Span<'t> {
 }
 
 /// Pairs of names that look alike at some of their settings.
-fn alike(arena: &Arena, fit: &Fit) -> Vec<Alike> {
-    let projected = arena.projected(&fit.basis);
+fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
+    let projected = regression.projected(&fit.basis);
     let mut spans: Vec<Span> = Vec::new();
-    for candidate in &arena.table.candidates {
+    for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {
             continue;
         };
-        let (_, rank) = arena.factor(&projected, candidate);
+        let (_, rank) = regression.factor(&projected, candidate);
         let high_order = term.effect.about().id == "gear-transmission-error" && term.setting > 12.0;
         if rank == candidate.size && !high_order {
             let own = projected.columns(candidate.first, candidate.size);

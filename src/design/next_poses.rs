@@ -17,9 +17,9 @@ use super::decision::{Decision, Explanation, Needed};
 use super::enabling_poses;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
-use crate::diagnosis::arena::{Arena, Fit};
 use crate::diagnosis::conclude::{Proposal, Undecided};
 use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::regression::{Fit, Regression};
 
 /// Poses that are proposed at most.
 pub(crate) const MOST: usize = 24;
@@ -186,7 +186,7 @@ pub(crate) fn later_s(prepared: &Prepared) -> f64 {
 /// The fit, its open rivals, and what comes close to any of them: what is ruled out now may come
 /// back with new poses, and a rival that is true has rivals of its own.
 fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<(Fit, bool)> {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     let mut all: Vec<(Fit, bool)> = vec![(fit.clone(), true)];
     let mut join = |one: &Fit, is_open: bool| {
         let known = all.iter().any(|(a, _)| same_terms(a, one));
@@ -199,7 +199,7 @@ fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<(Fit, bool)
     }
     let most_open = open.iter().take(MOST_ASKED).map(|r| &r.fit);
     for one in [fit].into_iter().chain(most_open) {
-        for near in aliases::rivals(arena, one) {
+        for near in aliases::rivals(regression, one) {
             if near.other_names() {
                 join(&near.fit, false);
             }
@@ -252,21 +252,21 @@ fn attempt(
     competing: &[(Fit, bool)],
     most: usize,
 ) -> Attempt {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     let inputs = candidates.inputs(prepared);
-    let axes = axes_of(arena);
+    let axes = axes_of(regression);
     let explanations: Vec<Explanation> = competing
         .iter()
         .map(|(fit, open)| Explanation { fit, open: *open })
         .collect();
-    let mut decision = Decision::new(arena, &explanations, &inputs, &axes, UNDECIDED);
+    let mut decision = Decision::new(regression, &explanations, &inputs, &axes, UNDECIDED);
     let mut comparisons = Vec::new();
     for (i, truth) in explanations.iter().enumerate().filter(|(_, e)| e.open) {
         for (j, other) in explanations.iter().enumerate() {
             if decision.differ(i, j) {
                 let seen = predictions(&truth.fit.model, &other.fit.model, &inputs, &axes);
                 let lead = truth.fit.ln_evidence - other.fit.ln_evidence;
-                let known = gram(arena, &other.fit.model);
+                let known = gram(regression, &other.fit.model);
                 comparisons.push(Comparison::new(seen, &known, enough_for(UNDECIDED, lead)));
             }
         }
@@ -308,16 +308,16 @@ fn attempt(
 }
 
 /// Gram matrix of a model's columns over the samples.
-pub(crate) fn gram(arena: &Arena, model: &crate::model::Model) -> nalgebra::DMatrix<f64> {
-    let (_, columns) = arena.rows.extract(model);
-    let white = arena.noise.whitened(&arena.rows, &columns);
+pub(crate) fn gram(regression: &Regression, model: &crate::model::Model) -> nalgebra::DMatrix<f64> {
+    let (_, columns) = regression.rows.extract(model);
+    let white = regression.noise.whitened(&regression.rows, &columns);
     white.tr_mul(&white)
 }
 
-pub(crate) fn axes_of(arena: &Arena) -> Axes {
+pub(crate) fn axes_of(regression: &Regression) -> Axes {
     Axes {
-        axes: arena.rows.axes.clone(),
-        sigma_mm: arena.noise.sigma_mm,
+        axes: regression.rows.axes.clone(),
+        sigma_mm: regression.noise.sigma_mm,
     }
 }
 

@@ -15,8 +15,8 @@ use crate::sessions::Target;
 use super::comparison::{Comparison, Prediction, choose, enough_for, inverse, predictions};
 use super::next_poses::{CandidatePoses, axes_of, conditions, gram, poses_of, reflector_sets};
 use crate::diagnosis::NextPose;
-use crate::diagnosis::arena::Fit;
 use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::regression::Fit;
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
@@ -169,7 +169,7 @@ fn attempt(
         &conditions(prepared, &shown, targets.len()),
     );
     let inputs = candidates.inputs(prepared);
-    let axes = axes_of(&prepared.arena);
+    let axes = axes_of(&prepared.regression);
     let (mut comparisons, mut possible, mut left) = (Vec::new(), 1.0_f64, [[1.0; 2]; 2]);
     let mut directions = Vec::new();
     for (k, (own, others)) in [(&terms[0], &terms[1]), (&terms[1], &terms[0])]
@@ -182,7 +182,7 @@ fn attempt(
             for other in others {
                 let pair = Pair::new(base, one, other);
                 let seen = predictions(base, &pair.both, &inputs, &axes);
-                let known = gram(&prepared.arena, &pair.both);
+                let known = gram(&prepared.regression, &pair.both);
                 let everywhere = over(&seen, 1.0);
                 let (share, _) = pair.worst(&(&known + &everywhere));
                 if hardest.as_ref().is_some_and(|h| h.0 <= share) {
@@ -210,7 +210,7 @@ fn attempt(
     let order = choose(&mut comparisons, candidates.poses.len(), most, 2);
     for (k, pair) in &directions {
         let seen = predictions(base, &pair.both, &inputs, &axes);
-        let mut all = gram(&prepared.arena, &pair.both);
+        let mut all = gram(&prepared.regression, &pair.both);
         for taken in &order {
             all += over(std::slice::from_ref(&seen[*taken]), 1.0);
         }

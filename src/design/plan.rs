@@ -181,13 +181,13 @@ pub fn plan_session(
     let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
     let session: &Session = &mended.session;
     let (prepared, found) = searched(session, &options.diagnosis, watch)?;
-    let (arena, fit) = (&prepared.arena, &found.fit);
+    let (regression, fit) = (&prepared.regression, &found.fit);
     let sigma_mm = options
         .sigma_mm
-        .unwrap_or_else(|| mean_sigma_mm(arena) * arena.scale(fit).max(1e-6));
+        .unwrap_or_else(|| mean_sigma_mm(regression) * regression.scale(fit).max(1e-6));
     let most = |usual: usize| options.poses.unwrap_or(usual);
-    let base = arena.fit(&arena.base, Vec::new());
-    let untestable_now = enabling_poses::untestable(&prepared, &not_testable(arena, &base));
+    let base = regression.fit(&regression.base, Vec::new());
+    let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
     let name = session.name.clone();
     let (robot, targets) = (&session.robot, &session.targets);
     let mut plan = Plan::empty(Subject::Session, name, robot, targets, sigma_mm);
@@ -196,7 +196,7 @@ pub fn plan_session(
         plan.poses.clone_from(&separation.poses);
         plan.separation = Some(separation);
     } else {
-        let rivals = crate::diagnosis::aliases::open_rivals(arena, fit);
+        let rivals = crate::diagnosis::aliases::open_rivals(regression, fit);
         let rivals: Vec<_> = rivals.iter().collect();
         let ids =
             |terms: &[crate::effects::Term]| terms.iter().map(|t| t.effect.about().id).collect();
@@ -270,7 +270,9 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
         planned.truncate(poses.div_ceil(2));
         let session = imagined(&planned);
         let prepared = Prepared::new(&session, &options.diagnosis)?;
-        let fit = prepared.arena.fit(&prepared.arena.base, Vec::new());
+        let fit = prepared
+            .regression
+            .fit(&prepared.regression.base, Vec::new());
         let separation = two(&prepared, &fit, between, poses - planned.len());
         decisive.clone_from(&separation.poses);
         let rest = Request {
@@ -301,7 +303,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
 /// Two effects, unless one of them cannot be seen by any measurement.
 fn two(
     prepared: &Prepared,
-    fit: &crate::diagnosis::arena::Fit,
+    fit: &crate::diagnosis::regression::Fit,
     between: [Named; 2],
     most: usize,
 ) -> Separation {
@@ -357,11 +359,15 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
         seed: options.diagnosis.seed,
     };
     let axes = Axes {
-        axes: prepared.arena.rows.axes.clone(),
+        axes: prepared.regression.rows.axes.clone(),
         sigma_mm: [1.0; 3],
     };
-    let extended =
-        expected_information::extended(session, &prepared.arena.base, &plan.poses, &plan.targets);
+    let extended = expected_information::extended(
+        session,
+        &prepared.regression.base,
+        &plan.poses,
+        &plan.targets,
+    );
     let inputs = crate::effects::Inputs::new(&extended, prepared.options().joint_values);
     let ranges = super::candidate_poses::ranges(&session.robot, Some(&prepared.problem.inputs));
     let known = |model: &crate::model::Model| predictions(model, model, &inputs, &axes);

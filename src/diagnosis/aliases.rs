@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 
-use super::arena::{Arena, Fit, PRICE_OF_A_NAME, Score};
+use super::regression::{Fit, PRICE_OF_A_NAME, Regression, Score};
 use super::search::{by_odds, compatible};
 use crate::fit::linear::{small_cholesky, small_gain};
 
@@ -65,8 +65,8 @@ pub(crate) fn without_idle_names<'r>(rivals: &[&'r Rival]) -> Vec<&'r Rival> {
 }
 
 /// Rivals that the samples cannot rule out, by other names than the fit's, likeliest first.
-pub(crate) fn open_rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
-    let mut open = rivals(arena, fit);
+pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
+    let mut open = rivals(regression, fit);
     open.retain(|r| r.other_names() && r.fit.ln_evidence > fit.ln_evidence - UNDECIDED);
     let all: Vec<&Rival> = open.iter().collect();
     let kept = without_idle_names(&all);
@@ -81,28 +81,33 @@ struct Trial {
 }
 
 /// Rivals of a fit, likeliest first; those that are further off than [`CLOSE`] are left out.
-pub(crate) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
-    let added: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
+pub(crate) fn rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
+    let added: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut trials: Vec<Trial> = Vec::new();
     for (i, first) in added.iter().enumerate() {
-        try_without(arena, fit, std::slice::from_ref(first), &mut trials);
+        try_without(regression, fit, std::slice::from_ref(first), &mut trials);
         if added.len() > MOST_FOR_PAIRS {
             continue;
         }
         for second in &added[i + 1..] {
-            try_without(arena, fit, &[first.clone(), second.clone()], &mut trials);
+            try_without(
+                regression,
+                fit,
+                &[first.clone(), second.clone()],
+                &mut trials,
+            );
         }
     }
     trials.sort_by(|a, b| b.ln_evidence.total_cmp(&a.ln_evidence));
     trials.truncate(MOST_REFITTED);
     let mut rivals: Vec<Rival> = Vec::new();
     for trial in trials {
-        let term = |i: &usize| arena.table.candidates[*i].what.term().cloned();
+        let term = |i: &usize| regression.table.candidates[*i].what.term().cloned();
         let instead: Vec<Term> = trial.instead.iter().filter_map(term).collect();
         let model = instead
             .iter()
             .fold(trial.rest.model.clone(), |m, t| m.with_term(t.clone()));
-        let refitted = arena.fit(&model, trial.rest.shapes.clone());
+        let refitted = regression.fit(&model, trial.rest.shapes.clone());
         if refitted.ln_evidence > fit.ln_evidence - CLOSE {
             rivals.push(Rival {
                 removed: trial.removed,
@@ -115,16 +120,16 @@ pub(crate) fn rivals(arena: &Arena, fit: &Fit) -> Vec<Rival> {
     rivals
 }
 
-fn try_without(arena: &Arena, fit: &Fit, removed: &[Term], trials: &mut Vec<Trial>) {
+fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mut Vec<Trial>) {
     let model = fit
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
-    let rest = arena.fit(&model, fit.shapes.clone());
+    let rest = regression.fit(&model, fit.shapes.clone());
     let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
-    let there = arena.added(&rest);
-    let mut scores = arena.scan(&rest);
+    let there = regression.added(&rest);
+    let mut scores = regression.scan(&rest);
     let is_new = |s: &Score| {
-        let term = arena.table.candidates[s.candidate].what.term();
+        let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| compatible(&there, t) && !removed.iter().any(|r| r.same_column(t)))
     };
     scores.retain(is_new);
@@ -140,18 +145,18 @@ fn try_without(arena: &Arena, fit: &Fit, removed: &[Term], trials: &mut Vec<Tria
     for score in scores.iter().filter(|s| s.ln_odds > enough).take(6) {
         push(vec![score.candidate], score.ln_odds);
     }
-    let short = short_list(arena, &scores, removed);
-    for (a, b, ln_odds) in best_pairs(arena, &rest, &short, enough) {
+    let short = short_list(regression, &scores, removed);
+    for (a, b, ln_odds) in best_pairs(regression, &rest, &short, enough) {
         push(vec![a, b], ln_odds);
     }
 }
 
 /// The best settings of every name that is not among the removed ones.
-fn short_list(arena: &Arena, scores: &[Score], removed: &[Term]) -> Vec<usize> {
+fn short_list(regression: &Regression, scores: &[Score], removed: &[Term]) -> Vec<usize> {
     let mut counts: Vec<((&str, usize), usize)> = Vec::new();
     let mut list = Vec::new();
     for score in scores {
-        let Some(term) = arena.table.candidates[score.candidate].what.term() else {
+        let Some(term) = regression.table.candidates[score.candidate].what.term() else {
             continue;
         };
         if removed.iter().any(|r| name(r) == name(term)) {
@@ -175,14 +180,19 @@ fn short_list(arena: &Arena, scores: &[Score], removed: &[Term]) -> Vec<usize> {
 }
 
 /// Pairs of candidates that together lower the sum of squares enough.
-fn best_pairs(arena: &Arena, rest: &Fit, list: &[usize], enough: f64) -> Vec<(usize, usize, f64)> {
-    let projected = arena.projected(&rest.basis);
-    let m = arena.m();
+fn best_pairs(
+    regression: &Regression,
+    rest: &Fit,
+    list: &[usize],
+    enough: f64,
+) -> Vec<(usize, usize, f64)> {
+    let projected = regression.projected(&rest.basis);
+    let m = regression.m();
     // Each candidate made orthonormal by itself.
     let mut pieces: Vec<(usize, DMatrix<f64>, DVector<f64>)> = Vec::new();
     for index in list {
-        let candidate = &arena.table.candidates[*index];
-        let (factor, rank) = arena.factor(&projected, candidate);
+        let candidate = &regression.table.candidates[*index];
+        let (factor, rank) = regression.factor(&projected, candidate);
         if rank < candidate.size {
             continue;
         }
@@ -199,7 +209,10 @@ fn best_pairs(arena: &Arena, rest: &Fit, list: &[usize], enough: f64) -> Vec<(us
     let mut pairs = Vec::new();
     for (i, (a, unit_a, h_a)) in pieces.iter().enumerate() {
         for (b, unit_b, h_b) in &pieces[i + 1..] {
-            let (ca, cb) = (&arena.table.candidates[*a], &arena.table.candidates[*b]);
+            let (ca, cb) = (
+                &regression.table.candidates[*a],
+                &regression.table.candidates[*b],
+            );
             let bound = h_a.norm_squared() + h_b.norm_squared();
             let price = ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln() + 2.0 * PRICE_OF_A_NAME;
             let worth = |gain: f64, rank: usize| {

@@ -1,18 +1,16 @@
 //! What a diagnosis answers: its types.
 
-use nalgebra::DMatrix;
-
-use crate::fit::{Estimate, Identification, NotIdentifiable, Outlier};
-use crate::kinematics::Range;
+use crate::effects::{Inputs, JointValues};
+use crate::fit::{Estimate, Identification, Outlier};
 use crate::model::{Calibration, GapStep, Model};
 use crate::sessions::Session;
 
 use super::anonymous::{Shape, Where};
-use super::blunders::DataProblem;
 use super::candidates::NotTestable;
 use super::familywise::FamilyP;
 use super::limits::Limit;
 use super::next_pose::NextPose;
+use super::set_up_errors::DataProblem;
 use super::smooth::Correction;
 use crate::fit::noise::{Noise, StatedNoise};
 
@@ -176,20 +174,14 @@ pub struct Diagnosis {
     pub outliers: Vec<Outlier>,
     /// What to measure next.
     pub next_poses: Vec<NextPose>,
-    /// What of the geometry the samples cannot tell from the rest.
-    pub not_identifiable: Vec<NotIdentifiable>,
     /// The noise as the search saw it.
     pub noise: Noise,
     /// The model with everything that was found.
     pub model: Model,
-    /// Covariance of its coefficients, inner units.
-    pub covariance: Option<DMatrix<f64>>,
     /// The fit that values and intervals come from.
     pub identification: Identification,
     /// The gap step by step.
     pub history: Vec<GapStep>,
-    /// Range of every joint in the samples.
-    pub measured: Vec<Range>,
 }
 
 impl Diagnosis {
@@ -219,18 +211,11 @@ impl Diagnosis {
                 held_out_mm: Some(correction.held_out_mm[1]),
             });
         }
+        let inputs = Inputs::new(session, JointValues::Commanded);
         Calibration {
-            session: self.session.clone(),
             model,
-            covariance: self.covariance.clone(),
-            regions: Vec::new(),
-            targets: session.targets.clone(),
-            measured: self.measured.clone(),
-            tolerance_mm: session.tolerance_mm,
-            compensated_by: session.compensated_by.clone(),
             history,
-            samples_hash: crate::sessions::hash_of_samples(session),
-            program_version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..self.identification.calibration(session, &inputs)
         }
     }
 }

@@ -7,23 +7,23 @@ use crate::effects::Term;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
-use crate::kinematics::{Range, Robot};
+use crate::kinematics::Robot;
 use crate::model::{GapStep, Model};
 
 use super::aliases;
 use super::answer::{Diagnosis, Equivalent, Gaps};
-use super::arena::Fit;
-use super::blunders::Mended;
 use super::candidates::NotTestable;
 use super::final_set::worth;
 use super::floor::floor;
 use super::limits;
 use super::next_pose::NextPose;
 use super::prepare::Prepared;
+use super::regression::Fit;
 use super::remainder::unexplained;
 use super::search::CHANCE;
 use super::search::Found as SearchEnd;
 use super::selection::Selection;
+use super::set_up_errors::Mended;
 use super::significance::Significance;
 use super::smooth;
 use super::steps::{found, steps};
@@ -61,7 +61,7 @@ pub(crate) fn answer(
     planner: Planner,
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     let fit = &end.fit;
     let go_on = |progress: Progress| {
         if watch(&progress) {
@@ -73,11 +73,11 @@ pub(crate) fn answer(
     go_on(Progress::Comparing)?;
     let session = &mended.session;
     let problem = &prepared.problem;
-    let base = arena.fit(&arena.base, Vec::new());
+    let base = regression.fit(&regression.base, Vec::new());
     // The model carries names only, as near to the samples as names can come; what no name
     // explains is told apart.
     let with_shapes = fit;
-    let names = arena.fit(&fit.model, Vec::new());
+    let names = regression.fit(&fit.model, Vec::new());
     let fit = if with_shapes.shapes.is_empty() {
         with_shapes
     } else {
@@ -104,10 +104,10 @@ pub(crate) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::open_rivals(arena, with_shapes);
+    let rivals = aliases::open_rivals(regression, with_shapes);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
-    let not_testable = not_testable(arena, &base);
+    let not_testable = not_testable(regression, &base);
     let proposal = planner(&Undecided {
         prepared,
         fit: with_shapes,
@@ -143,12 +143,11 @@ pub(crate) fn answer(
         gap,
         held_out,
         identified: values.identified(),
-        not_identifiable: identification.not_identifiable.clone(),
         found,
         equivalent: equivalents(&equivalent, with_shapes, &proposal),
         unexplained,
         not_testable,
-        not_found: limits::limits(arena, with_shapes),
+        not_found: limits::limits(regression, with_shapes),
         outliers: identification.outliers.clone(),
         identification,
         next_poses: proposal.poses,
@@ -156,11 +155,9 @@ pub(crate) fn answer(
             .problem
             .noise
             .clone()
-            .unwrap_or_else(|| arena.noise.clone()),
-        covariance: values.covariance.clone(),
+            .unwrap_or_else(|| regression.noise.clone()),
         model: values.model.settled(),
         history,
-        measured: measured(problem.inputs.q.iter().map(|q| &**q)),
     })
 }
 
@@ -190,15 +187,6 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
     Cow::Owned(all)
 }
 
-fn measured<'q>(columns: impl Iterator<Item = &'q [f64]>) -> Vec<Range> {
-    let range = |q: &[f64]| {
-        let start = (f64::INFINITY, f64::NEG_INFINITY);
-        let (from, to) = q.iter().fold(start, |(a, b), v| (a.min(*v), b.max(*v)));
-        Range { from, to }
-    };
-    columns.map(range).collect()
-}
-
 fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Vec<Equivalent> {
     let ids = |terms: &[Term]| -> Vec<&'static str> {
         terms.iter().map(|t| t.effect.about().id).collect()
@@ -225,13 +213,13 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Ve
 
 /// Takes out of every size what its selection adds; see [`super::selection`].
 fn correct_for_selection(prepared: &Prepared, fit: &Fit, values: &mut Values) {
-    let arena = &prepared.arena;
-    let threshold = arena.minus_ln_p_for(CHANCE, fit);
-    for term in arena.added(fit) {
+    let regression = &prepared.regression;
+    let threshold = regression.minus_ln_p_for(CHANCE, fit);
+    for term in regression.added(fit) {
         let rest = worth(prepared, fit, term).rest;
         let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
-        let freedom = (arena.m() - fit.basis.rank() as f64).max(2.0);
-        let tried = 0.5 * arena.price_of_term(term);
+        let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
+        let tried = 0.5 * regression.price_of_term(term);
         let share = Significance::new(columns, freedom).share_for(threshold + tried);
         let least = freedom * share / (1.0 - share).max(1e-12);
         let gain = freedom * (rest.rss - fit.rss) / fit.rss.max(1e-300);

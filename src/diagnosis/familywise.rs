@@ -22,7 +22,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::arena::{Arena, Fit, weight_of};
+use super::regression::{Fit, Regression, weight_of};
 use super::significance::Significance;
 use crate::effects::rank as rank_in_catalogue;
 use crate::fit::linear::Basis;
@@ -83,7 +83,7 @@ pub struct FamilyP {
     pub bound: bool,
 }
 
-impl Arena<'_> {
+impl Regression<'_> {
     /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which
     /// the candidate is already: its residual is noise if the candidate is right.
     pub(crate) fn family_p(&self, minus_ln_p: f64, fit: &Fit) -> FamilyP {

@@ -3,8 +3,8 @@
 
 use crate::effects::Term;
 
-use super::arena::Fit;
 use super::prepare::Prepared;
+use super::regression::Fit;
 use super::search::{CHANCE, Found, needed};
 use super::significance::Significance;
 use super::{Cancelled, Progress, Watch};
@@ -22,19 +22,19 @@ pub(crate) struct Worth {
 
 /// Takes out, worst first, every name that does not carry itself.
 pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Result<(), Cancelled> {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     loop {
         if !watch(&Progress::Comparing) {
             return Err(Cancelled);
         }
         let fit = &found.fit;
-        let unseen = prepared.folds.rms(arena, fit);
+        let unseen = prepared.folds.rms(regression, fit);
         let mut worst: Option<(f64, Fit)> = None;
-        for term in arena.added(fit) {
+        for term in regression.added(fit) {
             let worth = worth(prepared, fit, term);
-            let improbable = arena.family_p(worth.minus_ln_p, fit).p > CHANCE;
+            let improbable = regression.family_p(worth.minus_ln_p, fit).p > CHANCE;
             let unlikely = worth.ln_odds < needed(fit, term).max(0.0);
-            let useless = || prepared.folds.rms(arena, &worth.rest) <= unseen;
+            let useless = || prepared.folds.rms(regression, &worth.rest) <= unseen;
             if improbable || unlikely || useless() {
                 let lowest = worst.as_ref().is_none_or(|w| worth.ln_odds < w.0);
                 if lowest {
@@ -51,12 +51,12 @@ pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Resu
 
 /// What a term is worth beside the others of a fit.
 pub(crate) fn worth(prepared: &Prepared, fit: &Fit, term: &Term) -> Worth {
-    let arena = &prepared.arena;
-    let rest = arena.without_term(fit, term);
+    let regression = &prepared.regression;
+    let rest = regression.without_term(fit, term);
     let rank = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
-    let freedom = (arena.m() - fit.basis.rank() as f64).max(2.0);
+    let freedom = (regression.m() - fit.basis.rank() as f64).max(2.0);
     let share = ((rest.rss - fit.rss) / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-15);
-    let tried = arena.price_of_term(term);
+    let tried = regression.price_of_term(term);
     Worth {
         minus_ln_p: Significance::new(rank, freedom).of(share) - 0.5 * tried,
         ln_odds: fit.ln_evidence - rest.ln_evidence,

@@ -4,26 +4,26 @@
 use crate::sessions::Sigma;
 
 use super::answer::{Floor, FloorFrom};
-use super::arena::Fit;
 use super::prepare::Prepared;
+use super::regression::Fit;
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit.
 pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     if let Some(pure) = pure_error(prepared) {
         return Floor {
             mm: pure.mm,
             from: FloorFrom::Repeats,
         };
     }
-    let axes = arena.rows.axes.len() as f64;
+    let axes = regression.rows.axes.len() as f64;
     match prepared.problem.session.instrument.sigma_mm {
         Some(Sigma::Overall(sigma)) => Floor {
             mm: sigma * axes.sqrt(),
             from: FloorFrom::Instrument,
         },
         Some(Sigma::PerAxis(sigma)) => Floor {
-            mm: arena
+            mm: regression
                 .rows
                 .axes
                 .iter()
@@ -33,7 +33,9 @@ pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
             from: FloorFrom::Instrument,
         },
         None => Floor {
-            mm: arena.noise.total_mm(&arena.rows.axes) * axes.sqrt() * arena.scale(fit),
+            mm: regression.noise.total_mm(&regression.rows.axes)
+                * axes.sqrt()
+                * regression.scale(fit),
             from: FloorFrom::Estimated,
         },
     }
@@ -55,7 +57,7 @@ pub(crate) struct PureError {
 /// Spread between samples of the same pose, side, target, speed and load, reached again after
 /// another pose.
 pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
-    let rows = &prepared.arena.rows;
+    let rows = &prepared.regression.rows;
     let inputs = &rows.inputs;
     let key = |i: usize| {
         let mut key: Vec<u64> = inputs.q.iter().map(|q| q[i].to_bits()).collect();
@@ -70,9 +72,9 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
     let keys: Vec<Vec<u64>> = (0..rows.samples.len()).map(key).collect();
     let mut order: Vec<usize> = (0..keys.len()).collect();
     order.sort_by(|a, b| keys[*a].cmp(&keys[*b]).then(a.cmp(b)));
-    let (raw, _) = rows.extract(&prepared.arena.base);
+    let (raw, _) = rows.extract(&prepared.regression.base);
     let n = rows.samples.len();
-    let sigma = prepared.arena.noise.sigma_mm;
+    let sigma = prepared.regression.noise.sigma_mm;
     let (mut sum, mut weighted, mut freedom) = (0.0, 0.0, 0_usize);
     let mut start = 0;
     while start < n {

@@ -8,8 +8,8 @@
 use crate::effects::{Over, Term};
 
 use super::anonymous::{Direction, Profile, Shape, Variable};
-use super::arena::{Arena, Fit, PRICE_OF_A_NAME};
 use super::prepare::Prepared;
+use super::regression::{Fit, PRICE_OF_A_NAME, Regression};
 use super::search::Found;
 use super::smooth;
 
@@ -23,10 +23,10 @@ const MOST_PIECES: usize = 60;
 
 /// Holds a free curve over each joint against the names; where it is likelier it takes their place.
 pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     for joint in 0..prepared.survey.joints.len() {
         let fit = &found.fit;
-        let made_up: Vec<Term> = arena
+        let made_up: Vec<Term> = regression
             .added(fit)
             .into_iter()
             .filter(|t| follows_only(t, joint))
@@ -36,7 +36,7 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             .iter()
             .map(|t| t.coefficients.len() + settings(t))
             .sum();
-        let over_joint = |s: &super::arena::Placed| s.shape.variable == Variable::Joint(joint);
+        let over_joint = |s: &super::regression::Placed| s.shape.variable == Variable::Joint(joint);
         let shapes = fit.shapes.iter().filter(|s| over_joint(s)).count();
         if columns < FEWEST_COLUMNS && shapes == 0 || made_up.is_empty() {
             continue;
@@ -45,14 +45,14 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
             .model
             .without(|t| made_up.iter().any(|m| m.same_column(t)));
         let kept = fit.shapes.iter().filter(|s| !over_joint(s)).cloned();
-        let rest = arena.fit(&model, kept.collect());
+        let rest = regression.fit(&model, kept.collect());
         let Some(curve) = smooth::free_curve(prepared, &rest.model, joint) else {
             continue;
         };
         let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
         if likelihood > fit.ln_evidence {
             let pieces = curve.freedom.clamp(4, MOST_PIECES);
-            found.fit = with_curve(arena, &rest, joint, pieces, likelihood);
+            found.fit = with_curve(regression, &rest, joint, pieces, likelihood);
         }
     }
 }
@@ -67,15 +67,21 @@ fn settings(term: &Term) -> usize {
     usize::from(crate::effects::term::setting_quantity(term.effect.about().setting).is_some())
 }
 
-fn with_curve(arena: &Arena, rest: &Fit, joint: usize, pieces: usize, ln_evidence: f64) -> Fit {
+fn with_curve(
+    regression: &Regression,
+    rest: &Fit,
+    joint: usize,
+    pieces: usize,
+    ln_evidence: f64,
+) -> Fit {
     let mut shapes = rest.shapes.clone();
-    shapes.push(arena.placed(Shape {
+    shapes.push(regression.placed(Shape {
         variable: Variable::Joint(joint),
         direction: Direction::Tangential(joint),
         profile: Profile::Curve { pieces },
         tried: 1.0,
     }));
-    let mut fit = arena.fit(&rest.model, shapes);
+    let mut fit = regression.fit(&rest.model, shapes);
     let credit = ln_evidence - fit.ln_evidence;
     if let Some(curve) = fit.shapes.last_mut() {
         curve.credit = credit;

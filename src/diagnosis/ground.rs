@@ -7,7 +7,7 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 
 use super::anonymous::{Direction, Shape, Variable};
-use super::arena::Placed;
+use super::regression::Placed;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 

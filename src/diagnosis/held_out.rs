@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Setting;
 
-use super::arena::{Arena, Fit};
+use super::regression::{Fit, Regression};
 use crate::fit::linear::Basis;
 
 /// Which fold each sample of the rows is in.
@@ -28,9 +28,9 @@ const FEW: usize = 60;
 pub(crate) const FEWEST: usize = 6;
 
 impl Folds {
-    /// Folds over the samples of an arena, by the angle of the first joint that moves most.
-    pub(crate) fn new(arena: &Arena) -> Self {
-        let q = &arena.rows.inputs.q;
+    /// Folds over the samples of an regression, by the angle of the first joint that moves most.
+    pub(crate) fn new(regression: &Regression) -> Self {
+        let q = &regression.rows.inputs.q;
         let range = |column: &[f64]| {
             let values = column.iter().copied();
             let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
@@ -40,7 +40,7 @@ impl Folds {
         };
         let widest = (0..q.len()).max_by(|a, b| range(&q[*a]).total_cmp(&range(&q[*b])));
         let column = widest.map_or(&[][..], |j| &*q[j]);
-        let n = arena.rows.samples.len();
+        let n = regression.rows.samples.len();
         let mut order: Vec<usize> = (0..n).collect();
         order.sort_by(|a, b| {
             let value = |k: usize| column.get(k).copied().unwrap_or(0.0);
@@ -75,29 +75,31 @@ impl Folds {
     }
 
     /// Root mean square length of the deviations of samples that the fit has not seen, mm.
-    pub(crate) fn rms(&self, arena: &Arena, fit: &Fit) -> f64 {
+    pub(crate) fn rms(&self, regression: &Regression, fit: &Fit) -> f64 {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
             return fit.rss.sqrt();
         }
-        let (raw_residual, raw_columns) = arena.rows.extract(&fit.model);
-        let residual = arena.noise.whitened_vector(&arena.rows, &raw_residual);
+        let (raw_residual, raw_columns) = regression.rows.extract(&fit.model);
+        let residual = regression
+            .noise
+            .whitened_vector(&regression.rows, &raw_residual);
         let own = raw_columns.ncols();
         let width = own + fit.shapes.iter().map(|s| s.raw.ncols()).sum::<usize>();
-        let mut raw = DMatrix::zeros(arena.rows.len(), width);
+        let mut raw = DMatrix::zeros(regression.rows.len(), width);
         raw.columns_mut(0, own).copy_from(&raw_columns);
         let mut at = own;
         for shape in &fit.shapes {
             raw.columns_mut(at, shape.raw.ncols()).copy_from(&shape.raw);
             at += shape.raw.ncols();
         }
-        let white = arena.noise.whitened(&arena.rows, &raw);
-        let scanned = scanned_terms(arena, fit);
+        let white = regression.noise.whitened(&regression.rows, &raw);
+        let scanned = scanned_terms(regression, fit);
         let n = self.fold.len();
         let mut sum = 0.0;
         for fold in 0..self.count {
-            let seen: Vec<usize> = (0..arena.rows.len())
+            let seen: Vec<usize> = (0..regression.rows.len())
                 .filter(|row| self.fold[row % n] != fold)
                 .collect();
             let mut fold_white = white.select_rows(&seen);
@@ -106,7 +108,7 @@ impl Folds {
             let mut fold_raw_residual = raw_residual.clone();
             for term in &scanned {
                 term.rescan(
-                    arena,
+                    regression,
                     &seen,
                     &mut fold_white,
                     &mut fold_raw,
@@ -115,7 +117,7 @@ impl Folds {
                 );
             }
             let step = Basis::new(&fold_white).solve(&fold_residual);
-            let unseen = (0..arena.rows.len()).filter(|row| self.fold[row % n] == fold);
+            let unseen = (0..regression.rows.len()).filter(|row| self.fold[row % n] == fold);
             for row in unseen {
                 let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
                 sum += e * e;
@@ -133,7 +135,7 @@ struct Scanned {
     candidates: Vec<usize>,
 }
 
-fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
+fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
     let mut first = 0;
     let mut all = Vec::new();
     for term in fit.model.terms() {
@@ -146,7 +148,7 @@ fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
         );
         if scanned {
             let same = |i: &usize| {
-                let candidate = &arena.table.candidates[*i];
+                let candidate = &regression.table.candidates[*i];
                 candidate
                     .what
                     .term()
@@ -156,7 +158,9 @@ fn scanned_terms(arena: &Arena, fit: &Fit) -> Vec<Scanned> {
                 first,
                 size,
                 coefficients: DVector::from_column_slice(&term.coefficients),
-                candidates: (0..arena.table.candidates.len()).filter(same).collect(),
+                candidates: (0..regression.table.candidates.len())
+                    .filter(same)
+                    .collect(),
             });
         }
         first += size;
@@ -168,7 +172,7 @@ impl Scanned {
     /// Exchanges the term's columns for those of the setting that the seen rows like best.
     fn rescan(
         &self,
-        arena: &Arena,
+        regression: &Regression,
         seen: &[usize],
         white: &mut DMatrix<f64>,
         raw: &mut DMatrix<f64>,
@@ -190,8 +194,8 @@ impl Scanned {
         let mut best: Option<(f64, usize)> = None;
         // All candidates at once would be quicker to project; one by one keeps the memory small.
         for index in &self.candidates {
-            let candidate = &arena.table.candidates[*index];
-            let columns = arena
+            let candidate = &regression.table.candidates[*index];
+            let columns = regression
                 .white
                 .columns(candidate.first, candidate.size)
                 .select_rows(seen);
@@ -203,15 +207,15 @@ impl Scanned {
         let Some((_, index)) = best else {
             return;
         };
-        let candidate = &arena.table.candidates[index];
+        let candidate = &regression.table.candidates[index];
         *residual = without;
         let raw_back = raw.columns(self.first, self.size) * &self.coefficients;
         *raw_residual += raw_back;
         let of_table = |m: &DMatrix<f64>| m.columns(candidate.first, candidate.size).into_owned();
         white
             .columns_mut(self.first, self.size)
-            .copy_from(&of_table(&arena.white).select_rows(seen));
+            .copy_from(&of_table(&regression.white).select_rows(seen));
         raw.columns_mut(self.first, self.size)
-            .copy_from(&of_table(&arena.table.raw));
+            .copy_from(&of_table(&regression.table.raw));
     }
 }

@@ -8,7 +8,7 @@
 
 use crate::effects::{Form, Setting};
 
-use super::arena::{Arena, Fit, weight_of};
+use super::regression::{Fit, Regression, weight_of};
 use super::search::CHANCE;
 use super::significance::Significance;
 
@@ -53,13 +53,13 @@ pub struct Limit {
 }
 
 /// Limits of every name that was tried and is not in the model.
-pub(crate) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
-    let projected = arena.projected(&fit.basis);
-    let freedom = arena.m() - fit.basis.rank() as f64;
-    let scale = arena.scale(fit).max(1e-300);
-    let threshold = arena.minus_ln_p_for(CHANCE, fit);
+pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
+    let projected = regression.projected(&fit.basis);
+    let freedom = regression.m() - fit.basis.rank() as f64;
+    let scale = regression.scale(fit).max(1e-300);
+    let threshold = regression.minus_ln_p_for(CHANCE, fit);
     let mut groups: Vec<(&'static str, usize, Vec<usize>)> = Vec::new();
-    for (index, candidate) in arena.table.candidates.iter().enumerate() {
+    for (index, candidate) in regression.table.candidates.iter().enumerate() {
         let Some(term) = candidate.what.term() else {
             continue;
         };
@@ -69,7 +69,7 @@ pub(crate) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
             None => groups.push((id, term.joint, vec![index])),
         }
     }
-    let there = arena.added(fit);
+    let there = regression.added(fit);
     let is_there = |id: &str, joint: usize| {
         there
             .iter()
@@ -82,13 +82,13 @@ pub(crate) fn limits(arena: &Arena, fit: &Fit) -> Vec<Limit> {
         }
         let mut all: Vec<Vec<(&'static str, f64)>> = Vec::new();
         for index in members {
-            let candidate = &arena.table.candidates[index];
+            let candidate = &regression.table.candidates[index];
             let Some(term) = candidate.what.term() else {
                 continue;
             };
             let k = candidate.size;
             let nu = freedom - k as f64;
-            let (factor, rank) = arena.factor(&projected, candidate);
+            let (factor, rank) = regression.factor(&projected, candidate);
             if rank < k || nu < 2.0 {
                 continue;
             }

@@ -3,7 +3,7 @@
 //!
 //! The way, one file for each idea:
 //!
-//! 1. [`blunders`]: mistakes of setting up are tried first and mended for what follows.
+//! 1. [`set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
 //! 2. [`crate::fit::noise`]: residuals of the robust base fit, whitened by axis and in time.
 //! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
@@ -25,13 +25,12 @@
 pub mod aliases;
 pub mod anonymous;
 pub mod answer;
-pub mod blunders;
 pub mod candidates;
 pub mod familywise;
 pub mod limits;
+pub mod set_up_errors;
 pub mod smooth;
 
-pub(crate) mod arena;
 pub(crate) mod classes;
 pub(crate) mod conclude;
 mod final_set;
@@ -40,6 +39,7 @@ mod free_curve;
 pub(crate) mod ground;
 mod held_out;
 mod incomplete;
+pub(crate) mod regression;
 
 mod next_pose;
 pub(crate) mod prepare;
@@ -67,8 +67,8 @@ pub use smooth::Correction;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;
-use blunders::Mended;
 use prepare::Prepared;
+use set_up_errors::Mended;
 
 /// What to look for, and how.
 #[derive(Debug, Clone, Default)]
@@ -168,7 +168,7 @@ pub(crate) fn checked<'a>(
     watch: Watch,
 ) -> Result<Mended<'a>, Cancelled> {
     tell(watch, &Progress::Checking)?;
-    Ok(blunders::mend(session, options))
+    Ok(set_up_errors::mend(session, options))
 }
 
 /// The search, done again once with the names known: outliers and noise look different then. Where
@@ -188,7 +188,7 @@ pub(crate) fn searched<'a>(
     // A search that may not go on leaves names unsaid: neither a slow part of the noise nor a free
     // curve is held against those it has, and the verdict says that something is left.
     if !prepared.is_capped(&found) {
-        (prepared, found) = against_rivals(prepared, found, watch)?;
+        (prepared, found) = against_rivals(&prepared, found, watch)?;
     }
     final_set::test(&prepared, &mut found, watch)?;
     Ok((prepared, found))
@@ -196,13 +196,13 @@ pub(crate) fn searched<'a>(
 
 /// What was found against a slow part of the noise and a free curve: the likeliest of them.
 fn against_rivals<'a>(
-    prepared: Prepared<'a>,
+    prepared: &Prepared<'a>,
     mut found: search::Found,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
     let slow = prepared.with_slow_noise();
     let white = prepared
-        .arena
+        .regression
         .noise
         .slow
         .map(|_| prepared.with_white_noise());
@@ -226,7 +226,10 @@ fn settled_search<'a>(
     let mut found = prepared.search(watch)?;
     for _ in 0..3 {
         let (settled, fit) = prepared.settled(&found.fit);
-        let same = settled.arena.noise.whitens_like(&prepared.arena.noise);
+        let same = settled
+            .regression
+            .noise
+            .whitens_like(&prepared.regression.noise);
         (prepared, found.fit) = (settled, fit);
         if same {
             break;

@@ -1,10 +1,11 @@
-//! From a session to the arena: samples that count, robust base fit, candidates, noise.
+//! From a session to the regression: samples that count, robust base fit, candidates, noise.
 //!
 //! A long session is searched on an evenly spread part of its samples. Nothing that matters in
 //! practice (0.3 of the noise, root mean square, λ = 45 in 500 samples) can well hide from them; values and
 //! gaps then come from all of them.
 
 use crate::effects::{Survey, Term, find};
+use std::rc::Rc;
 use std::sync::Arc;
 
 use nalgebra::DMatrix;
@@ -16,12 +17,12 @@ use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outli
 use crate::model::Model;
 use crate::sessions::Session;
 
-use super::arena::{Arena, Fit, Placed};
-use super::blunders::DataProblem;
 use super::candidates::Table;
 use super::held_out::Folds;
 use super::incomplete;
+use super::regression::{Fit, Placed, Regression};
 use super::search::{Found, Search};
+use super::set_up_errors::DataProblem;
 use super::{DiagnoseError, Options, Watch};
 use crate::fit::noise::Noise;
 use crate::fit::regression::Rows;
@@ -38,11 +39,11 @@ const LEAST_MOVE: f64 = 6.0;
 /// See the module.
 pub(crate) struct Prepared<'a> {
     /// All samples.
-    pub(crate) problem: Arc<Problem<'a>>,
+    pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
     pub(crate) base: Model,
     pub(crate) survey: Survey,
-    pub(crate) arena: Arena<'a>,
+    pub(crate) regression: Regression<'a>,
     pub(crate) folds: Folds,
     /// Samples that `--held-out` locks away.
     pub(crate) locked: Vec<bool>,
@@ -75,13 +76,13 @@ impl<'a> Prepared<'a> {
             let start = single_joint(session, &problem, &survey, options);
             (fit_without_outliers(&mut problem, &start).model, Vec::new())
         };
-        let arena = arena(&mut problem, &base, &survey, options);
-        let folds = Folds::new(&arena);
+        let regression = regression(&mut problem, &base, &survey, options);
+        let folds = Folds::new(&regression);
         Ok(Self {
-            problem: Arc::new(problem),
+            problem: Rc::new(problem),
             base: base.clone(),
             survey,
-            arena,
+            regression,
             folds,
             locked,
             incomplete,
@@ -92,19 +93,19 @@ impl<'a> Prepared<'a> {
 
     /// The most that a search may add.
     pub(crate) fn cap(&self) -> usize {
-        let cap = self.arena.rows.samples.len().div_ceil(10).min(12);
+        let cap = self.regression.rows.samples.len().div_ceil(10).min(12);
         self.options.max_effects.map_or(cap, |most| most.min(cap))
     }
 
     /// Whether a search ended because it may add no more.
     pub(crate) fn is_capped(&self, found: &Found) -> bool {
-        let count = self.arena.added(&found.fit).len() + found.fit.shapes.len();
+        let count = self.regression.added(&found.fit).len() + found.fit.shapes.len();
         count >= self.cap()
     }
 
     pub(crate) fn search(&self, watch: Watch) -> Result<Found, DiagnoseError> {
         let search = Search {
-            arena: &self.arena,
+            regression: &self.regression,
             folds: &self.folds,
             most: self.cap(),
             watch,
@@ -129,35 +130,35 @@ impl<'a> Prepared<'a> {
         }
         let same = now.used == self.problem.used;
         if !same {
-            self.problem = Arc::new(now);
+            self.problem = Rc::new(now);
         }
-        let noise = noise_beside_many(&self.arena, Some(&found.fit));
-        if same && noise.whitens_like(&self.arena.noise) {
+        let noise = noise_beside_many(&self.regression, Some(&found.fit));
+        if same && noise.whitens_like(&self.regression.noise) {
             return false;
         }
         if same {
-            self.arena = self.arena.with_noise(noise);
+            self.regression = self.regression.with_noise(noise);
         } else {
-            let base = crate::fit::solver::solve(&self.problem, &self.arena.base).model;
-            let arena = bare_arena(&self.problem, &base, &self.survey, &self.options);
-            self.arena = arena.with_noise(noise);
+            let base = crate::fit::solver::solve(&self.problem, &self.regression.base).model;
+            let regression = bare_regression(&self.problem, &base, &self.survey, &self.options);
+            self.regression = regression.with_noise(noise);
         }
-        self.folds = Folds::new(&self.arena);
+        self.folds = Folds::new(&self.regression);
         true
     }
 
     fn table(&self) -> &Table {
-        &self.arena.table
+        &self.regression.table
     }
 
     /// The same with the noise that a fit leaves: the null of a test belongs to the model that it
     /// was made for. The fit is made again under it.
     pub(crate) fn settled(&self, fit: &Fit) -> (Self, Fit) {
-        let mut now = self.with_noise(noise_of(&self.arena, fit));
+        let mut now = self.with_noise(noise_of(&self.regression, fit));
         let mut fit = now.refitted(fit);
         for _ in 0..2 {
-            let noise = noise_of(&now.arena, &fit);
-            if noise.whitens_like(&now.arena.noise) {
+            let noise = noise_of(&now.regression, &fit);
+            if noise.whitens_like(&now.regression.noise) {
                 break;
             }
             now = now.with_noise(noise);
@@ -169,22 +170,23 @@ impl<'a> Prepared<'a> {
     /// The same with the noise that the base alone leaves, where that has a slow part: the rival
     /// of every name.
     pub(crate) fn with_slow_noise(&self) -> Option<Self> {
-        let arena = &self.arena;
-        let base = arena.fit(&arena.base, Vec::new());
-        let noise = noise_of(arena, &base);
+        let regression = &self.regression;
+        let base = regression.fit(&regression.base, Vec::new());
+        let noise = noise_of(regression, &base);
         // A frame that stands elsewhere all the time does not wander.
-        let n = arena.rows.samples.len();
-        let mut still = DMatrix::zeros(arena.rows.len(), arena.rows.axes.len());
-        for axis in 0..arena.rows.axes.len() {
+        let n = regression.rows.samples.len();
+        let mut still = DMatrix::zeros(regression.rows.len(), regression.rows.axes.len());
+        for axis in 0..regression.rows.axes.len() {
             still.view_mut((axis * n, axis), (n, 1)).fill(1.0);
         }
-        let moves = estimated(arena, &base.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
+        let moves =
+            estimated(regression, &base.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
         (noise.slow.is_some() && moves).then(|| self.with_noise(noise))
     }
 
     /// The same with white noise.
     pub(crate) fn with_white_noise(&self) -> Self {
-        let noise = &self.arena.noise;
+        let noise = &self.regression.noise;
         let slow = noise.slow.map_or([0.0; 3], |s| s.rms_mm);
         let total = |axis: usize| noise.sigma_mm[axis].hypot(slow[axis]);
         self.with_noise(Noise {
@@ -196,10 +198,10 @@ impl<'a> Prepared<'a> {
 
     fn with_noise(&self, noise: Noise) -> Self {
         Self {
-            problem: Arc::clone(&self.problem),
+            problem: Rc::clone(&self.problem),
             base: self.base.clone(),
             survey: self.survey.clone(),
-            arena: self.arena.with_noise(noise),
+            regression: self.regression.with_noise(noise),
             folds: self.folds.clone(),
             locked: self.locked.clone(),
             incomplete: self.incomplete.clone(),
@@ -212,9 +214,9 @@ impl<'a> Prepared<'a> {
     pub(crate) fn refitted(&self, fit: &Fit) -> Fit {
         let shapes = fit.shapes.iter().map(|s| Placed {
             credit: s.credit,
-            ..self.arena.placed(s.shape)
+            ..self.regression.placed(s.shape)
         });
-        self.arena.fit(&fit.model, shapes.collect())
+        self.regression.fit(&fit.model, shapes.collect())
     }
 }
 
@@ -272,18 +274,18 @@ fn single_joint(session: &Session, problem: &Problem, survey: &Survey, options: 
     Model::new(session.robot.clone(), terms)
 }
 
-/// The arena of a problem, whose outliers are looked for beside many columns at once first: what
+/// The regression of a problem, whose outliers are looked for beside many columns at once first: what
 /// the base lacks does not pass for them, and does not hide them.
-fn arena<'a>(
+fn regression<'a>(
     problem: &mut Problem<'a>,
     base: &Model,
     survey: &Survey,
     options: &Options,
-) -> Arena<'a> {
+) -> Regression<'a> {
     keep_clusters(problem);
-    let mut arena = bare_arena(problem, base, survey, options);
+    let mut regression = bare_regression(problem, base, survey, options);
     for _ in 0..2 {
-        let suspected = super::robust::suspected_beside_many(problem, &arena, MOST_SAMPLES);
+        let suspected = super::robust::suspected_beside_many(problem, &regression, MOST_SAMPLES);
         let before = problem.used.clone();
         for (sample, suspected) in suspected {
             problem.used[sample] = problem.fit[sample] && !suspected;
@@ -292,24 +294,24 @@ fn arena<'a>(
         if problem.used == before {
             break;
         }
-        arena = bare_arena(problem, base, survey, options);
+        regression = bare_regression(problem, base, survey, options);
     }
-    let noise = noise_beside_many(&arena, None);
-    arena.with_noise(noise)
+    let noise = noise_beside_many(&regression, None);
+    regression.with_noise(noise)
 }
 
-/// An arena whose noise is not known yet.
-fn bare_arena<'a>(
+/// An regression whose noise is not known yet.
+fn bare_regression<'a>(
     problem: &Problem<'a>,
     base: &Model,
     survey: &Survey,
     options: &Options,
-) -> Arena<'a> {
+) -> Regression<'a> {
     let problem = thinned(problem, MOST_SAMPLES);
     let rows = Rows::of(&problem);
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
-    Arena::new(
-        Arc::new(problem),
+    Regression::new(
+        Rc::new(problem),
         Arc::new(rows),
         Noise::white(1.0),
         Arc::new(table),
@@ -320,31 +322,31 @@ fn bare_arena<'a>(
 
 /// Noise beside the base (and what was found) with many candidates at once, so that what has not
 /// been found yet is not taken for noise.
-fn noise_beside_many(arena: &Arena, found: Option<&Fit>) -> Noise {
-    let model = found.map_or(&arena.base, |f| &f.model);
-    let rich = arena.table.raw.select_columns(&arena.table.rich);
+fn noise_beside_many(regression: &Regression, found: Option<&Fit>) -> Noise {
+    let model = found.map_or(&regression.base, |f| &f.model);
+    let rich = regression.table.raw.select_columns(&regression.table.rich);
     let shapes = found.iter().flat_map(|f| &f.shapes).map(|s| &s.raw);
-    estimated(arena, model, shapes.chain([&rich]))
+    estimated(regression, model, shapes.chain([&rich]))
 }
 
 /// Noise beside a fit as it is.
-fn noise_of(arena: &Arena, fit: &Fit) -> Noise {
-    estimated(arena, &fit.model, fit.shapes.iter().map(|s| &s.raw))
+fn noise_of(regression: &Regression, fit: &Fit) -> Noise {
+    estimated(regression, &fit.model, fit.shapes.iter().map(|s| &s.raw))
 }
 
 fn estimated<'m>(
-    arena: &Arena,
+    regression: &Regression,
     model: &Model,
     beside: impl Iterator<Item = &'m DMatrix<f64>>,
 ) -> Noise {
-    let (residual, mut columns) = arena.rows.extract(model);
+    let (residual, mut columns) = regression.rows.extract(model);
     for more in beside {
         let at = columns.ncols();
         columns = columns.resize_horizontally(at + more.ncols(), 0.0);
         columns.columns_mut(at, more.ncols()).copy_from(more);
     }
-    let stated = arena.problem.session.instrument.sigma_mm;
-    Noise::estimate(stated, &arena.rows, &residual, &columns)
+    let stated = regression.problem.session.instrument.sigma_mm;
+    Noise::estimate(stated, &regression.rows, &residual, &columns)
 }
 
 /// The same problem with at most so many samples that count, spread evenly.

@@ -4,20 +4,20 @@ use crate::kinematics::JointKind;
 use crate::sessions::Session;
 
 use super::answer::Unexplained;
-use super::arena::Fit;
 use super::candidates::What;
 use super::prepare::Prepared;
+use super::regression::Fit;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
 
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     let fit = &end.fit;
     if fit.shapes.is_empty() {
         return without_shapes(prepared, fit);
     }
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     let names = |fit: &Fit| -> Vec<(&'static str, usize)> {
-        let added = arena.added(fit);
+        let added = regression.added(fit);
         added
             .iter()
             .map(|t| (t.effect.about().id, t.joint))
@@ -31,27 +31,27 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         .collect();
     resembles.dedup();
     // The largest shape comes first.
-    let gain = |index: usize| arena.without_shape(fit, index).rss - fit.rss;
+    let gain = |index: usize| regression.without_shape(fit, index).rss - fit.rss;
     let mut order: Vec<(usize, f64)> = (0..fit.shapes.len()).map(|i| (i, gain(i))).collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
     let total: f64 = {
-        let names = arena.fit(&fit.model, Vec::new());
+        let names = regression.fit(&fit.model, Vec::new());
         names.rss - fit.rss
     };
-    let n = arena.rows.samples.len() as f64;
+    let n = regression.rows.samples.len() as f64;
     let (main, main_gain) = order[0];
     let shape = fit.shapes[main].shape;
-    let range = arena.table.ground.range(shape.variable);
-    let rest = arena.without_shape(fit, main);
-    let freedom = (arena.m() - fit.basis.rank() as f64).max(1.0);
+    let range = regression.table.ground.range(shape.variable);
+    let rest = regression.without_shape(fit, main);
+    let freedom = (regression.m() - fit.basis.rank() as f64).max(1.0);
     let k = fit.shapes[main].white.ncols();
     let test = super::significance::Significance::new(k, freedom);
     let minus_ln_p =
         test.of(main_gain / rest.rss.max(1e-300)) - 0.5 * shape.tried.max(1.0).ln() - 3.0_f64.ln();
     Unexplained {
         present: true,
-        p: arena.family_p(minus_ln_p, fit).p,
-        rms_mm: (total.max(0.0) / n).sqrt() * mean_sigma_mm(arena),
+        p: regression.family_p(minus_ln_p, fit).p,
+        rms_mm: (total.max(0.0) / n).sqrt() * mean_sigma_mm(regression),
         place: Some(shape.place(range, prismatic)),
         resembles,
         says: format!("{}; no effect of the catalogue explains it", shape.says()),
@@ -69,13 +69,13 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
 
 /// What is left beside names alone: how much like noise it is, and what it looks most like.
 pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
-    let arena = &prepared.arena;
-    let scores = arena.scan(fit);
+    let regression = &prepared.regression;
+    let scores = regression.scan(fit);
     let largest = scores.iter().map(|s| s.minus_ln_p).fold(0.0, f64::max);
     // Where it would be, were it more than noise.
     let likeliest = scores
         .iter()
-        .filter_map(|s| match &arena.table.candidates[s.candidate].what {
+        .filter_map(|s| match &regression.table.candidates[s.candidate].what {
             What::Anonymous(shape) => Some((s.ln_odds, shape)),
             What::Named(_) => None,
         })
@@ -84,10 +84,10 @@ pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
     let slides = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
     Unexplained {
         present: false,
-        p: arena.family_p(largest, fit).p,
+        p: regression.family_p(largest, fit).p,
         rms_mm: 0.0,
         place: likeliest
-            .map(|(_, shape)| shape.place(arena.table.ground.range(shape.variable), slides)),
+            .map(|(_, shape)| shape.place(regression.table.ground.range(shape.variable), slides)),
         resembles: Vec::new(),
         says: likeliest.map_or_else(String::new, |(_, shape)| {
             format!("what is left looks most like {}", shape.says())

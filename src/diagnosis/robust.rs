@@ -11,8 +11,8 @@ use crate::fit::linear::Basis;
 use crate::fit::outliers::suspected;
 use crate::fit::problem::Problem;
 
-use super::arena::Arena;
 use super::prepare::thinned;
+use super::regression::Regression;
 
 /// With fewer samples there are no many columns to fit.
 const FEWEST: usize = 20;
@@ -24,7 +24,7 @@ const TUNING: [f64; 2] = [2.8, 5.5];
 /// Samples that were looked at, and whether they are suspected.
 pub(crate) fn suspected_beside_many(
     problem: &Problem,
-    arena: &Arena,
+    regression: &Regression,
     most: usize,
 ) -> Vec<(usize, bool)> {
     let mut all = problem.clone();
@@ -36,13 +36,13 @@ pub(crate) fn suspected_beside_many(
         return Vec::new();
     }
     // The columns are needed for the suspected samples as well.
-    let same = rows.samples == arena.rows.samples;
+    let same = rows.samples == regression.rows.samples;
     let rich = if same {
-        arena.table.raw.select_columns(&arena.table.rich)
+        regression.table.raw.select_columns(&regression.table.rich)
     } else {
-        arena.table.rich_on(&rows, &arena.base)
+        regression.table.rich_on(&rows, &regression.base)
     };
-    let (residual, columns) = rows.extract(&arena.base);
+    let (residual, columns) = rows.extract(&regression.base);
     let own = columns.ncols();
     let mut design = columns.resize_horizontally(own + rich.ncols(), 0.0);
     design.columns_mut(own, rich.ncols()).copy_from(&rich);

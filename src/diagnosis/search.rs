@@ -10,9 +10,9 @@ use crate::effects::{Over, Setting, Term};
 
 use super::aliases;
 use super::anonymous::{Profile, Shape, Variable};
-use super::arena::{Arena, Fit, Placed, Score};
 use super::candidates::What;
 use super::held_out::Folds;
+use super::regression::{Fit, Placed, Regression, Score};
 use super::{Cancelled, Progress, Watch};
 use crate::fit::linear::Basis;
 
@@ -44,7 +44,7 @@ pub(crate) struct Found {
 }
 
 pub(crate) struct Search<'s, 'a> {
-    pub(crate) arena: &'s Arena<'a>,
+    pub(crate) regression: &'s Regression<'a>,
     pub(crate) folds: &'s Folds,
     pub(crate) most: usize,
     pub(crate) watch: Watch<'s>,
@@ -52,7 +52,7 @@ pub(crate) struct Search<'s, 'a> {
 
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<Found, Cancelled> {
-        let base = self.arena.fit(&self.arena.base, Vec::new());
+        let base = self.regression.fit(&self.regression.base, Vec::new());
         self.tell(&Progress::Searching { found: Vec::new() })?;
         let mut names_only = self.forward(base.clone(), Allow::Names)?;
         names_only = self.pairs(names_only)?;
@@ -78,7 +78,7 @@ impl Search<'_, '_> {
     }
 
     fn count(&self, fit: &Fit) -> usize {
-        self.arena.added(fit).len() + fit.shapes.len()
+        self.regression.added(fit).len() + fit.shapes.len()
     }
 
     /// Adds what is significant, best first, until nothing is.
@@ -93,7 +93,7 @@ impl Search<'_, '_> {
                 break;
             }
             fit = next;
-            let names = self.arena.added(&fit).into_iter();
+            let names = self.regression.added(&fit).into_iter();
             self.tell(&Progress::Searching {
                 found: names.map(|term| term.effect.about().id).collect(),
             })?;
@@ -103,21 +103,21 @@ impl Search<'_, '_> {
 
     /// The likeliest candidate that is significant, holds on unseen samples and matters.
     fn step(&self, fit: &Fit, allow: Allow) -> Option<Fit> {
-        let mut scores = self.arena.scan(fit);
+        let mut scores = self.regression.scan(fit);
         scores.retain(|s| self.may_join(fit, s, allow));
         by_odds(&mut scores);
-        let unseen = self.folds.rms(self.arena, fit);
+        let unseen = self.folds.rms(self.regression, fit);
         // Nearly equal candidates: the first few are looked at closely.
         for score in scores.iter().take(4) {
             if !self.matters(score.gain, fit) {
                 continue;
             }
             let what = self.refined(fit, score.candidate);
-            let next = self.arena.with(fit, &what);
-            if self.arena.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
+            let next = self.regression.with(fit, &what);
+            if self.regression.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
                 continue;
             }
-            if self.folds.rms(self.arena, &next) < unseen {
+            if self.folds.rms(self.regression, &next) < unseen {
                 return Some(next);
             }
         }
@@ -125,20 +125,20 @@ impl Search<'_, '_> {
     }
 
     fn may_join(&self, fit: &Fit, score: &Score, allow: Allow) -> bool {
-        match &self.arena.table.candidates[score.candidate].what {
-            What::Named(term) => compatible(&self.arena.added(fit), term),
+        match &self.regression.table.candidates[score.candidate].what {
+            What::Named(term) => compatible(&self.regression.added(fit), term),
             What::Anonymous(_) => allow == Allow::Everything,
         }
     }
 
     /// Whether a fall of the sum of squares by `gain` matters in practice.
     pub(crate) fn matters(&self, gain: f64, fit: &Fit) -> bool {
-        let arena = self.arena;
-        let n = arena.rows.samples.len() as f64;
-        let in_noise = (gain / n).sqrt() / arena.scale(fit).max(1e-300);
-        let mean_sigma = mean_sigma_mm(arena);
+        let regression = self.regression;
+        let n = regression.rows.samples.len() as f64;
+        let in_noise = (gain / n).sqrt() / regression.scale(fit).max(1e-300);
+        let mean_sigma = mean_sigma_mm(regression);
         let rms_mm = (gain / n).sqrt() * mean_sigma;
-        let of_tolerance = arena
+        let of_tolerance = regression
             .problem
             .session
             .tolerance_mm
@@ -166,15 +166,15 @@ impl Search<'_, '_> {
         if self.count(&fit) < 2 && fit.shapes.is_empty() {
             return fit;
         }
-        let terms: Vec<Term> = self.arena.added(&fit).into_iter().cloned().collect();
+        let terms: Vec<Term> = self.regression.added(&fit).into_iter().cloned().collect();
         for term in terms {
-            let rest = self.arena.without_term(&fit, &term);
+            let rest = self.regression.without_term(&fit, &term);
             if let Some(better) = self.best_beside(&rest, allow, fit.ln_evidence) {
                 fit = better;
             }
         }
         for index in (0..fit.shapes.len()).rev() {
-            let rest = self.arena.without_shape(&fit, index);
+            let rest = self.regression.without_shape(&fit, index);
             if let Some(better) = self.best_beside(&rest, allow, fit.ln_evidence) {
                 fit = better;
             }
@@ -183,14 +183,14 @@ impl Search<'_, '_> {
     }
 
     fn best_beside(&self, rest: &Fit, allow: Allow, than: f64) -> Option<Fit> {
-        let mut scores = self.arena.scan(rest);
+        let mut scores = self.regression.scan(rest);
         scores
             .retain(|s| self.may_join(rest, s, allow) && rest.ln_evidence + s.ln_odds > than - 3.0);
         by_odds(&mut scores);
         let mut best: Option<Fit> = None;
         for score in scores.iter().take(3) {
             let what = self.refined(rest, score.candidate);
-            let next = self.arena.with(rest, &what);
+            let next = self.regression.with(rest, &what);
             let so_far = best.as_ref().map_or(than, |b| b.ln_evidence);
             if next.ln_evidence > so_far + 1e-3 {
                 best = Some(next);
@@ -214,11 +214,11 @@ impl Search<'_, '_> {
                     }
                 }
             };
-            for term in self.arena.added(&fit) {
-                consider(self.arena.without_term(&fit, term), needed(&fit, term));
+            for term in self.regression.added(&fit) {
+                consider(self.regression.without_term(&fit, term), needed(&fit, term));
             }
             for index in 0..fit.shapes.len() {
-                consider(self.arena.without_shape(&fit, index), NEEDED);
+                consider(self.regression.without_shape(&fit, index), NEEDED);
             }
             match best {
                 Some(rest) => fit = rest,
@@ -232,7 +232,7 @@ impl Search<'_, '_> {
         let mut fit = fit;
         for _ in 0..3 {
             self.tell(&Progress::Comparing)?;
-            let mut rivals = aliases::rivals(self.arena, &fit);
+            let mut rivals = aliases::rivals(self.regression, &fit);
             rivals.retain(|r| self.count(&r.fit) <= self.most);
             let Some(best) = rivals.into_iter().next() else {
                 break;
@@ -247,7 +247,7 @@ impl Search<'_, '_> {
 
     /// A candidate with its shape fitted finely to what is left.
     fn refined(&self, fit: &Fit, candidate: usize) -> What {
-        match &self.arena.table.candidates[candidate].what {
+        match &self.regression.table.candidates[candidate].what {
             What::Anonymous(shape) => What::Anonymous(self.refined_shape(fit, *shape)),
             What::Named(term) if term.effect.about().setting.takes_fractions() => {
                 What::Named(self.refined_order(fit, term))
@@ -265,7 +265,7 @@ impl Search<'_, '_> {
             setting: order,
             ..term.clone()
         };
-        let gain = |order: f64| self.arena.gain_of_term(fit, &at(order));
+        let gain = |order: f64| self.regression.gain_of_term(fit, &at(order));
         let whole = gain(term.setting);
         let (mut best, mut most) = (term.setting, whole);
         let mut step = 0.5;
@@ -289,9 +289,9 @@ impl Search<'_, '_> {
         };
         let worth = |gain: f64| {
             let share = (gain / fit.rss.max(1e-300)).min(1.0 - 1e-12);
-            -0.5 * self.arena.m() * (-share).ln_1p()
+            -0.5 * self.regression.m() * (-share).ln_1p()
         };
-        if worth(most) - worth(of_whole) > self.arena.price_of_a_fraction() {
+        if worth(most) - worth(of_whole) > self.regression.price_of_a_fraction() {
             at(best)
         } else {
             at(nearest)
@@ -300,10 +300,10 @@ impl Search<'_, '_> {
 
     fn refined_shape(&self, fit: &Fit, start: Shape) -> Shape {
         let gain = |shape: &Shape| {
-            let placed = self.arena.placed(*shape);
+            let placed = self.regression.placed(*shape);
             gain_of(&placed, fit)
         };
-        let range = self.arena.table.ground.range(start.variable);
+        let range = self.regression.table.ground.range(start.variable);
         let span = range.1 - range.0;
         let mut best = (start, gain(&start));
         let mut step = match start.profile {
@@ -411,8 +411,11 @@ pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
 }
 
 /// Root mean square of σ over the measured axes, mm.
-pub(crate) fn mean_sigma_mm(arena: &Arena) -> f64 {
-    let axes = &arena.rows.axes;
-    let sum: f64 = axes.iter().map(|a| arena.noise.sigma_mm[*a].powi(2)).sum();
+pub(crate) fn mean_sigma_mm(regression: &Regression) -> f64 {
+    let axes = &regression.rows.axes;
+    let sum: f64 = axes
+        .iter()
+        .map(|a| regression.noise.sigma_mm[*a].powi(2))
+        .sum();
     (sum / axes.len().max(1) as f64).sqrt()
 }

@@ -3,10 +3,10 @@
 use crate::effects::Term;
 
 use super::answer::{Floor, Found};
-use super::arena::Fit;
 use super::familywise::FamilyP;
 use super::final_set::worth;
 use super::prepare::Prepared;
+use super::regression::Fit;
 use super::values::Values;
 
 /// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
@@ -20,29 +20,29 @@ pub(crate) struct Step {
 }
 
 pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
-    let arena = &prepared.arena;
-    let mut left: Vec<Term> = arena.added(fit).into_iter().cloned().collect();
-    let mut now = arena.fit(&base.model, fit.shapes.clone());
-    let mut unseen = prepared.folds.rms(arena, &now);
+    let regression = &prepared.regression;
+    let mut left: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
+    let mut now = regression.fit(&base.model, fit.shapes.clone());
+    let mut unseen = prepared.folds.rms(regression, &now);
     let gap = |fit: &Fit| {
-        let (raw, _) = arena.rows.extract(&fit.model);
+        let (raw, _) = regression.rows.extract(&fit.model);
         let mut e = raw;
         for shape in &fit.shapes {
             e -= &shape.raw * &shape.coefficients;
         }
-        (e.norm_squared() / arena.rows.samples.len().max(1) as f64).sqrt()
+        (e.norm_squared() / regression.rows.samples.len().max(1) as f64).sqrt()
     };
     let mut steps = Vec::new();
     while !left.is_empty() {
         let fits = left.iter().map(|term| {
             let absent = Term::absent(term.effect, term.joint, term.setting);
-            arena.fit(&now.model.with_term(absent), now.shapes.clone())
+            regression.fit(&now.model.with_term(absent), now.shapes.clone())
         });
         let best = fits
             .enumerate()
             .max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
-        let seen = prepared.folds.rms(arena, &next);
+        let seen = prepared.folds.rms(regression, &next);
         steps.push(Step {
             term: left.remove(index),
             gap_mm: [gap(&now), gap(&next)],
@@ -60,7 +60,7 @@ pub(crate) fn found(
     floor: &Floor,
     values: &Values,
 ) -> Vec<Found> {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     let explained: f64 = steps
         .iter()
         .map(|s| s.gap_mm[0].powi(2) - s.gap_mm[1].powi(2))
@@ -70,8 +70,8 @@ pub(crate) fn found(
         let term = &step.term;
         let worth = worth(prepared, with_shapes, term);
         let mut next: Option<(f64, usize)> = None;
-        for score in &arena.scan(&worth.rest) {
-            let Some(other) = arena.table.candidates[score.candidate].what.term() else {
+        for score in &regression.scan(&worth.rest) {
+            let Some(other) = regression.table.candidates[score.candidate].what.term() else {
                 continue;
             };
             let same_name = other.effect.about().id == about.id
@@ -82,9 +82,9 @@ pub(crate) fn found(
         }
         // Where it is close the next one is refitted, as this one was.
         let next = next.map(|(ln_odds, candidate)| {
-            let what = &arena.table.candidates[candidate].what;
+            let what = &regression.table.candidates[candidate].what;
             let ln_odds = if worth.ln_odds - ln_odds < CLOSE {
-                let refitted = arena.with(&worth.rest, what);
+                let refitted = regression.with(&worth.rest, what);
                 refitted.ln_evidence - worth.rest.ln_evidence
             } else {
                 ln_odds
@@ -93,7 +93,7 @@ pub(crate) fn found(
             (ln_odds, id.to_owned())
         });
         let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
-        let p_family = arena.family_p(worth.minus_ln_p, with_shapes);
+        let p_family = regression.family_p(worth.minus_ln_p, with_shapes);
         let share = step.gap_mm[0].powi(2) - step.gap_mm[1].powi(2);
         let odds = over.clamp(-30.0, 30.0).exp();
         let says = says(

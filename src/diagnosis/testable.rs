@@ -1,19 +1,19 @@
 //! Effects that the session cannot show.
 
-use super::arena::{Arena, Fit};
 use super::candidates::NotTestable;
+use super::regression::{Fit, Regression};
 
 /// What the conditions forbid, and names of which nothing is left beside the base.
-pub(crate) fn not_testable(arena: &Arena, base: &Fit) -> Vec<NotTestable> {
-    let mut all = arena.table.not_testable.clone();
-    let projected = arena.projected(&base.basis);
+pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestable> {
+    let mut all = regression.table.not_testable.clone();
+    let projected = regression.projected(&base.basis);
     let mut seen: Vec<(&'static str, usize, bool, bool)> = Vec::new();
-    for candidate in &arena.table.candidates {
+    for candidate in &regression.table.candidates {
         let Some(term) = candidate.what.term() else {
             continue;
         };
         let about = term.effect.about();
-        let visible = arena.factor(&projected, candidate).1 > 0;
+        let visible = regression.factor(&projected, candidate).1 > 0;
         match seen
             .iter_mut()
             .find(|s| s.0 == about.id && s.1 == term.joint)

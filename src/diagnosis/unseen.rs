@@ -5,8 +5,8 @@ use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::model::Model;
 
 use super::answer::{Gaps, HeldOut};
-use super::arena::Fit;
 use super::prepare::Prepared;
+use super::regression::Fit;
 use super::values::Values;
 
 pub(crate) fn held_out(
@@ -15,7 +15,7 @@ pub(crate) fn held_out(
     fit: &Fit,
     nominal: &Deviations,
 ) -> HeldOut {
-    let arena = &prepared.arena;
+    let regression = &prepared.regression;
     let problem = &prepared.problem;
     let by_file = problem.session.samples.held_out.as_deref();
     let apart =
@@ -58,7 +58,7 @@ pub(crate) fn held_out(
             gaps: None,
         };
     }
-    let rows = &arena.rows;
+    let rows = &regression.rows;
     let start = Model::nominal(base.model.robot.clone());
     let (raw, _) = rows.extract(&start);
     // What a fit of names alone predicts; a shape beside them is not part of the model.
@@ -67,8 +67,8 @@ pub(crate) fn held_out(
         samples: rows.samples.len(),
         gaps: Some(Gaps {
             start_mm: (raw.norm_squared() / rows.samples.len() as f64).sqrt(),
-            identified_mm: prepared.folds.rms(arena, base),
-            end_mm: prepared.folds.rms(arena, fit),
+            identified_mm: prepared.folds.rms(regression, base),
+            end_mm: prepared.folds.rms(regression, fit),
         }),
     }
 }

@@ -18,8 +18,8 @@ use crate::fit::{
 };
 use crate::model::Model;
 
-use super::arena::Fit;
 use super::prepare::{Prepared, thinned};
+use super::regression::Fit;
 use super::selection::Selection;
 
 /// Values of shapes that a fit to all samples may carry at most.
@@ -44,9 +44,13 @@ impl<'a> Values<'a> {
         let mut problem = problem.clone();
         let width: usize = fit.shapes.iter().map(|s| s.raw.ncols()).sum();
         if width * problem.used.len() * 3 <= MOST_BESIDE {
-            problem.beside = prepared.arena.table.ground.on_all(&problem, &fit.shapes);
+            problem.beside = prepared
+                .regression
+                .table
+                .ground
+                .on_all(&problem, &fit.shapes);
         }
-        problem.set_noise(&prepared.arena.noise);
+        problem.set_noise(&prepared.regression.noise);
         let mut solution = solve(&problem, &fit.model);
         let rounds = if stopped { 0 } else { 2 };
         for _ in 0..rounds {

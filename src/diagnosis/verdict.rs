@@ -56,7 +56,7 @@ pub(crate) fn judge(
     held_out: &HeldOut,
     unexplained: &mut Unexplained,
 ) -> Verdict {
-    let names = prepared.arena.added(&found.fit).len();
+    let names = prepared.regression.added(&found.fit).len();
     if !unexplained.present {
         let excess = match floor.from {
             FloorFrom::Repeats => pure_error(prepared).map(|pure| lack_of_fit(values, &pure)),
@@ -132,7 +132,7 @@ fn flag(
 /// Noise as stated and as found.
 fn against_stated(prepared: &Prepared, values: &Values) -> Option<StatedNoise> {
     let stated = prepared.problem.session.instrument.sigma_mm?;
-    let axes = &prepared.arena.rows.axes;
+    let axes = &prepared.regression.rows.axes;
     Some(StatedNoise::of(stated, values.sigma_mm(), axes))
 }
 
@@ -158,7 +158,7 @@ fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
 /// The white noise that was found against the stated one.
 fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
     let stated = prepared.problem.session.instrument.sigma_mm?;
-    let axes = &prepared.arena.rows.axes;
+    let axes = &prepared.regression.rows.axes;
     let (_, freedom, kurtosis) = values.white();
     let sigma = values.sigma_mm();
     let mean = |of: &dyn Fn(usize) -> f64| {
@@ -195,7 +195,7 @@ fn unseen(
     if floor.from == FloorFrom::Estimated || values.noise_is_slow() {
         return None;
     }
-    let axes = prepared.arena.rows.axes.len() as f64;
+    let axes = prepared.regression.rows.axes.len() as f64;
     let (_, freedom, kurtosis) = values.white();
     let m = freedom + values.rank();
     let carried = (m + values.rank()) / m.max(1.0);

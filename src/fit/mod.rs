@@ -32,7 +32,7 @@ pub use exact::{
 pub(crate) use exact::{free_frames, outliers};
 pub use outcome::{
     Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
-    RegionResult,
+    RegionResult, measured_ranges,
 };
 pub use plane::{RegionSums, sum_by_region};
 pub use regional::identify_regional;

@@ -427,7 +427,7 @@ fn alternatives(white: f64, tried: &[Trial]) -> Vec<(f64, f64, [f64; 3])> {
 }
 
 /// What one sample does in the filter of an axis.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub struct Step {
     /// How much of the state is left from the sample before.
     pub carry: f64,
@@ -496,46 +496,44 @@ impl Filter {
         };
         self.axes.iter().map(one).sum()
     }
-
-    /// What a sample does along an axis (counted among the measured ones).
-    pub fn step(&self, axis: usize, sample: usize) -> Step {
-        match &self.axes[axis] {
-            Axis::White(scale) => Step {
-                carry: 0.0,
-                gain: 0.0,
-                inverse_spread: *scale,
-            },
-            Axis::Slow(steps) => steps[sample],
-        }
-    }
 }
 
 /// The steps of a filter; see the module.
 fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> {
-    let (s2, white) = (rms * rms, sigma * sigma);
-    let mut variance = s2;
+    let mut variance = rms * rms;
     let mut before = f64::NAN;
-    let mut all = Vec::with_capacity(times.len());
-    for time in times {
-        let apart = time - before;
-        // A clock that jumps back is a restart, after who knows how long.
-        let carry = if apart >= 0.0 {
-            (-apart / tau).exp()
-        } else {
-            0.0
-        };
+    let step = |time: &f64| {
+        let carry = carried(*time - before, tau);
         before = *time;
-        let predicted = carry * carry * variance + s2 * (1.0 - carry * carry);
-        let spread = predicted + white;
-        let gain = predicted / spread;
-        variance = predicted * white / spread;
-        all.push(Step {
-            carry,
-            gain,
-            inverse_spread: 1.0 / spread.sqrt(),
-        });
+        Step::after(carry, sigma, rms, &mut variance)
+    };
+    times.iter().map(step).collect()
+}
+
+/// How much of the state is left after so long. A clock that jumps back is a restart, after an
+/// unknown time.
+pub(super) fn carried(apart: f64, tau: f64) -> f64 {
+    if apart >= 0.0 {
+        (-apart / tau).exp()
+    } else {
+        0.0
     }
-    all
+}
+
+impl Step {
+    /// The next step; `variance` is that of the state, before and after.
+    #[inline]
+    pub(super) fn after(carry: f64, sigma: f64, rms: f64, variance: &mut f64) -> Self {
+        let (s2, white) = (rms * rms, sigma * sigma);
+        let predicted = carry * carry * *variance + s2 * (1.0 - carry * carry);
+        let spread = predicted + white;
+        *variance = predicted * white / spread;
+        Self {
+            carry,
+            gain: predicted / spread,
+            inverse_spread: 1.0 / spread.sqrt(),
+        }
+    }
 }
 
 /// Products of whitened columns along one axis.

@@ -10,7 +10,7 @@ use crate::effects::block::Block;
 use crate::lanes::{LANES, Lanes};
 use crate::wide::{Loop, wide};
 
-use super::noise::Noise;
+use super::noise::{Noise, Step, carried};
 use super::problem::Problem;
 
 /// See the module.
@@ -139,9 +139,7 @@ pub(super) struct Whitening {
     variance: [f64; 3],
     /// One for each axis and column, the residual last.
     state: [Vec<f64>; 3],
-    carry: Lanes,
-    gain: [Lanes; 3],
-    inverse_spread: [Lanes; 3],
+    step: [[Step; LANES]; 3],
     counts: [bool; LANES],
 }
 
@@ -157,9 +155,7 @@ impl Whitening {
             before: f64::NAN,
             variance: slow.rms_mm.map(|s| s * s),
             state: std::array::from_fn(|_| vec![0.0; columns + 1]),
-            carry: [0.0; LANES],
-            gain: [[0.0; LANES]; 3],
-            inverse_spread: [[0.0; LANES]; 3],
+            step: [[Step::default(); LANES]; 3],
             counts: [false; LANES],
         })
     }
@@ -172,21 +168,12 @@ impl Whitening {
                 continue;
             }
             let time = problem.time(start + i);
-            let apart = time - self.before;
+            let carry = carried(time - self.before, self.tau);
             self.before = time;
-            let carry = if apart >= 0.0 {
-                (-apart / self.tau).exp()
-            } else {
-                0.0
-            };
-            self.carry[i] = carry;
             for axis in 0..3 {
-                let (s2, white) = (self.slow[axis].powi(2), self.sigma[axis].powi(2));
-                let predicted = carry * carry * self.variance[axis] + s2 * (1.0 - carry * carry);
-                let spread = predicted + white;
-                self.gain[axis][i] = predicted / spread;
-                self.inverse_spread[axis][i] = 1.0 / spread.sqrt();
-                self.variance[axis] = predicted * white / spread;
+                let variance = &mut self.variance[axis];
+                self.step[axis][i] =
+                    Step::after(carry, self.sigma[axis], self.slow[axis], variance);
             }
         }
     }
@@ -196,10 +183,11 @@ impl Whitening {
         *white = [0.0; LANES];
         for i in 0..len {
             if self.counts[i] {
-                let carried = self.carry[i] * *state;
+                let step = &self.step[axis][i];
+                let carried = step.carry * *state;
                 let new = raw[i] - carried;
-                *state = carried + self.gain[axis][i] * new;
-                white[i] = new * self.inverse_spread[axis][i];
+                *state = carried + step.gain * new;
+                white[i] = new * step.inverse_spread;
             }
         }
     }

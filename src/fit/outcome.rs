@@ -185,7 +185,8 @@ impl Identification {
     }
 }
 
-fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
+/// The range of every joint in the samples.
+pub fn measured_ranges(inputs: &Inputs) -> Vec<Range> {
     let range = |q: &[f64]| {
         let (from, to) = q
             .iter()

@@ -270,6 +270,7 @@ impl Document {
             },
             identified: grouped(&d.identified),
             not_identifiable: d
+                .identification
                 .not_identifiable
                 .iter()
                 .map(|n| NotIdentifiable {

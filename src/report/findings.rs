@@ -100,10 +100,10 @@ impl Told<'_> {
             }
             blocks.push(Block::Table(table));
         }
-        if !d.not_identifiable.is_empty() {
+        if !d.identification.not_identifiable.is_empty() {
             blocks.push(Block::Heading("Not identifiable".to_owned()));
             let mut table = Table::new(&["Parameter or combination", "Why"]);
-            for open in d.not_identifiable.iter().take(4 * MOST_ROWS) {
+            for open in d.identification.not_identifiable.iter().take(4 * MOST_ROWS) {
                 table.row([clean(&open.combination), clean(&open.because)]);
             }
             blocks.push(Block::Table(table));

@@ -1,10 +1,12 @@
 //! The report of a session: runs the diagnosis and says everything that came out.
 
 use crate::compensation::{Remainder, Verification, verify};
-use crate::diagnosis::blunders::mend;
+use crate::diagnosis::set_up_errors::mend;
 use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch};
+use crate::effects::{Inputs, JointValues};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
+use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
@@ -230,7 +232,8 @@ impl Told<'_> {
         if !s.note.trim().is_empty() {
             facts.push(fact("Note", clean_note(&s.note)));
         }
-        facts.extend(robot_facts(self.robot(), &self.found.measured));
+        let inputs = Inputs::new(s, JointValues::Commanded);
+        facts.extend(robot_facts(self.robot(), &measured_ranges(&inputs)));
         facts.push(fact("Instrument", instrument(&s.instrument)));
         let targets: Vec<String> = s
             .targets

@@ -155,8 +155,8 @@ pub(crate) struct FreeCurve {
 
 /// The likeliest free curve over a joint beside a model, on the samples that a search looks at.
 pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Option<FreeCurve> {
-    let arena = &prepared.arena;
-    let columns = Columns::new(&arena.problem, &arena.noise, model, joint);
+    let regression = &prepared.regression;
+    let columns = Columns::new(&regression.problem, &regression.noise, model, joint);
     if columns.values.len() < FEWEST_VALUES {
         return None;
     }
@@ -189,7 +189,7 @@ fn fitted(
     joint: usize,
     over: &Shape,
 ) -> Result<Fitted, String> {
-    let columns = Columns::new(problem, &prepared.arena.noise, model, joint);
+    let columns = Columns::new(problem, &prepared.regression.noise, model, joint);
     let values = columns.values.len();
     if values < FEWEST_VALUES {
         return Err(format!(

@@ -57,7 +57,7 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
         widgets::card(ui, |ui| next::show(ui, workbench, &d.next_poses, commands));
     }
     excluded(ui, workbench, d);
-    not_identifiable(ui, &d.not_identifiable);
+    not_identifiable(ui, &d.identification.not_identifiable);
     limits::show(ui, d);
     limits::not_testable(ui, d);
 }

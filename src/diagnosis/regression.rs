@@ -9,6 +9,7 @@
 //! ```
 
 use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
@@ -75,8 +76,8 @@ pub(crate) struct Score {
     pub(crate) ln_odds: f64,
 }
 
-pub(crate) struct Arena<'a> {
-    pub(crate) problem: Arc<Problem<'a>>,
+pub(crate) struct Regression<'a> {
+    pub(crate) problem: Rc<Problem<'a>>,
     pub(crate) rows: Arc<Rows>,
     pub(crate) noise: Noise,
     pub(crate) table: Arc<Table>,
@@ -96,9 +97,9 @@ pub(crate) struct Arena<'a> {
 /// variance of a few slow swings is not.)
 const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
-impl<'a> Arena<'a> {
+impl<'a> Regression<'a> {
     pub(crate) fn new(
-        problem: Arc<Problem<'a>>,
+        problem: Rc<Problem<'a>>,
         rows: Arc<Rows>,
         noise: Noise,
         table: Arc<Table>,
@@ -128,7 +129,7 @@ impl<'a> Arena<'a> {
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
         Self::new(
-            Arc::clone(&self.problem),
+            Rc::clone(&self.problem),
             Arc::clone(&self.rows),
             noise,
             Arc::clone(&self.table),
