@@ -427,7 +427,7 @@ fn noise_outliers_and_a_fit_that_did_not_converge_are_reported() {
     }
     assert!(!said.contains("did not converge"));
     found.identification.quality.converged = false;
-    found.not_identifiable = vec![NotIdentifiable {
+    found.identification.not_identifiable = vec![NotIdentifiable {
         combination: "offset_deg with about_z_mrad".to_owned(),
         because: "the samples show only their sum".to_owned(),
     }];

@@ -23,6 +23,7 @@ mod lines;
 mod load;
 mod mend;
 pub(crate) mod number;
+pub mod regions;
 mod rows;
 mod save;
 mod saved_columns;
