@@ -9,7 +9,7 @@
 //! ```
 
 use std::cell::RefCell;
-use std::sync::Arc;
+use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -76,10 +76,10 @@ pub(crate) struct Score {
 }
 
 pub(crate) struct Arena<'a> {
-    pub(crate) problem: Arc<Problem<'a>>,
-    pub(crate) rows: Arc<Rows>,
+    pub(crate) problem: Rc<Problem<'a>>,
+    pub(crate) rows: Rc<Rows>,
     pub(crate) noise: Noise,
-    pub(crate) table: Arc<Table>,
+    pub(crate) table: Rc<Table>,
     pub(crate) white: DMatrix<f64>,
     /// Squared norms of the columns of `white`.
     norms: Vec<f64>,
@@ -98,10 +98,10 @@ const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
 impl<'a> Arena<'a> {
     pub(crate) fn new(
-        problem: Arc<Problem<'a>>,
-        rows: Arc<Rows>,
+        problem: Rc<Problem<'a>>,
+        rows: Rc<Rows>,
         noise: Noise,
-        table: Arc<Table>,
+        table: Rc<Table>,
         base: Model,
         seed: u64,
     ) -> Self {
@@ -128,10 +128,10 @@ impl<'a> Arena<'a> {
     /// The same samples and candidates with another noise.
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
         Self::new(
-            Arc::clone(&self.problem),
-            Arc::clone(&self.rows),
+            Rc::clone(&self.problem),
+            Rc::clone(&self.rows),
             noise,
-            Arc::clone(&self.table),
+            Rc::clone(&self.table),
             self.base.clone(),
             self.seed,
         )

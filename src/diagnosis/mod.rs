@@ -188,7 +188,7 @@ pub(crate) fn searched<'a>(
     // A search that may not go on leaves names unsaid: neither a slow part of the noise nor a free
     // curve is held against those it has, and the verdict says that something is left.
     if !prepared.is_capped(&found) {
-        (prepared, found) = against_rivals(prepared, found, watch)?;
+        (prepared, found) = against_rivals(&prepared, found, watch)?;
     }
     final_set::test(&prepared, &mut found, watch)?;
     Ok((prepared, found))
@@ -196,7 +196,7 @@ pub(crate) fn searched<'a>(
 
 /// What was found against a slow part of the noise and a free curve: the likeliest of them.
 fn against_rivals<'a>(
-    prepared: Prepared<'a>,
+    prepared: &Prepared<'a>,
     mut found: search::Found,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {

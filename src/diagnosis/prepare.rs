@@ -5,7 +5,7 @@
 //! gaps then come from all of them.
 
 use crate::effects::{Survey, Term, find};
-use std::sync::Arc;
+use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
@@ -38,7 +38,7 @@ const LEAST_MOVE: f64 = 6.0;
 /// See the module.
 pub(crate) struct Prepared<'a> {
     /// All samples.
-    pub(crate) problem: Arc<Problem<'a>>,
+    pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
     pub(crate) base: Model,
     pub(crate) survey: Survey,
@@ -78,7 +78,7 @@ impl<'a> Prepared<'a> {
         let arena = arena(&mut problem, &base, &survey, options);
         let folds = Folds::new(&arena);
         Ok(Self {
-            problem: Arc::new(problem),
+            problem: Rc::new(problem),
             base: base.clone(),
             survey,
             arena,
@@ -129,7 +129,7 @@ impl<'a> Prepared<'a> {
         }
         let same = now.used == self.problem.used;
         if !same {
-            self.problem = Arc::new(now);
+            self.problem = Rc::new(now);
         }
         let noise = noise_beside_many(&self.arena, Some(&found.fit));
         if same && noise.whitens_like(&self.arena.noise) {
@@ -196,7 +196,7 @@ impl<'a> Prepared<'a> {
 
     fn with_noise(&self, noise: Noise) -> Self {
         Self {
-            problem: Arc::clone(&self.problem),
+            problem: Rc::clone(&self.problem),
             base: self.base.clone(),
             survey: self.survey.clone(),
             arena: self.arena.with_noise(noise),
@@ -309,10 +309,10 @@ fn bare_arena<'a>(
     let rows = Rows::of(&problem);
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
     Arena::new(
-        Arc::new(problem),
-        Arc::new(rows),
+        Rc::new(problem),
+        Rc::new(rows),
         Noise::white(1.0),
-        Arc::new(table),
+        Rc::new(table),
         base.clone(),
         options.seed,
     )
