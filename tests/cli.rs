@@ -458,7 +458,7 @@ fn noise_outliers_and_sizes_that_no_machine_has_are_said_in_words() {
     let with_names = truepose(&["identify", &facts(), "--effects", effects]).stdout;
     let with_names = String::from_utf8(with_names).unwrap();
     assert!(identified.contains("measurement noise: σ = "));
-    assert!(with_names.contains("slow noise: the measuring frame"));
+    assert!(with_names.contains("slow noise: a part of the remaining error goes on"));
     assert!(with_names.contains("excluded outliers: 3 of 160 samples"));
     assert!(with_names.contains("implausibly large"), "{with_names}");
     let order = with_names.lines().find(|line| line.contains(" order "));

@@ -451,7 +451,7 @@ fn noise_in_words(answer: &Identification, session: &Session) -> String {
         text += &format!("\nmeasurement noise: {}", stated.says());
     }
     if let Some(slow) = &noise.slow {
-        text += &format!("\nslow noise: {}", slow.says());
+        text += &format!("\nslow noise: {}", slow.says_of_remaining_error());
     }
     text
 }

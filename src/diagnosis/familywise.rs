@@ -51,6 +51,8 @@ struct Null {
     rank: usize,
     /// Of the model that it was made for.
     fingerprint: Vec<u64>,
+    /// Whether it is the same whatever the seed.
+    seedless: bool,
     groups: Vec<Group>,
     /// The fit's orthonormal columns, as rows.
     inside: DMatrix<f32>,
@@ -127,9 +129,10 @@ impl Regression<'_> {
         }
     }
 
-    /// The −ln p that noise alone reaches with this chance.
+    /// The −ln p that noise alone reaches with this chance. Sizes and limits depend on it, and on no
+    /// seed: it comes from simulations of its own.
     pub(crate) fn minus_ln_p_for(&self, chance: f64, fit: &Fit) -> f64 {
-        let at = self.null_beside(fit, false);
+        let at = self.null_of(fit, false, true);
         let null = &self.familywise.borrow().null[at];
         let (mut low, mut high) = (2.0, (self.table.candidates.len() as f64).ln() + 14.0);
         for _ in 0..40 {
@@ -149,11 +152,17 @@ impl Regression<'_> {
 
     /// Place of the simulations beside a fit; the first are made here.
     fn null_beside(&self, fit: &Fit, rough: bool) -> usize {
+        self.null_of(fit, rough, false)
+    }
+
+    fn null_of(&self, fit: &Fit, rough: bool, seedless: bool) -> usize {
         let fingerprint = fingerprint(fit);
         let mut familywise = self.familywise.borrow_mut();
         let mut known = familywise.null.iter();
         let rank = fit.basis.rank();
-        let same = |n: &Null| n.fingerprint == fingerprint || rough && n.rank == rank;
+        let same = |n: &Null| {
+            n.seedless == seedless && (n.fingerprint == fingerprint || rough && n.rank == rank)
+        };
         if let Some(at) = known.position(same) {
             return at;
         }
@@ -171,6 +180,7 @@ impl Regression<'_> {
         let mut null = Null {
             rank,
             fingerprint,
+            seedless,
             groups: self.orthonormal_groups(&fit.basis),
             inside: fit.basis.q.map(|v| v as f32).transpose(),
             noise,
@@ -178,9 +188,10 @@ impl Regression<'_> {
             largest: Vec::new(),
             tail: None,
         };
-        null.simulate(self.seed);
+        let seed = if seedless { 0 } else { self.seed };
+        null.simulate(seed);
         if !flip {
-            null.simulate_tail(self.seed);
+            null.simulate_tail(seed);
         }
         familywise.null.push(null);
         familywise.null.len() - 1
@@ -445,6 +456,7 @@ mod tests {
         Null {
             rank: 0,
             fingerprint: Vec::new(),
+            seedless: false,
             groups: vec![
                 group(1, 40, 0.5, &mut random),
                 group(2, 60, 2.0, &mut random),

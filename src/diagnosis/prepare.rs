@@ -6,7 +6,6 @@
 
 use crate::effects::{Survey, Term, find};
 use std::rc::Rc;
-use std::sync::Arc;
 
 use nalgebra::DMatrix;
 
@@ -312,9 +311,9 @@ fn bare_regression<'a>(
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
     Regression::new(
         Rc::new(problem),
-        Arc::new(rows),
+        Rc::new(rows),
         Noise::white(1.0),
-        Arc::new(table),
+        Rc::new(table),
         base.clone(),
         options.seed,
     )

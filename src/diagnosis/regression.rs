@@ -10,7 +10,6 @@
 
 use std::cell::RefCell;
 use std::rc::Rc;
-use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
@@ -78,9 +77,9 @@ pub(crate) struct Score {
 
 pub(crate) struct Regression<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
-    pub(crate) rows: Arc<Rows>,
+    pub(crate) rows: Rc<Rows>,
     pub(crate) noise: Noise,
-    pub(crate) table: Arc<Table>,
+    pub(crate) table: Rc<Table>,
     pub(crate) white: DMatrix<f64>,
     /// Squared norms of the columns of `white`.
     norms: Vec<f64>,
@@ -100,9 +99,9 @@ const PRICE_OF_A_VARIANCE: f64 = 1.0;
 impl<'a> Regression<'a> {
     pub(crate) fn new(
         problem: Rc<Problem<'a>>,
-        rows: Arc<Rows>,
+        rows: Rc<Rows>,
         noise: Noise,
-        table: Arc<Table>,
+        table: Rc<Table>,
         base: Model,
         seed: u64,
     ) -> Self {
@@ -130,9 +129,9 @@ impl<'a> Regression<'a> {
     pub(crate) fn with_noise(&self, noise: Noise) -> Self {
         Self::new(
             Rc::clone(&self.problem),
-            Arc::clone(&self.rows),
+            Rc::clone(&self.rows),
             noise,
-            Arc::clone(&self.table),
+            Rc::clone(&self.table),
             self.base.clone(),
             self.seed,
         )

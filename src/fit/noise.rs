@@ -37,11 +37,24 @@ pub struct Slow {
 }
 
 impl Slow {
-    /// In words.
+    /// In words, where everything that has a name is in the model.
     pub fn says(&self) -> String {
+        format!("the measuring frame wanders by {}", self.extent())
+    }
+
+    /// In words, where the model may lack what changes with time as the poses do.
+    pub fn says_of_remaining_error(&self) -> String {
+        format!(
+            "a part of the remaining error goes on from sample to sample, {}: a diagnosis looks \
+             for effects in it",
+            self.extent()
+        )
+    }
+
+    fn extent(&self) -> String {
         let length = self.rms_mm.iter().map(|s| s * s).sum::<f64>().sqrt();
         format!(
-            "the measuring frame wanders by {length:.4} mm (root mean square) within {:.1} min",
+            "{length:.4} mm (root mean square) within {:.1} min",
             self.time_constant_s / 60.0
         )
     }

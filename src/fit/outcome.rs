@@ -39,7 +39,7 @@ impl Estimate {
         self.name == "order" && self.ci95.is_none() && self.value.fract() == 0.0
     }
 
-    /// Whether it is a size beyond what its effect has on any machine.
+    /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.
     pub fn is_implausible(&self) -> bool {
         let Some(about) = find(self.effect).map(Effect::about) else {
             return false;
@@ -47,7 +47,10 @@ impl Estimate {
         // A sliding joint has other units, and no limit is known for those.
         let is_size = about.form.sizes().iter().any(|q| q.name == self.name);
         let limit = about.implausible_above.filter(|_| is_size);
-        limit.is_some_and(|limit| self.value.abs() > limit)
+        let least = self.ci95.map_or(self.value.abs(), |[low, high]| {
+            f64::max(low, -high).max(0.0)
+        });
+        limit.is_some_and(|limit| least > limit)
     }
 }
 

@@ -407,8 +407,12 @@ fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<Not
         } else {
             1
         };
-        let mut obstacles = (0..joints).map(|joint| effect.obstacle(survey, joint));
-        let first = obstacles.next().flatten();
+        let mut obstacles = (0..joints)
+            .filter(|joint| effect.exists_on(*joint))
+            .map(|joint| effect.obstacle(survey, joint));
+        let Some(first) = obstacles.next() else {
+            continue;
+        };
         match first {
             Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
                 effect: about.id,

@@ -376,7 +376,7 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
         let stated = noise.against_stated(&workbench.subject().session);
         let differs = stated.filter(StatedNoise::differs);
         lines.extend(differs.map(|n| format!("measurement noise: {}", n.says())));
-        lines.extend(noise.slow.map(|slow| slow.says()));
+        lines.extend(noise.slow.map(|slow| slow.says_of_remaining_error()));
     }
     if !found.outliers.is_empty() {
         let (excluded, all) = (found.outliers.len(), grouped(found.samples));
