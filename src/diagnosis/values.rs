@@ -34,7 +34,8 @@ pub(crate) struct Values<'a> {
     pub(crate) covariance: Option<DMatrix<f64>>,
     /// One list for each term of the model.
     estimates: Vec<Vec<Estimate>>,
-    kurtosis: f64,
+    /// Kurtosis of what is left, and the size of its bulk in units of the noise.
+    tails: (f64, f64),
 }
 
 impl<'a> Values<'a> {
@@ -75,7 +76,7 @@ impl<'a> Values<'a> {
             covariance: covariance
                 .filter(|_| own > 0)
                 .map(|c| c.view((0, 0), (own, own)).into_owned()),
-            kurtosis: kurtosis(&problem, &solution),
+            tails: tails(&problem, &solution),
             estimates,
             solution,
             problem,
@@ -94,7 +95,12 @@ impl<'a> Values<'a> {
     pub(crate) fn white(&self) -> (f64, f64, f64) {
         let m = (self.problem.samples() * self.problem.axes()) as f64;
         let freedom = (m - self.rank()).max(1.0);
-        (self.solution.cost / freedom, freedom, self.kurtosis)
+        (self.solution.cost / freedom, freedom, self.tails.0)
+    }
+
+    /// Size of the bulk of what is left, from the median, in units of the noise.
+    pub(crate) fn bulk(&self) -> f64 {
+        self.tails.1
     }
 
     /// Number of combinations of coefficients that the samples determine.
@@ -196,26 +202,30 @@ impl<'a> Values<'a> {
 }
 
 /// Fourth moment of the coordinates that are left over the square of the second, each axis in units
-/// of its own noise; 3 for a Gaussian, and never less.
-fn kurtosis(problem: &Problem, solution: &Solution) -> f64 {
+/// of its own noise (3 for a Gaussian, and never less); and the size of their bulk, from the median,
+/// in the same units.
+fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
     let left = deviations(problem, &solution.model);
-    let (mut second, mut fourth, mut n) = (0.0, 0.0, 0.0);
+    let mut all = Vec::new();
     for (axis, values) in left.axes_mm.iter().enumerate() {
-        let weight = problem.axis_weights[axis];
-        for (i, e) in values.iter().enumerate() {
-            if weight > 0.0 && problem.used[i] {
-                let square = e * e * weight;
-                second += square;
-                fourth += square * square;
-                n += 1.0;
-            }
-        }
+        let unit = problem.axis_weights[axis].sqrt();
+        let used = values.iter().zip(&problem.used);
+        let counts = used.filter(|(_, used)| unit > 0.0 && **used);
+        all.extend(counts.map(|(e, _)| (e * unit).abs()));
     }
-    if second > 0.0 {
-        f64::max(fourth * n / (second * second), 3.0)
+    if all.is_empty() {
+        return (3.0, 1.0);
+    }
+    let moment = |power: i32| all.iter().map(|e| e.powi(power)).sum::<f64>() / all.len() as f64;
+    let (second, fourth) = (moment(2), moment(4));
+    let middle = all.len() / 2;
+    let (_, median, _) = all.select_nth_unstable_by(middle, f64::total_cmp);
+    let kurtosis = if second > 0.0 {
+        f64::max(fourth / (second * second), 3.0)
     } else {
         3.0
-    }
+    };
+    (kurtosis, *median / 0.674_5)
 }
 
 /// The 95 % interval of an order that is not whole, from the change of the samples with it beside
