@@ -96,15 +96,6 @@ impl Columns {
         }
     }
 
-    /// The same with the names as they are: the curve takes all that they leave.
-    pub(super) fn beside_known_names(self) -> Self {
-        Self {
-            names: DMatrix::zeros(self.rows.len(), 0),
-            white_names: DMatrix::zeros(self.rows.len(), 0),
-            ..self
-        }
-    }
-
     pub(super) fn samples(&self) -> usize {
         self.rows.samples.len()
     }

@@ -3,9 +3,8 @@
 //!
 //! The residuals of the named model are smoothed over the joint's value (`likelihood`), in
 //! directions that turn with the joint: along its motion, which a table can correct, along its
-//! radius and along its axis. The names were fitted beside the shapes of what they do not explain,
-//! and keep those values: the curve takes all that they leave. A curve beside names that are still
-//! free ([`free_curve`]) is orthogonal to them on the samples, so that it takes nothing from them.
+//! radius and along its axis. Where a correction is asked for the names are fitted alone, and the
+//! curve is orthogonal to them on the samples, so that their values stay what they are.
 //!
 //! It is added only if it helps on samples that it has not seen (`columns`: every so-many-th
 //! value of the joint is left out and predicted from its neighbours; where the noise is correlated
@@ -190,9 +189,7 @@ fn fitted(
     joint: usize,
     over: &Shape,
 ) -> Result<Fitted, String> {
-    // The names were fitted beside the shapes of what they leave: their values stay.
-    let columns =
-        Columns::new(problem, &prepared.regression.noise, model, joint).beside_known_names();
+    let columns = Columns::new(problem, &prepared.regression.noise, model, joint);
     let values = columns.values.len();
     if values < FEWEST_VALUES {
         return Err(format!(
