@@ -169,17 +169,25 @@ fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
         Sigma::Overall(s) => mean(&|a| (sigma[a] / s).powi(2)),
         Sigma::PerAxis(s) => mean(&|a| (sigma[a] / s[a]).powi(2)),
     };
+<<<<<<< ours
     // A few far samples are tails, of which thirty samples do not show enough to know them: of a
     // larger noise the bulk is larger as well.
     let bulk = ratio2.sqrt() * values.bulk() / values.white().0.sqrt().max(1e-12);
-    (bulk > 1.0).then(|| excess_of(ratio2, freedom, kurtosis))
+    (bulk > 1.0).then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
+=======
+    Some(excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
+>>>>>>> theirs
 }
 
-/// Chance of a mean square so many times the expected one.
-fn excess_of(ratio2: f64, freedom: f64, kurtosis: f64) -> Excess {
-    // Wilson & Hilferty's cube root makes χ² nearly normal; heavy tails widen it.
-    let spread = (kurtosis - 1.0) / freedom.max(1.0);
-    let z = (ratio2.max(0.0).cbrt() - (1.0 - spread / 9.0)) / (spread / 9.0).sqrt();
+/// Chance of a mean square so many times the expected one, which is itself known from so many degrees
+/// of freedom: from infinitely many where it is stated.
+fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Excess {
+    // Wilson & Hilferty's cube root makes χ² nearly normal, and a ratio of two as well (Paulson
+    // 1942); heavy tails widen it.
+    let own = (kurtosis - 1.0) / freedom.max(1.0) / 9.0;
+    let other = (kurtosis - 1.0) / known_from.max(1.0) / 9.0;
+    let root = ratio2.max(0.0).cbrt();
+    let z = (root * (1.0 - other) - (1.0 - own)) / (own + root * root * other).sqrt();
     let p = Normal::new(0.0, 1.0).map_or(1.0, |n| n.sf(z));
     Excess {
         ratio: ratio2.max(0.0).sqrt(),
@@ -205,5 +213,26 @@ fn unseen(
     let carried = (m + values.rank()) / m.max(1.0);
     let ratio2 = (gaps.end_mm / floor.mm).powi(2) / carried;
     let count = (held_out.samples as f64 * axes).min(m);
-    Some(excess_of(ratio2, count, kurtosis))
+    let known_from = match floor.from {
+        FloorFrom::Repeats => pure_error(prepared)?.freedom,
+        _ => f64::INFINITY,
+    };
+    Some(excess_of(ratio2, count, known_from, kurtosis))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_floor_from_few_returns_says_less_than_a_stated_one() {
+        // 504 coordinates 11 % above a floor that is stated, and one from 36 returns along three axes.
+        let stated = excess_of(1.235, 504.0, f64::INFINITY, 3.0);
+        let returns = excess_of(1.235, 504.0, 108.0, 3.0);
+        assert!(stated.is_more_than_noise(), "{stated:?}");
+        assert!(!returns.is_more_than_noise(), "{returns:?}");
+        // The same chances as F has.
+        let f = FisherSnedecor::new(504.0, 108.0).unwrap();
+        assert!((returns.p / f.sf(1.235) - 1.0).abs() < 0.03, "{returns:?}");
+    }
 }
