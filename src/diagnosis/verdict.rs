@@ -169,14 +169,10 @@ fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
         Sigma::Overall(s) => mean(&|a| (sigma[a] / s).powi(2)),
         Sigma::PerAxis(s) => mean(&|a| (sigma[a] / s[a]).powi(2)),
     };
-<<<<<<< ours
     // A few far samples are tails, of which thirty samples do not show enough to know them: of a
     // larger noise the bulk is larger as well.
     let bulk = ratio2.sqrt() * values.bulk() / values.white().0.sqrt().max(1e-12);
     (bulk > 1.0).then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
-=======
-    Some(excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
->>>>>>> theirs
 }
 
 /// Chance of a mean square so many times the expected one, which is itself known from so many degrees
