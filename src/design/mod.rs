@@ -1,9 +1,9 @@
 //! Poses to measure next: those that tell rival explanations apart ([`next_poses`]), those that
 //! make an effect testable ([`enabling_poses`]), a first measurement of a robot
-//! ([`first_measurement`]), and all of them as a measuring list ([`plan`]).
+//! (`first_measurement`), and all of them as a measuring list ([`plan`]).
 //!
 //! A pose is worth what it adds to the separation of two models, one refitted to what the other
-//! predicts ([`comparison`]; T-optimality, Atkinson & Fedorov 1975).
+//! predicts (`comparison`; T-optimality, Atkinson & Fedorov 1975).
 
 #![allow(
     clippy::cast_possible_truncation,

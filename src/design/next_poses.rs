@@ -2,8 +2,8 @@
 //! greedily, over everything that may be measured.
 //!
 //! Each pair of explanations meets in two comparisons, for either may be the true one. Poses are
-//! added until they decide all comparisons at once in [`SURE`] of all sessions, whichever explanation
-//! is true ([`super::decision`]). Where one reflector cannot decide, the place of a second one is
+//! added until they decide all comparisons at once in `SURE` of all sessions, whichever explanation
+//! is true (`decision`). Where one reflector cannot decide, the place of a second one is
 //! chosen with the poses: the one that decides with the fewest.
 
 use crate::effects::Term;

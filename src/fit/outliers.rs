@@ -5,7 +5,7 @@
 //! ```
 //!
 //! `f_ν` is the length of a k-dimensional deviation of Student's t with ν degrees of freedom (ν = ∞:
-//! Gaussian, the length is that of χ), g is flat in ln d from [`FROM`] to [`TO`] scales. π, s and ν
+//! Gaussian, the length is that of χ), g is flat in ln d from `FROM` to `TO` scales. π, s and ν
 //! are the likeliest ones (expectation–maximisation; a contaminated population as in Tukey 1960,
 //! with tails that may be heavy by themselves, Lange, Little & Taylor 1989). A sample is suspected
 //! where it is four times likelier to be an outlier than noise: clean samples of any tail pass, and
