@@ -7,7 +7,7 @@
 //! 1. [`sessions`] reads what was measured, and names every problem with its place.
 //! 2. [`effects`] holds the physics: one file for each way in which a real robot differs from its
 //!    drawing. [`model`] strings them along the robot's [`kinematics`], with exact derivatives.
-//! 3. `identification` finds how large the effects are, and how sure that is.
+//! 3. [`fit`] finds how large the effects are, and how sure that is.
 //! 4. [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
 //! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
 //!    where it was meant to, and what no joint can remove.

@@ -93,7 +93,9 @@ pub(crate) fn answer(
     } else {
         with_shapes
     };
-    let mut values = Values::of(prepared, problem, own, prepared.is_capped(end));
+    // Then what no name explains is no noise either.
+    let stopped = prepared.is_capped(end) || prepared.options().correct_unexplained;
+    let mut values = Values::of(prepared, problem, own, stopped);
     correct_for_selection(prepared, with_shapes, &mut values);
     let values = values;
     let identified = deviations(problem, &prepared.base);
