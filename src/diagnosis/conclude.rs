@@ -87,15 +87,11 @@ pub(crate) fn answer(
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    // A smooth correction takes the place of the shapes, and is made for names that are fitted alone.
-    let own = if prepared.options().correct_unexplained {
-        fit
-    } else {
-        with_shapes
-    };
-    // Then what no name explains is no noise either.
-    let stopped = prepared.is_capped(end) || prepared.options().correct_unexplained;
-    let mut values = Values::of(prepared, problem, own, stopped);
+    // A smooth correction takes the place of the shapes, for names that are fitted alone; then what no
+    // name explains is no noise either.
+    let alone = prepared.options().correct_unexplained;
+    let own = if alone { fit } else { with_shapes };
+    let mut values = Values::of(prepared, problem, own, prepared.is_capped(end) || alone);
     correct_for_selection(prepared, with_shapes, &mut values);
     let values = values;
     let identified = deviations(problem, &prepared.base);
