@@ -235,13 +235,12 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
         let Some(term) = candidate.what.term() else {
             continue;
         };
-        let (_, rank) = regression.factor(&projected, candidate);
+        let (_, rank) = projected.factor(candidate);
         let high_order = term.effect.about().id == "gear-transmission-error" && term.setting > 12.0;
         if rank == candidate.size && !high_order {
-            let own = projected.columns(candidate.first, candidate.size);
             spans.push(Span {
                 term,
-                unit: Basis::new(&own.into_owned()).q,
+                unit: Basis::new(&projected.columns(candidate)).q,
             });
         }
     }

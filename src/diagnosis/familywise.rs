@@ -205,7 +205,7 @@ impl Regression<'_> {
         let mut groups: Vec<(usize, f64, Vec<f32>)> = Vec::new();
         for candidate in &self.table.candidates {
             let k = candidate.size;
-            let (factor, rank) = self.factor(&projected, candidate);
+            let (factor, rank) = projected.factor(candidate);
             if rank == 0 || freedom - (rank as f64) < 2.0 {
                 continue;
             }
@@ -217,13 +217,10 @@ impl Regression<'_> {
             });
             // Forward substitution, row of the factor by row: U = P L⁻ᵀ.
             let mut own: Vec<Vec<f64>> = Vec::with_capacity(k);
+            let free = projected.columns(candidate);
             for i in 0..k {
                 let pivot = factor[i * k + i];
-                let mut column: Vec<f64> = projected
-                    .column(candidate.first + i)
-                    .iter()
-                    .copied()
-                    .collect();
+                let mut column: Vec<f64> = free.column(i).iter().copied().collect();
                 for (j, before) in own.iter().enumerate() {
                     let along = factor[i * k + j];
                     if along != 0.0 {

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
-use crate::fit::linear::Basis;
+use crate::fit::linear::{Basis, small_cholesky, small_gain};
 
 /// Which fold each sample of the rows is in.
 #[derive(Debug, Clone)]
@@ -185,23 +185,23 @@ impl Scanned {
         let without = &*residual + put_back;
         let others = Basis::new(&white.clone().remove_columns_at(&own));
         let left = others.reject(&without);
-        let gain = |columns: &DMatrix<f64>| {
-            let along = others.q.tr_mul(columns);
-            let free = columns - &others.q * along;
-            Basis::new(&free).q.tr_mul(&left).norm_squared()
-        };
-        let of_now = gain(&white.columns(self.first, self.size).into_owned());
+        let beside = |columns: DMatrix<f64>, size: usize| gains(&others, &left, &columns, size);
+        let now = white.columns(self.first, self.size).into_owned();
+        let of_now = beside(now, self.size).first().copied().unwrap_or(0.0);
         let mut best: Option<(f64, usize)> = None;
-        // All candidates at once would be quicker to project; one by one keeps the memory small.
-        for index in &self.candidates {
-            let candidate = &regression.table.candidates[*index];
-            let columns = regression
-                .white
-                .columns(candidate.first, candidate.size)
-                .select_rows(seen);
-            let value = gain(&columns);
-            if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
-                best = Some((value, *index));
+        for some in self.candidates.chunks(AT_ONCE) {
+            let all = some.iter().flat_map(|index| {
+                let candidate = &regression.table.candidates[*index];
+                candidate.first..candidate.first + self.size
+            });
+            let all: Vec<usize> = all.collect();
+            let columns = DMatrix::from_fn(seen.len(), all.len(), |row, k| {
+                regression.white[(seen[row], all[k])]
+            });
+            for (value, index) in beside(columns, self.size).into_iter().zip(some) {
+                if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
+                    best = Some((value, *index));
+                }
             }
         }
         let Some((_, index)) = best else {
@@ -218,4 +218,25 @@ impl Scanned {
         raw.columns_mut(self.first, self.size)
             .copy_from(&of_table(&regression.table.raw));
     }
+}
+
+/// Candidates that are projected at once.
+const AT_ONCE: usize = 64;
+
+/// By how much each group of `size` columns would lower the sum of squares of what a basis leaves.
+fn gains(beside: &Basis, left: &DVector<f64>, columns: &DMatrix<f64>, size: usize) -> Vec<f64> {
+    let along = beside.q.transpose() * columns;
+    let mut free = columns.clone();
+    free.gemm(-1.0, &beside.q, &along, 1.0);
+    let groups = (0..free.ncols()).step_by(size.max(1));
+    groups
+        .map(|first| {
+            let own = free.columns(first, size);
+            let mut gram: Vec<f64> = own.tr_mul(&own).iter().copied().collect();
+            let tolerance: Vec<f64> = (0..size).map(|i| 1e-12 * gram[i * size + i]).collect();
+            small_cholesky(&mut gram, size, &tolerance);
+            let mut pull: Vec<f64> = own.tr_mul(left).iter().copied().collect();
+            small_gain(&gram, size, &mut pull)
+        })
+        .collect()
 }

@@ -43,6 +43,7 @@ pub(crate) mod regression;
 
 mod next_pose;
 pub(crate) mod prepare;
+pub(crate) mod projected;
 mod remainder;
 mod robust;
 pub(crate) mod search;

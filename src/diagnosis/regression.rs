@@ -20,6 +20,7 @@ use crate::model::Model;
 use super::anonymous::Shape;
 use super::candidates::{Candidate, Table, What};
 use super::familywise::Familywise;
+use super::projected::{Grams, Projected};
 use super::significance::Significance;
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
 use crate::fit::noise::Noise;
@@ -37,9 +38,6 @@ const PRICE_OF_A_SETTING: f64 = 1.5;
 fn price_of(shape: &Shape) -> f64 {
     PRICE_OF_A_SHAPE + PRICE_OF_A_SETTING * shape.refined() as f64
 }
-
-/// How much of a column has to be left beside the model for a candidate to count, squared.
-const SEEN: f64 = 1e-6;
 
 /// A shape in a fit.
 #[derive(Debug, Clone)]
@@ -81,8 +79,7 @@ pub(crate) struct Regression<'a> {
     pub(crate) noise: Noise,
     pub(crate) table: Rc<Table>,
     pub(crate) white: DMatrix<f64>,
-    /// Squared norms of the columns of `white`.
-    norms: Vec<f64>,
+    pub(crate) grams: Grams,
     pub(crate) base: Model,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
@@ -106,7 +103,7 @@ impl<'a> Regression<'a> {
         seed: u64,
     ) -> Self {
         let white = noise.whitened(&rows, &table.raw);
-        let norms = white.column_iter().map(|c| c.norm_squared()).collect();
+        let grams = Grams::new(&white, &table.candidates);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
         });
@@ -118,7 +115,7 @@ impl<'a> Regression<'a> {
             noise,
             table,
             white,
-            norms,
+            grams,
             base,
             seed,
             familywise: RefCell::new(Familywise::default()),
@@ -310,19 +307,15 @@ impl<'a> Regression<'a> {
 
     /// Scores every candidate beside a fit; those that the fit leaves nothing of are left out.
     pub(crate) fn scan(&self, fit: &Fit) -> Vec<Score> {
-        self.scan_beside(&fit.basis, &fit.residual, fit.rss)
+        self.scan_beside(&self.projected(&fit.basis), fit)
     }
 
-    pub(crate) fn scan_beside(
-        &self,
-        basis: &Basis,
-        residual: &DVector<f64>,
-        rss: f64,
-    ) -> Vec<Score> {
-        let projected = self.projected(basis);
+    /// The same with the table projected already.
+    pub(crate) fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
+        let pulls = projected.pulls(&fit.residual);
         let m = self.m();
-        let freedom = m - basis.rank() as f64;
-        let total = self.rounded(rss);
+        let freedom = m - fit.basis.rank() as f64;
+        let total = self.rounded(fit.rss);
         let mut tests: Vec<Option<Significance>> = Vec::new();
         let mut scores = Vec::new();
         for (index, candidate) in self.table.candidates.iter().enumerate() {
@@ -331,7 +324,7 @@ impl<'a> Regression<'a> {
                 all: gain,
                 rank,
                 parts,
-            }) = self.gain(&projected, candidate, residual)
+            }) = Self::gain(projected, candidate, &pulls)
             else {
                 continue;
             };
@@ -367,35 +360,25 @@ impl<'a> Regression<'a> {
         scores
     }
 
-    /// The table's columns without what the fit explains.
-    pub(crate) fn projected(&self, basis: &Basis) -> DMatrix<f64> {
-        let along = basis.q.transpose() * &self.white;
-        let mut projected = self.white.clone();
-        projected.gemm(-1.0, &basis.q, &along, 1.0);
-        projected
+    /// The table's columns without what a basis explains.
+    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis) -> Projected<'r> {
+        Projected::new(self, basis)
     }
 
     /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
     /// where it would have to be negative and cannot.
-    fn gain(
-        &self,
-        projected: &DMatrix<f64>,
-        candidate: &Candidate,
-        residual: &DVector<f64>,
-    ) -> Option<Gain> {
+    fn gain(projected: &Projected, candidate: &Candidate, pulls: &DVector<f64>) -> Option<Gain> {
         let k = candidate.size;
-        let (factor, rank) = self.factor(projected, candidate);
+        let (factor, rank) = projected.factor(candidate);
         if rank == 0 {
             return None;
         }
-        let pull: Vec<f64> = (0..k)
-            .map(|i| projected.column(candidate.first + i).dot(residual))
-            .collect();
+        let pull = &pulls.as_slice()[candidate.first..candidate.first + k];
         let about = candidate.what.term().map(|t| t.effect.about());
         if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
             return None;
         }
-        let all = small_gain(&factor, k, &mut pull.clone());
+        let all = small_gain(&factor, k, &mut pull.to_vec());
         let vector = about.is_some_and(|a| matches!(a.form, Form::Plain(q) if q.len() > 1));
         let mut parts = Vec::new();
         if vector && rank == k {
@@ -417,27 +400,6 @@ impl<'a> Regression<'a> {
             }
         }
         Some(Gain { all, rank, parts })
-    }
-
-    /// Cholesky factor of a candidate's projected columns.
-    pub(crate) fn factor(
-        &self,
-        projected: &DMatrix<f64>,
-        candidate: &Candidate,
-    ) -> (Vec<f64>, usize) {
-        let k = candidate.size;
-        let mut gram = vec![0.0; k * k];
-        for i in 0..k {
-            let a = projected.column(candidate.first + i);
-            for j in 0..=i {
-                gram[i * k + j] = a.dot(&projected.column(candidate.first + j));
-            }
-        }
-        let tolerance: Vec<f64> = (0..k)
-            .map(|i| (SEEN * self.norms[candidate.first + i]).max(1e-300))
-            .collect();
-        let rank = small_cholesky(&mut gram, k, &tolerance);
-        (gram, rank)
     }
 
     /// A shape ready to be fitted.
