@@ -45,6 +45,18 @@ pub(crate) struct Familywise {
     null: Vec<Null>,
 }
 
+/// Numbers of simulated searches that are kept at most; what was forgotten is made again.
+const MOST_KEPT: usize = 16_000_000;
+
+impl Familywise {
+    fn forget_the_oldest(&mut self) {
+        let size = |null: &Null| null.groups.iter().map(|g| g.rows.len()).sum::<usize>();
+        while self.null.len() > 2 && self.null.iter().map(size).sum::<usize>() > MOST_KEPT {
+            self.null.remove(0);
+        }
+    }
+}
+
 /// What noise alone did to the search beside one model, so far.
 #[derive(Debug)]
 struct Null {
@@ -194,6 +206,7 @@ impl Regression<'_> {
             null.simulate_tail(seed);
         }
         familywise.null.push(null);
+        familywise.forget_the_oldest();
         familywise.null.len() - 1
     }
 

@@ -201,17 +201,17 @@ fn against_rivals<'a>(
     mut found: search::Found,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    let slow = prepared.with_slow_noise();
+    let slow = prepared.slow_noise();
     let white = prepared
         .regression
         .noise
         .slow
-        .map(|_| prepared.with_white_noise());
+        .map(|_| prepared.white_noise());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
     free_curve::rival(&prepared, &mut found);
-    for rival in white.into_iter().chain(slow) {
-        let (rival, end) = settled_search(rival, watch)?;
+    for noise in white.into_iter().chain(slow) {
+        let (rival, end) = settled_search(prepared.with_noise(noise), watch)?;
         if end.fit.ln_evidence > found.fit.ln_evidence {
             (prepared, found) = (rival, end);
         }

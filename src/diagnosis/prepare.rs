@@ -166,9 +166,8 @@ impl<'a> Prepared<'a> {
         (now, fit)
     }
 
-    /// The same with the noise that the base alone leaves, where that has a slow part: the rival
-    /// of every name.
-    pub(crate) fn with_slow_noise(&self) -> Option<Self> {
+    /// The noise that the base alone leaves, where that has a slow part: the rival of every name.
+    pub(crate) fn slow_noise(&self) -> Option<Noise> {
         let regression = &self.regression;
         let base = regression.fit(&regression.base, Vec::new());
         let noise = noise_of(regression, &base);
@@ -180,22 +179,23 @@ impl<'a> Prepared<'a> {
         }
         let moves =
             estimated(regression, &base.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
-        (noise.slow.is_some() && moves).then(|| self.with_noise(noise))
+        (noise.slow.is_some() && moves).then_some(noise)
     }
 
-    /// The same with white noise.
-    pub(crate) fn with_white_noise(&self) -> Self {
+    /// Noise of the same size that is white.
+    pub(crate) fn white_noise(&self) -> Noise {
         let noise = &self.regression.noise;
         let slow = noise.slow.map_or([0.0; 3], |s| s.rms_mm);
         let total = |axis: usize| noise.sigma_mm[axis].hypot(slow[axis]);
-        self.with_noise(Noise {
+        Noise {
             sigma_mm: [total(0), total(1), total(2)],
             slow: None,
             ..noise.clone()
-        })
+        }
     }
 
-    fn with_noise(&self, noise: Noise) -> Self {
+    /// The same samples and candidates with another noise.
+    pub(crate) fn with_noise(&self, noise: Noise) -> Self {
         Self {
             problem: Rc::clone(&self.problem),
             base: self.base.clone(),
