@@ -133,7 +133,7 @@ pub(crate) fn answer(
         held_out_mm: held_out.gaps.map(|g| g.identified_mm),
     });
     history.extend(steps.iter().map(|step| GapStep {
-        what: format!("with {}", step.term.effect.about().id),
+        what: format!("with {}", step.term.name_on(&session.robot)),
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
@@ -192,9 +192,8 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
 }
 
 fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Vec<Equivalent> {
-    let ids = |terms: &[Term]| -> Vec<&'static str> {
-        terms.iter().map(|t| t.effect.about().id).collect()
-    };
+    let robot = &fit.model.robot;
+    let ids = |terms: &[Term]| -> Vec<String> { terms.iter().map(|t| t.name_on(robot)).collect() };
     let mut all: Vec<Equivalent> = Vec::new();
     for (rival, separate_by) in rivals.iter().zip(&proposal.separate_by) {
         let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));

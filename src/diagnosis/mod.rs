@@ -97,8 +97,9 @@ pub enum Progress {
     Preparing,
     /// Searching; what was found so far may still be exchanged for something likelier.
     Searching {
-        /// Names of the effects so far, in the order in which they act.
-        found: Vec<&'static str>,
+        /// Names of the effects so far, in the order in which they act, of several joints each with
+        /// its joint.
+        found: Vec<String>,
     },
     /// Comparing with other explanations.
     Comparing,

@@ -16,18 +16,14 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
         return without_shapes(prepared, fit);
     }
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
-    let names = |fit: &Fit| -> Vec<(&'static str, usize)> {
+    let names = |fit: &Fit| -> Vec<String> {
         let added = regression.added(fit);
-        added
-            .iter()
-            .map(|t| (t.effect.about().id, t.joint))
-            .collect()
+        added.iter().map(|t| t.name_on(&session.robot)).collect()
     };
     let kept = names(fit);
-    let mut resembles: Vec<&'static str> = names(&end.names_only)
+    let mut resembles: Vec<String> = names(&end.names_only)
         .into_iter()
         .filter(|n| !kept.contains(n))
-        .map(|n| n.0)
         .collect();
     resembles.dedup();
     // The largest shape comes first.

@@ -95,7 +95,9 @@ impl Search<'_, '_> {
             fit = next;
             let names = self.regression.added(&fit).into_iter();
             self.tell(&Progress::Searching {
-                found: names.map(|term| term.effect.about().id).collect(),
+                found: names
+                    .map(|term| term.name_on(&self.regression.base.robot))
+                    .collect(),
             })?;
         }
         Ok(fit)
