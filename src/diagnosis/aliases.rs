@@ -212,7 +212,7 @@ fn best_pairs(
         width += k;
         units.push(unit);
     }
-    let mut all = DMatrix::zeros(regression.rows.len(), width);
+    let mut all = DMatrix::zeros(regression.height(), width);
     for ((_, first, _), unit) in pieces.iter().zip(&units) {
         all.columns_mut(*first, unit.ncols()).copy_from(unit);
     }

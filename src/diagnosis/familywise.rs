@@ -178,7 +178,7 @@ impl Regression<'_> {
         if let Some(at) = known.position(same) {
             return at;
         }
-        let m = self.rows.len();
+        let m = self.height();
         let flip = m <= ROWS_TO_FLIP || kurtosis(&fit.residual) > MOST_KURTOSIS;
         // A residual is smaller than the noise where the fit follows it.
         let noise = DVector::from_fn(m, |row, _| {
@@ -213,7 +213,7 @@ impl Regression<'_> {
     /// Orthonormal columns of all candidates beside a basis, those of one rank and weight together.
     fn orthonormal_groups(&self, basis: &Basis) -> Vec<Group> {
         let projected = self.projected(basis);
-        let m = self.rows.len();
+        let m = self.height();
         let freedom = self.m() - basis.rank() as f64;
         let mut groups: Vec<(usize, f64, Vec<f32>)> = Vec::new();
         for candidate in &self.table.candidates {

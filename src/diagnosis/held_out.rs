@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
+use crate::fit::cells::cells;
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
 
 /// Which fold each sample of the rows is in.
@@ -30,6 +31,9 @@ pub(crate) const FEWEST: usize = 6;
 impl Folds {
     /// Folds over the samples of an regression, by the angle of the first joint that moves most.
     pub(crate) fn new(regression: &Regression) -> Self {
+        if regression.base.robot.joints.len() > 1 {
+            return Self::over_the_workspace(regression);
+        }
         let q = &regression.rows.inputs.q;
         let range = |column: &[f64]| {
             let values = column.iter().copied();
@@ -69,6 +73,29 @@ impl Folds {
         Self { fold, count, how }
     }
 
+    /// Folds over cells of the workspace, for a robot with several joints.
+    fn over_the_workspace(regression: &Regression) -> Self {
+        let points = regression.rows.points(&regression.base);
+        let n = points.len();
+        let few = n < FEW;
+        let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
+        let cell = cells(&points, wanted);
+        let made = cell.iter().max().map_or(1, |c| c + 1);
+        let count = if few { made } else { FOLDS };
+        Self {
+            fold: cell.into_iter().map(|c| c % count).collect(),
+            count,
+            how: if few {
+                format!(
+                    "each of {made} cells of the workspace predicted by a fit that has not seen it"
+                )
+            } else {
+                "each fifth of the cells of the workspace predicted by a fit that has not seen it"
+                    .to_owned()
+            },
+        }
+    }
+
     /// Whether there are enough samples to say anything.
     pub(crate) fn say_something(&self) -> bool {
         self.fold.len() >= FEWEST
@@ -81,10 +108,8 @@ impl Folds {
             // in the way.
             return fit.rss.sqrt();
         }
-        let (raw_residual, raw_columns) = regression.rows.extract(&fit.model);
-        let residual = regression
-            .noise
-            .whitened_vector(&regression.rows, &raw_residual);
+        let (raw_residual, raw_columns) = regression.raw(&fit.model);
+        let (residual, own_white) = regression.whitened(&fit.model, &raw_residual, &raw_columns);
         let own = raw_columns.ncols();
         let width = own + fit.shapes.iter().map(|s| s.raw.ncols()).sum::<usize>();
         let mut raw = DMatrix::zeros(regression.rows.len(), width);
@@ -94,13 +119,22 @@ impl Folds {
             raw.columns_mut(at, shape.raw.ncols()).copy_from(&shape.raw);
             at += shape.raw.ncols();
         }
-        let white = regression.noise.whitened(&regression.rows, &raw);
+        let mut white = DMatrix::zeros(regression.height(), width);
+        white.columns_mut(0, own).copy_from(&own_white);
+        let mut at = own;
+        for shape in &fit.shapes {
+            white
+                .columns_mut(at, shape.white.ncols())
+                .copy_from(&shape.white);
+            at += shape.white.ncols();
+        }
         let scanned = scanned_terms(regression, fit);
         let n = self.fold.len();
         let mut sum = 0.0;
         for fold in 0..self.count {
-            let seen: Vec<usize> = (0..regression.rows.len())
-                .filter(|row| self.fold[row % n] != fold)
+            let rows = regression.rows.len();
+            let seen: Vec<usize> = (0..regression.height())
+                .filter(|row| *row >= rows || self.fold[row % n] != fold)
                 .collect();
             let mut fold_white = white.select_rows(&seen);
             let mut fold_raw = raw.clone();

@@ -31,6 +31,7 @@ pub mod limits;
 pub mod set_up_errors;
 pub mod smooth;
 
+mod base_misfit;
 pub(crate) mod classes;
 pub(crate) mod conclude;
 mod final_set;
@@ -193,6 +194,10 @@ pub(crate) fn searched<'a>(
         (prepared, found) = against_rivals(&prepared, found, watch)?;
     }
     final_set::test(&prepared, &mut found, watch)?;
+    if final_set::exchanged(&prepared, &mut found) {
+        final_set::test(&prepared, &mut found, watch)?;
+    }
+    base_misfit::withdraw(&prepared, &mut found);
     Ok((prepared, found))
 }
 

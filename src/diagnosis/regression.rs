@@ -81,6 +81,7 @@ pub(crate) struct Regression<'a> {
     pub(crate) white: DMatrix<f64>,
     pub(crate) grams: Grams,
     pub(crate) base: Model,
+    priors: Vec<PriorRow>,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
@@ -102,7 +103,8 @@ impl<'a> Regression<'a> {
         base: Model,
         seed: u64,
     ) -> Self {
-        let white = noise.whitened(&rows, &table.raw);
+        let priors = prior_rows(&problem, &base);
+        let white = lengthened(noise.whitened(&rows, &table.raw), priors.len());
         let grams = Grams::new(&white, &table.candidates);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
@@ -117,6 +119,7 @@ impl<'a> Regression<'a> {
             white,
             grams,
             base,
+            priors,
             seed,
             familywise: RefCell::new(Familywise::default()),
         }
@@ -134,9 +137,45 @@ impl<'a> Regression<'a> {
         )
     }
 
-    /// Number of rows.
+    /// Number of measured rows.
     pub(crate) fn m(&self) -> f64 {
         self.rows.len() as f64
+    }
+
+    /// Number of all rows: those of the samples, and one for each coefficient of the base of which
+    /// something is known beforehand.
+    pub(crate) fn height(&self) -> usize {
+        self.rows.len() + self.priors.len()
+    }
+
+    /// Raw residuals and columns of a model on the samples.
+    pub(crate) fn raw(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
+        self.rows.extract(model)
+    }
+
+    /// Whitened residuals and columns, with the rows of the priors: `x/σ` is 0 but for noise.
+    pub(crate) fn whitened(
+        &self,
+        model: &Model,
+        raw: &DVector<f64>,
+        columns: &DMatrix<f64>,
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let (m, more) = (self.rows.len(), self.priors.len());
+        let residual = self.noise.whitened_vector(&self.rows, raw);
+        let mut residual = residual.resize_vertically(m + more, 0.0);
+        let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), more);
+        let mut first = 0;
+        for term in model.terms() {
+            for (row, prior) in self.priors.iter().enumerate() {
+                if prior.term.same_column(term) {
+                    let k = prior.coefficient;
+                    jacobian[(m + row, first + k)] = 1.0 / prior.sigma;
+                    residual[m + row] = -term.coefficients[k] / prior.sigma;
+                }
+            }
+            first += term.coefficients.len();
+        }
+        (residual, jacobian)
     }
 
     /// Fits a model and shapes, starting from their coefficients.
@@ -145,12 +184,11 @@ impl<'a> Regression<'a> {
         let mut shapes = shapes;
         let mut last = None;
         for round in 0..8 {
-            let (raw, columns) = self.rows.extract(&model);
-            let residual = self.noise.whitened_vector(&self.rows, &raw);
-            let jacobian = self.noise.whitened(&self.rows, &columns);
+            let (raw, columns) = self.raw(&model);
+            let (residual, jacobian) = self.whitened(&model, &raw, &columns);
             let own = jacobian.ncols();
             let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
-            let mut all = DMatrix::zeros(self.rows.len(), width);
+            let mut all = DMatrix::zeros(self.height(), width);
             all.columns_mut(0, own).copy_from(&jacobian);
             let mut at = own;
             for shape in &shapes {
@@ -178,8 +216,8 @@ impl<'a> Regression<'a> {
             }
         }
         let (residual, basis, rss) = last.unwrap_or_else(|| {
-            let empty = DMatrix::zeros(self.rows.len(), 0);
-            (DVector::zeros(self.rows.len()), Basis::new(&empty), 0.0)
+            let empty = DMatrix::zeros(self.height(), 0);
+            (DVector::zeros(self.height()), Basis::new(&empty), 0.0)
         });
         let ln_evidence =
             self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
@@ -280,7 +318,7 @@ impl<'a> Regression<'a> {
         let own = columns
             .columns(first, absent.coefficients.len())
             .into_owned();
-        let white = self.noise.whitened(&self.rows, &own);
+        let white = lengthened(self.noise.whitened(&self.rows, &own), self.priors.len());
         let along = fit.basis.q.tr_mul(&white);
         let mut free = white;
         free.gemm(-1.0, &fit.basis.q, &along, 1.0);
@@ -405,7 +443,7 @@ impl<'a> Regression<'a> {
     /// A shape ready to be fitted.
     pub(crate) fn placed(&self, shape: Shape) -> Placed {
         let raw = self.table.ground.columns(&shape);
-        let white = self.noise.whitened(&self.rows, &raw);
+        let white = lengthened(self.noise.whitened(&self.rows, &raw), self.priors.len());
         Placed {
             coefficients: DVector::zeros(raw.ncols()),
             credit: 0.0,
@@ -451,6 +489,38 @@ impl<'a> Regression<'a> {
         let freedom = (self.m() - fit.basis.rank() as f64).max(1.0);
         (fit.rss / freedom).sqrt()
     }
+}
+
+/// What is known beforehand of one coefficient of the base: it is 0 within σ, inner units.
+struct PriorRow {
+    term: Term,
+    coefficient: usize,
+    sigma: f64,
+}
+
+/// The rows of the priors that a problem carries; none of a robot with a single joint.
+fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
+    let mut rows = Vec::new();
+    for term in base.terms() {
+        for coefficient in (0..term.coefficients.len()).filter(|k| !term.held.contains(*k)) {
+            let sigma = problem.priors.sigma(base, term, coefficient);
+            rows.extend(sigma.map(|sigma| PriorRow {
+                term: term.clone(),
+                coefficient,
+                sigma,
+            }));
+        }
+    }
+    rows
+}
+
+/// A matrix with so many rows of zeros more.
+fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
+    if more == 0 {
+        return columns;
+    }
+    let rows = columns.nrows();
+    columns.resize_vertically(rows + more, 0.0)
 }
 
 /// By how much a candidate lowers the sum of squares.

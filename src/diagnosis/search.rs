@@ -41,6 +41,8 @@ pub(crate) struct Found {
     pub(crate) fit: Fit,
     /// The best model of names alone.
     pub(crate) names_only: Fit,
+    /// Whether the names were withdrawn, as the geometry of several joints does not fit.
+    pub(crate) base_misfit: bool,
 }
 
 pub(crate) struct Search<'s, 'a> {
@@ -66,7 +68,11 @@ impl Search<'_, '_> {
                 fit = other;
             }
         }
-        Ok(Found { fit, names_only })
+        Ok(Found {
+            fit,
+            names_only,
+            base_misfit: false,
+        })
     }
 
     fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {
