@@ -108,7 +108,9 @@ pub(crate) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::open_rivals(regression, with_shapes);
+    let mut rivals = aliases::open_rivals(regression, with_shapes);
+    let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
+    rivals.extend(others);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);

@@ -41,6 +41,8 @@ pub(crate) struct Found {
     pub(crate) fit: Fit,
     /// The best model of names alone.
     pub(crate) names_only: Fit,
+    /// Ends of other searches, under another noise, that the samples do not rule out.
+    pub(crate) other_ends: Vec<Fit>,
 }
 
 pub(crate) struct Search<'s, 'a> {
@@ -66,7 +68,11 @@ impl Search<'_, '_> {
                 fit = other;
             }
         }
-        Ok(Found { fit, names_only })
+        Ok(Found {
+            fit,
+            names_only,
+            other_ends: Vec::new(),
+        })
     }
 
     fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {

@@ -359,8 +359,13 @@ pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f
 /// With more samples the noise is known well enough to take it as known.
 const MOST_TO_AVERAGE: usize = 5000;
 
-/// The covariance averaged over the noises that the residuals allow, each with the size that it
-/// leaves (Draper 1995): an interval that takes an estimated noise for the true one is too narrow.
+/// The covariance averaged over the noises that the residuals allow, each with the size and the
+/// solution that it leaves (Draper 1995): an interval that takes an estimated noise for the true one
+/// is too narrow.
+///
+/// ```text
+/// C = Σ_j w_j (C_j + δ_j δ_jᵀ),   δ_j the step from the solution to that under noise j
+/// ```
 fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DMatrix<f64>> {
     let known = problem.noise.as_ref()?;
     let possible = known.possible();
@@ -372,8 +377,9 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
     for (share, noise) in possible {
         let mut other = problem.clone();
         other.set_noise(&noise);
-        let (spectrum, cost) = spectrum_at(&other, solution);
-        let own = spectrum.inverse() * (share * cost.max(0.0) / freedom as f64);
+        let (spectrum, cost, step) = spectrum_at(&other, solution);
+        let variance = cost.max(0.0) / freedom as f64;
+        let own = (spectrum.inverse() * variance + &step * step.transpose()) * share;
         sum = Some(sum.map_or(own.clone(), |sum| sum + own));
     }
     sum

@@ -411,15 +411,18 @@ const LEAST_TOLD: f64 = 4.0;
 /// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
 const ROUNDING_MM: f64 = 1e-6;
 
-/// The spectrum of a problem with another noise at a solution, and the cost there.
-pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64) {
+/// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
+/// solution under that noise.
+pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64, DVector<f64>) {
     let state = State {
         model: solution.model.clone(),
         beside: solution.beside.clone(),
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
     let normal = sum(problem, &state, &blocks, Sums::All);
-    (spectrum_of(problem, &normal, &state), normal.cost)
+    let spectrum = spectrum_of(problem, &normal, &state);
+    let step = spectrum.step(&normal.gradient, 0.0);
+    (spectrum, normal.cost, step)
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
