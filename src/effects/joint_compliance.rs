@@ -9,9 +9,11 @@
 //! the joint turns everything behind it rigidly, torque and slope at θ are those of the first
 //! moment Σ m (x − c), turned by θ.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::kinematics::{Joint, JointKind};
 use crate::lanes::{LANES, add_scaled, cross, dot, minus, turned};
 use crate::sincos::sin_cos_small as sin_cos;
@@ -22,13 +24,10 @@ pub(super) struct JointCompliance;
 const ABOUT: About = About {
     id: "joint-compliance",
     title: "Joint compliance",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "compliance_urad_per_nm",
-        inner: 1e-6,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new(
+        "compliance_urad_per_nm",
+        Unit::MICRORADIAN_PER_NM,
+    )]),
     equation: "θ = q + C·τ(θ), τ gravity's torque about the joint",
     source: "a joint as a torsion spring; Khalil & Dombre, Modeling, Identification and Control of Robots, ch. 9",
     cause: "reducer, bearing and shaft wind up under the weight that hangs on the joint",
@@ -38,25 +37,33 @@ const ABOUT: About = About {
     usual_size: "1 to 100 µrad/(N·m)",
     confused_with: "encoder eccentricity under a single load: a second load parts them",
     check: "the payload entered in the controller; stiffness of the reducer in its data sheet",
+    needs: &[Need::REVOLUTE, Need::GRAVITY, TORQUE, WEIGHT],
+    of_other_joints: true,
+    ..About::PLAIN
+};
+
+/// A torque of gravity about the joint.
+const TORQUE: Need = Need::of_samples("gravity across the axis", |survey, joint| {
+    (!survey.joints[joint].gravity_lever)
+        .then(|| "gravity is along the axis and has no torque about it".to_owned())
+});
+
+/// Something that hangs on the joint.
+const WEIGHT: Need = Need {
+    what: "a load or link masses",
+    unmet: |survey, _| {
+        let weightless = survey.largest_load_kg <= 0.0 && !survey.link_masses;
+        weightless.then(|| "neither a load nor a link mass is given".to_owned())
+    },
+    idle: |offered| {
+        (!offered.load && !offered.link_masses)
+            .then_some("the scenario has no load, and no link a mass")
+    },
 };
 
 impl Effect for JointCompliance {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        if let Some(reason) = survey.not_revolute(joint) {
-            return Some(reason);
-        }
-        if !survey.gravity {
-            return Some("the direction of gravity is not given".to_owned());
-        }
-        if !survey.joints[joint].gravity_lever {
-            return Some("gravity is along the axis and has no torque about it".to_owned());
-        }
-        let weightless = survey.largest_load_kg <= 0.0 && !survey.link_masses;
-        weightless.then(|| "neither a load nor a link mass is given".to_owned())
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -28,6 +28,8 @@ pub struct JointSurvey {
     pub largest_speed: f64,
     /// Whether gravity is known and has a lever about the joint in some measured pose.
     pub gravity_lever: bool,
+    /// Range of the joint's own temperature, K; `None` where it was not measured.
+    pub warming_c: Option<f64>,
 }
 
 /// See the module.
@@ -85,6 +87,11 @@ impl Survey {
         }
     }
 
+    /// Range of the temperature that counts for a joint, K; `None`: not measured.
+    pub fn warming_of(&self, joint: usize) -> Option<f64> {
+        self.joints[joint].warming_c.or(self.warming_c)
+    }
+
     /// The reason that stands against every effect that needs an angle of rotation.
     pub fn not_revolute(&self, joint: usize) -> Option<String> {
         (self.joints[joint].kind == JointKind::Prismatic)
@@ -124,6 +131,7 @@ fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
         speeds: distinct(speeds),
         largest_speed: slowest.abs().max(fastest.abs()),
         gravity_lever: lever,
+        warming_c: None,
     }
 }
 

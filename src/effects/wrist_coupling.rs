@@ -3,9 +3,11 @@
 //! In a wrist that is driven through hollow shafts a joint's drive also turns the joints behind
 //! it; the controller undoes it with a ratio, and an error of that ratio is left.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::LANES;
 
 /// See the module.
@@ -14,23 +16,30 @@ pub(super) struct WristCoupling;
 const ABOUT: About = About {
     id: "wrist-coupling",
     title: "Wrist coupling",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "ratio",
-        inner: 1.0,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("ratio", Unit::ONE)]),
     equation: "θ_j = q_j + κ q_(j−1)",
     source: "coupled wrists: Siciliano et al., Robotics, ch. 5; Nof, Handbook of Industrial Robotics, ch. 5",
     cause: "the drive of one joint turns the next as well, and the controller's ratio for it is not exact",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(0.02),
     usual_size: "0.0001 to 0.01",
     confused_with: "the next joint's scale where both always move together: poses that move one alone part them",
     check: "the coupling ratio in the controller's data",
+    needs: &[BEFORE, Need::REVOLUTE, MOVING_BEFORE],
+    of_other_joints: true,
+    ..About::PLAIN
 };
+
+/// A joint before it, which turns in the poses.
+const BEFORE: Need = Need::of_samples("a joint before it", |_, joint| {
+    (joint == 0).then(|| "no joint comes before it".to_owned())
+});
+const MOVING_BEFORE: Need = Need::of_samples("a joint before it that turns", |survey, joint| {
+    let before = joint.checked_sub(1)?;
+    let slides = survey.not_revolute(before).is_some();
+    slides
+        .then(|| "the joint before it slides".to_owned())
+        .or_else(|| survey.too_few_angles(before, 3))
+});
 
 impl Effect for WristCoupling {
     fn about(&self) -> &'static About {
@@ -39,19 +48,6 @@ impl Effect for WristCoupling {
 
     fn exists_on(&self, joint: usize) -> bool {
         joint > 0
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        let Some(before) = joint.checked_sub(1) else {
-            return Some("no joint comes before it".to_owned());
-        };
-        survey
-            .not_revolute(joint)
-            .or_else(|| {
-                let slides = survey.not_revolute(before).is_some();
-                slides.then(|| "the joint before it slides".to_owned())
-            })
-            .or_else(|| survey.too_few_angles(before, 3))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -45,7 +45,7 @@ impl Estimate {
             return false;
         };
         // A sliding joint has other units, and no limit is known for those.
-        let is_size = about.form.sizes().iter().any(|q| q.name == self.name);
+        let is_size = about.form.quantities().iter().any(|q| q.name == self.name);
         let limit = about.implausible_above.filter(|_| is_size);
         let least = self.ci95.map_or(self.value.abs(), |[low, high]| {
             f64::max(low, -high).max(0.0)

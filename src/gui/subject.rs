@@ -379,8 +379,7 @@ impl Subject {
 }
 
 fn is_single_revolute(session: &Session) -> bool {
-    let joints = &session.robot.joints;
-    joints.len() == 1 && joints[0].kind == JointKind::Revolute
+    matches!(session.robot.joints.as_slice(), [joint] if joint.kind == JointKind::Revolute)
 }
 
 fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {

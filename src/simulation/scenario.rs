@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::effects::{Setting, Stage, Term};
+use crate::effects::{Offered, Term};
 use crate::kinematics::Robot;
 use crate::sessions::{Instrument, Region, Target};
 
@@ -339,31 +339,27 @@ impl Scenario {
 
     /// Why an effect cannot show in this scenario.
     fn why_idle(&self, term: &Term) -> Option<&'static str> {
-        let about = term.effect.about();
+        let offered = self.offered();
+        let needs = term.effect.about().needs.iter();
+        needs
+            .map(|need| (need.idle)(&offered))
+            .find_map(|idle| idle)
+    }
+
+    /// What its conditions offer to effects.
+    fn offered(&self) -> Offered {
         let c = &self.circumstances;
-        let from_a_side = match &self.poses {
-            Poses::List(stops) => stops.iter().any(|s| s.dir.is_some()),
-            _ => true,
-        };
-        let of_time = about.id == "frame-drift" || about.setting == Setting::Time;
-        let of_warmth = about.id.starts_with("thermal");
-        if of_time && c.seconds_per_pose.is_none() {
-            Some("the scenario has no seconds_per_pose")
-        } else if of_warmth && c.temperature.is_none() {
-            Some("the scenario has no temperature")
-        } else if about.id == "link-droop"
-            && (c.loads_kg.is_empty() || self.robot.gravity_m_s2.is_none())
-        {
-            Some("the scenario has no load, or the robot no gravity")
-        } else if about.id == "tracking-lag" && c.speeds.iter().all(|v| *v == 0.0) {
-            Some("every pose is measured at standstill")
-        } else if about.stage == Stage::Joint
-            && ["backlash", "lost-motion"].contains(&about.id)
-            && !from_a_side
-        {
-            Some("the list does not say from which side the poses are reached")
-        } else {
-            None
+        Offered {
+            time: c.seconds_per_pose.is_some(),
+            temperature: c.temperature.is_some(),
+            load: !c.loads_kg.is_empty(),
+            link_masses: self.robot.joints.iter().any(|j| j.link.is_some()),
+            gravity: self.robot.gravity_m_s2.is_some(),
+            speed: c.speeds.iter().any(|v| *v != 0.0),
+            sides: match &self.poses {
+                Poses::List(stops) => stops.iter().any(|s| s.dir.is_some()),
+                _ => true,
+            },
         }
     }
 }
