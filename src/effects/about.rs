@@ -120,8 +120,9 @@ pub struct Listed {
     pub tried: fn(&Survey, usize) -> Vec<f64>,
     /// What an input may be, in words …
     pub expected: &'static str,
-    /// … and whether a value, in the parameter's unit, is one of those for a joint counted from 0.
-    pub takes: fn(f64, usize) -> bool,
+    /// … and whether a value, in the parameter's unit, is one of those for a joint counted from 0
+    /// on a robot with so many.
+    pub takes: fn(f64, usize, usize) -> bool,
     /// The value where an input gives none, in the parameter's unit; `None`: it has to be given.
     pub usual: fn(usize) -> Option<f64>,
 }

@@ -33,6 +33,7 @@ mod encoder_two_cycle;
 mod frame_drift;
 mod frame_shift;
 mod gear_transmission_error;
+mod gravity;
 mod instrument_scale;
 mod joint_compliance;
 mod joint_scale;

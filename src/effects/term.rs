@@ -177,7 +177,7 @@ impl Term {
             let usual = || usual().map(|value| value * quantity.unit.inner);
             term.setting = inner_value(quantity).or_else(usual).ok_or(missing)?;
             let outer = term.setting / quantity.unit.inner;
-            check_setting(effect, joint - 1, quantity.name, outer)?;
+            check_setting(effect, [joint - 1, joints], quantity.name, outer)?;
         }
         match about.form {
             Form::Plain(quantities) => {
@@ -399,7 +399,7 @@ pub fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'stati
 
 fn check_setting(
     effect: &dyn Effect,
-    joint: usize,
+    [joint, joints]: [usize; 2],
     name: &'static str,
     given: f64,
 ) -> Result<(), TermError> {
@@ -415,7 +415,7 @@ fn check_setting(
         Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
         Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),
         Setting::Listed(listed) => {
-            (!(listed.takes)(given, joint)).then(|| listed.expected.to_owned())
+            (!(listed.takes)(given, joint, joints)).then(|| listed.expected.to_owned())
         }
         Setting::None | Setting::Setup | Setting::Target => None,
     };

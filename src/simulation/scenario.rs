@@ -102,6 +102,10 @@ pub struct Circumstances {
     pub loads_kg: Vec<f64>,
     /// Temperature.
     pub temperature: Option<Temperature>,
+    /// Temperature of joints, one entry for each joint from the first on; `None`: not measured.
+    pub joint_temperatures: Vec<Option<Temperature>>,
+    /// Whether the torques about the turning joints are measured: gravity's, of load and links.
+    pub torques: bool,
     /// Time from stop to stop, s; `None`: the session has no time.
     pub seconds_per_pose: Option<f64>,
 }
@@ -351,7 +355,8 @@ impl Scenario {
         let c = &self.circumstances;
         Offered {
             time: c.seconds_per_pose.is_some(),
-            temperature: c.temperature.is_some(),
+            temperature: c.temperature.is_some()
+                || c.joint_temperatures.iter().any(Option::is_some),
             load: !c.loads_kg.is_empty(),
             link_masses: self.robot.joints.iter().any(|j| j.link.is_some()),
             gravity: self.robot.gravity_m_s2.is_some(),

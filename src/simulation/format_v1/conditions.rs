@@ -24,11 +24,13 @@ pub(super) fn conditions(
     path: &Path<'_>,
     robot: &Robot,
 ) -> Option<Circumstances> {
-    const KNOWN: [&str; 5] = [
+    const KNOWN: [&str; 7] = [
         "speed_deg_s",
         "speed_mm_s",
         "load_kg",
         "temperature_c",
+        "joint_temperatures_c",
+        "torques",
         "seconds_per_pose",
     ];
     let members = fields.object(node, path, "an object with the conditions")?;
@@ -51,22 +53,76 @@ pub(super) fn conditions(
     }
     if let Some(node) = optional(members, "temperature_c") {
         let path = &path.key("temperature_c");
-        circumstances.temperature = Some(if let Value::Object(members) = &node.value {
-            fields.unknown_keys(members, path, &["from", "to", "time_constant_s"]);
-            let mut number = |key: &str| fields.required_number(members, node.at, path, key);
-            let (from, to, tau) = (number("from"), number("to"), number("time_constant_s"));
-            Temperature::WarmUp {
-                from_c: from?,
-                to_c: to?,
-                time_constant_s: tau?,
-            }
-        } else {
-            Temperature::Values(values(fields, node, path)?)
+        circumstances.temperature = Some(match warm_up(fields, node, path) {
+            Some(warm_up) => warm_up?,
+            None => Temperature::Values(values(fields, node, path)?),
         });
+    }
+    if let Some(node) = optional(members, "joint_temperatures_c") {
+        let path = &path.key("joint_temperatures_c");
+        circumstances.joint_temperatures = of_joints(fields, node, path, robot)?;
+    }
+    if let Some(node) = optional(members, "torques") {
+        let path = &path.key("torques");
+        circumstances.torques = match node.value {
+            Value::Bool(value) => value,
+            _ => {
+                fields.mismatch(node, path, "true or false");
+                return None;
+            }
+        };
     }
     if let Some(node) = optional(members, "seconds_per_pose") {
         let path = &path.key("seconds_per_pose");
         circumstances.seconds_per_pose = Some(positive(fields, node, path, "a time above 0 s")?);
     }
     Some(circumstances)
+}
+
+/// `{ from, to, time_constant_s }`; `None` where it is no object.
+fn warm_up(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Option<Temperature>> {
+    let Value::Object(members) = &node.value else {
+        return None;
+    };
+    fields.unknown_keys(members, path, &["from", "to", "time_constant_s"]);
+    let mut number = |key: &str| fields.required_number(members, node.at, path, key);
+    let (from, to, tau) = (number("from"), number("to"), number("time_constant_s"));
+    let read = || {
+        Some(Temperature::WarmUp {
+            from_c: from?,
+            to_c: to?,
+            time_constant_s: tau?,
+        })
+    };
+    Some(read())
+}
+
+/// One warm-up or null for each joint, from the first on.
+fn of_joints(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+    robot: &Robot,
+) -> Option<Vec<Option<Temperature>>> {
+    const EXPECTED: &str = "an array with { from, to, time_constant_s } or null for each joint";
+    let entries = match &node.value {
+        Value::List(entries) if entries.len() <= robot.joints.len() => entries,
+        _ => {
+            fields.mismatch(node, path, EXPECTED);
+            return None;
+        }
+    };
+    let mut all = Vec::new();
+    for (k, entry) in entries.iter().enumerate() {
+        let path = &path.index(k);
+        all.push(match (&entry.value, warm_up(fields, entry, path)) {
+            (Value::Null, _) => None,
+            (_, Some(read)) => Some(read?),
+            _ => {
+                fields.mismatch(entry, path, EXPECTED);
+                return None;
+            }
+        });
+    }
+    Some(all)
 }
