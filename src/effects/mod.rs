@@ -43,6 +43,7 @@ mod link_geometry;
 mod link_length;
 mod lost_motion;
 mod measuring_frame;
+mod screw_pitch;
 mod thermal_growth;
 mod thermal_zero_drift;
 mod tool_lateral_offset;
@@ -107,6 +108,7 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &encoder_eccentricity::EncoderEccentricity,
     &encoder_two_cycle::EncoderTwoCycle,
     &gear_transmission_error::GearTransmissionError,
+    &screw_pitch::ScrewPitch,
     &backlash::Backlash,
     &lost_motion::LostMotion,
     &tracking_lag::TrackingLag,
