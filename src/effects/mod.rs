@@ -30,6 +30,7 @@ mod base_offset;
 mod bearing_runout;
 mod encoder_eccentricity;
 mod encoder_two_cycle;
+mod foundation_compliance;
 mod frame_drift;
 mod frame_shift;
 mod gear_transmission_error;
@@ -121,6 +122,7 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &bearing_runout::BearingRunout,
     &axis_wobble::AxisWobble,
     &link_droop::LinkDroop,
+    &foundation_compliance::FoundationCompliance,
     &axis_tilt::AxisTilt,
     &base_offset::BaseOffset,
     &instrument_scale::InstrumentScale,
