@@ -269,7 +269,8 @@ fn names(
             1
         };
         for joint in 0..joints {
-            if !allowed.exists(about.id) || !effect.exists_on(joint) || in_base(joint) {
+            let there = effect.exists_on(joint, survey.joints[joint].kind);
+            if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
             if let Some(because) = effect.obstacle(survey, joint) {

@@ -69,7 +69,7 @@ pub use tool_position::ToolPosition;
 pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
 pub use units::Unit;
 
-use crate::kinematics::Robot;
+use crate::kinematics::{JointKind, Robot};
 
 /// One physical effect.
 pub trait Effect: Sync {
@@ -77,8 +77,8 @@ pub trait Effect: Sync {
     fn about(&self) -> &'static About;
 
     /// Whether there is such an effect on a joint at all, whatever is measured.
-    fn exists_on(&self, joint: usize) -> bool {
-        let _ = joint;
+    fn exists_on(&self, joint: usize, kind: JointKind) -> bool {
+        let _ = (joint, kind);
         true
     }
 

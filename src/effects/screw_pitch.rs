@@ -9,6 +9,7 @@ use super::block::{Block, Turned};
 use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
+use crate::kinematics::JointKind;
 use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
@@ -66,6 +67,10 @@ const TURNS: Need = Need::of_samples("a travel of several turns of the screw", |
 impl Effect for ScrewPitch {
     fn about(&self) -> &'static About {
         &ABOUT
+    }
+
+    fn exists_on(&self, _: usize, kind: JointKind) -> bool {
+        kind == JointKind::Prismatic
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -10,6 +10,7 @@ use super::block::{Block, Turned};
 use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed, Survey};
+use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 
 /// See the module.
@@ -68,8 +69,8 @@ impl Effect for WristCoupling {
         &ABOUT
     }
 
-    fn exists_on(&self, joint: usize) -> bool {
-        joint > 0
+    fn exists_on(&self, joint: usize, kind: JointKind) -> bool {
+        joint > 0 && kind == JointKind::Revolute
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {
