@@ -62,10 +62,10 @@ const TORQUE: Need = Need {
     },
     idle: |offered| {
         let weight = offered.load || offered.link_masses;
-        if !offered.gravity {
-            Some("the robot has no gravity")
-        } else {
-            (!weight).then_some("the scenario has no load, and no link a mass")
+        match (offered.gravity, weight) {
+            (true, true) => None,
+            (true, false) => Some("the scenario has no load, and no link a mass"),
+            (false, _) => Some("the robot has no gravity"),
         }
     },
 };

@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::effects::term::setting_quantity;
 use crate::effects::{Effect, Inputs, find};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
@@ -36,7 +37,9 @@ pub const IMPLAUSIBLE: &str = "implausibly large: more than ten times what is us
 impl Estimate {
     /// Whether it is a whole number, which was chosen and has no interval: an order of 2.
     pub fn is_whole_number(&self) -> bool {
-        self.name == "order" && self.ci95.is_none() && self.value.fract() == 0.0
+        let setting = find(self.effect).and_then(|e| setting_quantity(e.about().setting));
+        let counts = setting.is_some_and(|q| q.name == self.name && q.unit.symbol.is_empty());
+        counts && self.ci95.is_none() && self.value.fract() == 0.0
     }
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.

@@ -297,27 +297,32 @@ impl Scenario {
             time.is_none_or(positive),
             "a time above 0 s",
         );
-        let warm_up = match &c.temperature {
-            Some(Temperature::WarmUp {
-                from_c,
-                to_c,
-                time_constant_s,
-            }) => {
-                let finite = from_c.is_finite() && to_c.is_finite();
-                wrong(
-                    "conditions.temperature_c",
-                    finite && positive(*time_constant_s),
-                    "finite temperatures and a time constant above 0 s",
-                );
-                true
+        let of_joints = c.joint_temperatures.iter().flatten();
+        let temperatures = c
+            .temperature
+            .iter()
+            .map(|t| ("conditions.temperature_c", t));
+        let temperatures =
+            temperatures.chain(of_joints.map(|t| ("conditions.joint_temperatures_c", t)));
+        let mut warm_up = false;
+        for (field, temperature) in temperatures {
+            match temperature {
+                Temperature::WarmUp {
+                    from_c,
+                    to_c,
+                    time_constant_s,
+                } => {
+                    let finite = from_c.is_finite() && to_c.is_finite();
+                    let expected = "finite temperatures and a time constant above 0 s";
+                    wrong(field, finite && positive(*time_constant_s), expected);
+                    warm_up = true;
+                }
+                Temperature::Values(values) => {
+                    let finite = values.iter().all(|v| v.is_finite());
+                    wrong(field, finite, "finite temperatures");
+                }
             }
-            Some(Temperature::Values(values)) => {
-                let finite = values.iter().all(|v| v.is_finite());
-                wrong("conditions.temperature_c", finite, "finite temperatures");
-                false
-            }
-            None => false,
-        };
+        }
         wrong(
             "conditions.seconds_per_pose",
             !warm_up || time.is_some(),

@@ -3,7 +3,7 @@
 use super::poses::inner;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::format_v1::read::positive;
-use crate::sessions::json::{Fields, Node, Path, Value, optional};
+use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::simulation::scenario::{Circumstances, Temperature};
 
 /// One number or several.
@@ -53,9 +53,10 @@ pub(super) fn conditions(
     }
     if let Some(node) = optional(members, "temperature_c") {
         let path = &path.key("temperature_c");
-        circumstances.temperature = Some(match warm_up(fields, node, path) {
-            Some(warm_up) => warm_up?,
-            None => Temperature::Values(values(fields, node, path)?),
+        circumstances.temperature = Some(if let Value::Object(members) = &node.value {
+            warm_up(fields, members, node.at, path)?
+        } else {
+            Temperature::Values(values(fields, node, path)?)
         });
     }
     if let Some(node) = optional(members, "joint_temperatures_c") {
@@ -64,13 +65,11 @@ pub(super) fn conditions(
     }
     if let Some(node) = optional(members, "torques") {
         let path = &path.key("torques");
-        circumstances.torques = match node.value {
-            Value::Bool(value) => value,
-            _ => {
-                fields.mismatch(node, path, "true or false");
-                return None;
-            }
+        let Value::Bool(torques) = node.value else {
+            fields.mismatch(node, path, "true or false");
+            return None;
         };
+        circumstances.torques = torques;
     }
     if let Some(node) = optional(members, "seconds_per_pose") {
         let path = &path.key("seconds_per_pose");
@@ -79,22 +78,21 @@ pub(super) fn conditions(
     Some(circumstances)
 }
 
-/// `{ from, to, time_constant_s }`; `None` where it is no object.
-fn warm_up(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Option<Temperature>> {
-    let Value::Object(members) = &node.value else {
-        return None;
-    };
+/// `{ from, to, time_constant_s }`.
+fn warm_up(
+    fields: &mut Fields<'_>,
+    members: &[Member],
+    at: usize,
+    path: &Path<'_>,
+) -> Option<Temperature> {
     fields.unknown_keys(members, path, &["from", "to", "time_constant_s"]);
-    let mut number = |key: &str| fields.required_number(members, node.at, path, key);
+    let mut number = |key: &str| fields.required_number(members, at, path, key);
     let (from, to, tau) = (number("from"), number("to"), number("time_constant_s"));
-    let read = || {
-        Some(Temperature::WarmUp {
-            from_c: from?,
-            to_c: to?,
-            time_constant_s: tau?,
-        })
-    };
-    Some(read())
+    Some(Temperature::WarmUp {
+        from_c: from?,
+        to_c: to?,
+        time_constant_s: tau?,
+    })
 }
 
 /// One warm-up or null for each joint, from the first on.
@@ -115,9 +113,9 @@ fn of_joints(
     let mut all = Vec::new();
     for (k, entry) in entries.iter().enumerate() {
         let path = &path.index(k);
-        all.push(match (&entry.value, warm_up(fields, entry, path)) {
-            (Value::Null, _) => None,
-            (_, Some(read)) => Some(read?),
+        all.push(match &entry.value {
+            Value::Null => None,
+            Value::Object(members) => Some(warm_up(fields, members, entry.at, path)?),
             _ => {
                 fields.mismatch(entry, path, EXPECTED);
                 return None;
