@@ -143,6 +143,7 @@ impl Torque {
 mod tests {
     use super::*;
     use crate::effects::{Inputs, JointValues};
+    use crate::kinematics::JointKind;
     use crate::kinematics::testing::robot_and_pose;
     use crate::sessions::{Instrument, Samples, Session, Target};
     use proptest::prelude::*;

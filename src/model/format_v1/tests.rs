@@ -56,7 +56,7 @@ fn any_terms(joints: usize) -> impl Strategy<Value = Vec<Term>> {
         0.0..1.0f64,
         prop::array::uniform6(-1.0..1.0f64),
     );
-    let term = one.prop_map(|(k, joint, setting, values)| {
+    let term = one.prop_map(move |(k, joint, setting, values)| {
         let mut effect = CATALOGUE[k];
         let listed = |listed: &Listed| {
             let mut whole = (1..100).map(f64::from);
