@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{CATALOGUE, Effect, Setting, Survey, Term, rank};
+use crate::effects::{CATALOGUE, Role, Setting, Survey, Term, find, joint_zero, rank};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
@@ -76,8 +76,9 @@ impl Allowed {
     /// Whether a name exists at all.
     pub fn exists(&self, id: &str) -> bool {
         let without = |id: &str| self.without.iter().any(|w| w == id);
-        // Lost motion becomes backlash as its fade goes to zero.
-        !(without(id) || id == "lost-motion" && without("backlash"))
+        // What becomes another effect in the limit is left out with it.
+        let becomes = find(id).and_then(|effect| effect.about().becomes);
+        !(without(id) || becomes.is_some_and(without))
     }
 
     /// Whether a name is a candidate.
@@ -177,10 +178,11 @@ impl Table {
             }
         }
         table.ground.tangential = tangential;
-        let lacks = |id: &str| !names.iter().any(|c| c.0.effect.about().id == id);
+        let lacks =
+            |is: fn(&Setting) -> bool| !names.iter().any(|c| is(&c.0.effect.about().setting));
         let missing = Missing {
-            gear: lacks("gear-transmission-error"),
-            shift: lacks("frame-shift"),
+            gear: lacks(Setting::takes_fractions),
+            shift: lacks(|setting| *setting == Setting::Time),
         };
         for shape in shapes(&table.ground, survey, rows, missing) {
             let own = table.ground.columns(&shape);
@@ -239,15 +241,11 @@ impl Table {
 }
 
 fn probe(joint: usize) -> Term {
-    Term::absent(zero_offset(), joint, 0.0)
-}
-
-fn zero_offset() -> &'static dyn Effect {
-    CATALOGUE[1]
+    Term::absent(joint_zero(), joint, 0.0)
 }
 
 fn is_probe(term: &Term) -> bool {
-    term.effect.about().id == zero_offset().about().id
+    term.effect.about().role == Role::JointZero
 }
 
 /// Every testable name with every setting and how many of its kind there are.
@@ -271,7 +269,8 @@ fn names(
             1
         };
         for joint in 0..joints {
-            if !allowed.exists(about.id) || !effect.exists_on(joint) || in_base(joint) {
+            let there = effect.exists_on(joint, survey.joints[joint].kind);
+            if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
             if let Some(because) = effect.obstacle(survey, joint) {

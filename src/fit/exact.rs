@@ -7,7 +7,8 @@
 use nalgebra::DMatrix;
 
 use crate::effects::{
-    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, Setting, Survey, Term, find,
+    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, OF_A_SINGLE_AXIS, Role, Setting,
+    Survey, Term, find, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
@@ -24,7 +25,7 @@ use super::unidentifiable::{name_on_joint, undetermined_combinations};
 use super::{alignment, base_model, scan};
 
 /// The effects that every calibration identifies.
-pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
+pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
 
 /// Fits the named effects, each on every joint where it can be tested.
 ///
@@ -175,7 +176,7 @@ pub(super) fn prepare<'a>(
     let mut terms = Vec::new();
     let base = base_model::is_arm(session) && asks_for_base(effects);
     for id in effects {
-        if base && id == "link-length" {
+        if base && role(id) == Role::ToolRadius {
             continue;
         }
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;

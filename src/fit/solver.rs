@@ -14,7 +14,6 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::effects::block::Block;
-use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -467,17 +466,11 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
     for term in model.terms() {
         let (about, own) = (term.effect.about(), first);
         first += term.coefficients.len();
-        if !super::base_model::belongs(about.id) {
+        if !about.role.is_of_every_calibration() {
             continue;
         }
         for k in 0..term.coefficients.len() {
-            let turns = match about.id {
-                "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
-                "measuring-frame" => k < 3,
-                "link-geometry" => k >= 2,
-                "tool-orientation" => true,
-                _ => false,
-            };
+            let turns = about.form.turns(k, model.robot.joints[term.joint].kind);
             let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
             let size = step[own + k].abs();
             if size > most {

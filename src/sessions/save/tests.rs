@@ -66,6 +66,8 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                 target,
                 dir: vec![None, dir],
                 speed: vec![None, speed2],
+                torque_nm: vec![None, load_kg.clone()],
+                joint_temperature_c: vec![load_kg.clone(), None],
                 load_kg,
                 temperature_c: None,
                 time_s,
