@@ -5,6 +5,7 @@
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
+use super::dh::DhRow;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
@@ -218,6 +219,20 @@ impl Joint {
     }
 }
 
+/// How a robot was described, as far as the axes alone do not say it: exports answer in the same
+/// terms. Nothing is computed with it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum RobotSource {
+    /// As joint axes.
+    #[default]
+    Axes,
+    /// As Denavit–Hartenberg rows, one for each joint.
+    Dh(Vec<DhRow>),
+    /// As links of a URDF or MJCF file: the frame behind each joint at home, in the base frame, its
+    /// origin on the joint's axis.
+    Links(Vec<Pose>),
+}
+
 /// A serial chain from base to tool, at home.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Robot {
@@ -229,6 +244,8 @@ pub struct Robot {
     pub base_from_tool: Pose,
     /// Gravity in the base frame, m/s²; `None`: unknown, effects of gravity cannot be tested.
     pub gravity_m_s2: Option<Vector3<f64>>,
+    /// How it was described.
+    pub source: RobotSource,
 }
 
 impl Robot {
