@@ -108,6 +108,15 @@ mod tests {
         }
 
         #[test]
+        fn a_robot_with_another_home_counts_from_there((robot, q) in robot_and_pose()) {
+            let half: Vec<f64> = q.iter().map(|value| 0.4 * value).collect();
+            let rest: Vec<f64> = q.iter().zip(&half).map(|(q, half)| q - half).collect();
+            let there = robot.rehomed(&half).base_from_tool(&rest);
+            let off = there.to_homogeneous() - robot.base_from_tool(&q).to_homogeneous();
+            prop_assert!(off.norm() < 1e-9, "{off}");
+        }
+
+        #[test]
         fn at_home_the_tool_is_at_home((robot, q) in robot_and_pose()) {
             let home = vec![0.0; q.len()];
             prop_assert_eq!(robot.base_from_tool(&home).translation, robot.base_from_tool.translation);

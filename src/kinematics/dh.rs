@@ -85,7 +85,10 @@ pub fn robot_from_dh(name: impl Into<String>, rows: &[DhRow]) -> Result<Robot, K
         joints,
         base_from_tool,
         gravity_m_s2: None,
-        source: RobotSource::Dh(rows.to_vec()),
+        source: RobotSource::Dh {
+            base_from_first: Pose::identity(),
+            rows: rows.to_vec(),
+        },
     })
 }
 
@@ -112,7 +115,7 @@ fn frames(rows: &[DhRow]) -> (Vec<[Pose; 2]>, Pose) {
 }
 
 /// The frame behind each joint of a table at home, in the base frame, z along the joint.
-pub(crate) fn link_frames(rows: &[DhRow]) -> Vec<Pose> {
+pub(super) fn link_frames(rows: &[DhRow]) -> Vec<Pose> {
     frames(rows)
         .0
         .into_iter()

@@ -26,6 +26,20 @@ impl Chain {
             source: robot.source,
         }
     }
+
+    /// Moves everything, rows and all, with the frame that they stand in.
+    pub(super) fn move_by(&mut self, base: Pose) {
+        for joint in &mut self.joints {
+            joint.axis = joint.axis.moved_by(&base);
+        }
+        self.base_from_tool = base * self.base_from_tool;
+        if let RobotSource::Dh {
+            base_from_first, ..
+        } = &mut self.source
+        {
+            *base_from_first = base;
+        }
+    }
 }
 
 const THREE_NUMBERS: &str = "an array of 3 numbers";
@@ -113,6 +127,9 @@ fn chain(
     }
     let mut known = vec!["name", source, "gravity_m_s2"];
     known.extend(robot_beside::KEYS);
+    if source == "dh" {
+        known.push("base");
+    }
     fields.unknown_keys(members, path, &known);
     let format = match source {
         "mjcf" => DescriptionFormat::Mjcf,

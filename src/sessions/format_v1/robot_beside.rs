@@ -1,10 +1,11 @@
 //! What may stand beside Denavit–Hartenberg rows, a URDF or an MJCF file, and replaces what those
-//! say: the tool at home, the limits, the masses of the links.
+//! say: the tool at home, the limits, the masses of the links. Rows may also have a `base`: where
+//! the frame before the first row stands, which carries everything behind it.
 
 use nalgebra::Point3;
 
 use super::robot::{Chain, ends, pose};
-use crate::kinematics::{LinkMass, Range};
+use crate::kinematics::{LinkMass, Range, RobotSource};
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 
 /// The keys.
@@ -18,6 +19,12 @@ pub(super) fn with(
     mut chain: Chain,
 ) -> Option<Chain> {
     let mut good = true;
+    if let (RobotSource::Dh { .. }, Some(node)) = (&chain.source, optional(members, "base")) {
+        match pose(fields, node, &path.key("base")) {
+            Some(base) => chain.move_by(base),
+            None => good = false,
+        }
+    }
     if let Some(node) = optional(members, "tool") {
         match pose(fields, node, &path.key("tool")) {
             Some(tool) => chain.base_from_tool = tool,

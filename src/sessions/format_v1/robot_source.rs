@@ -6,7 +6,6 @@
 
 use std::path::Path as FilePath;
 
-use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
 use super::degrees::degrees;
@@ -145,9 +144,13 @@ pub(super) fn source(
     };
     let path = &path.key("source");
     let members = fields.object(node, path, "an object with dh or links")?;
-    fields.unknown_keys(members, path, &["dh", "links"]);
+    fields.unknown_keys(members, path, &["dh", "base", "links"]);
     let read = if let Some(dh) = optional(members, "dh") {
-        RobotSource::Dh(dh_rows(fields, dh, &path.key("dh"))?)
+        let base = optional(members, "base").map(|node| pose(fields, node, &path.key("base")));
+        RobotSource::Dh {
+            base_from_first: base.unwrap_or_else(|| Some(Pose::identity()))?,
+            rows: dh_rows(fields, dh, &path.key("dh"))?,
+        }
     } else {
         let expected = "an array with a frame for each joint";
         let links = fields.required(members, node.at, path, "links", expected)?;
@@ -161,7 +164,7 @@ pub(super) fn source(
     };
     let count = match &read {
         RobotSource::Axes => joints,
-        RobotSource::Dh(rows) => rows.len(),
+        RobotSource::Dh { rows, .. } => rows.len(),
         RobotSource::Links(frames) => frames.len(),
     };
     if count != joints {
@@ -174,10 +177,16 @@ pub(super) fn source(
 
 /// [`RobotSource`] as the program writes it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(untagged)]
 pub(crate) enum SourceTwin {
-    Dh(Vec<RowTwin>),
-    Links(Vec<FrameTwin>),
+    Dh {
+        dh: Vec<RowTwin>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        base: Option<FrameTwin>,
+    },
+    Links {
+        links: Vec<FrameTwin>,
+    },
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -200,10 +209,17 @@ impl SourceTwin {
     pub(crate) fn of(source: &RobotSource) -> Option<Self> {
         match source {
             RobotSource::Axes => None,
-            RobotSource::Dh(rows) => Some(Self::Dh(rows.iter().map(RowTwin::of).collect())),
-            RobotSource::Links(frames) => {
-                Some(Self::Links(frames.iter().map(FrameTwin::of).collect()))
-            }
+            RobotSource::Dh {
+                base_from_first,
+                rows,
+            } => Some(Self::Dh {
+                dh: rows.iter().map(RowTwin::of).collect(),
+                base: (*base_from_first != Pose::identity())
+                    .then(|| FrameTwin::of(base_from_first)),
+            }),
+            RobotSource::Links(frames) => Some(Self::Links {
+                links: frames.iter().map(FrameTwin::of).collect(),
+            }),
         }
     }
 }
@@ -230,7 +246,7 @@ impl FrameTwin {
     pub(crate) fn of(frame: &Pose) -> Self {
         let turn = frame.rotation.quaternion();
         Self {
-            position_mm: Point3::from(frame.translation.vector).into(),
+            position_mm: frame.translation.vector.into(),
             quaternion_wxyz: [turn.w, turn.i, turn.j, turn.k],
         }
     }
