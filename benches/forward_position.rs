@@ -8,12 +8,12 @@
 //!     cargo bench --bench forward_position
 //!
 //! As measured on two shared cores of an AMD EPYC, six joints, ns per position: DH matrices 135, dual
-//! quaternions 196, the point alone 63 for one pose and 37 among many poses. So the claim holds only
-//! where nothing but the point is moved; full dual quaternions are the slowest of all. With one
-//! joint a DH matrix costs hardly more than its sine (16), and only many poses together beat it (8).
+//! quaternions 196. So the claim holds only where nothing but the point is moved (`point only`; `the
+//! model` is what every fit runs through: many poses, block by block); full dual quaternions are the
+//! slowest of all.
 //!
 //! `library sines alone` is what the standard library needs for the sines and cosines of the joints;
-//! `own sines` gives the matrices the sines of the point path, so that what is owed to the sines and
+//! `own sines` gives the matrices the sines of the model's path, so that what is owed to the sines and
 //! what to moving only a point can be told apart.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

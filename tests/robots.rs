@@ -268,7 +268,7 @@ fn a_session_names_a_chain_of_an_mjcf_file_and_keeps_its_frames_when_it_is_writt
     assert!(loaded.files.iter().any(|file| file.ends_with("arm.xml")));
     let robot = loaded.session.robot.clone();
     let saved = folder.path().join("saved.json");
-    save(&loaded.session, &saved, Replacing::Nothing).unwrap();
+    save(&loaded.session, &saved, Replacing::default()).unwrap();
     let again = load(&saved).unwrap().session.robot;
     let frames = robot.link_frames();
     assert!(matches!(again.source, RobotSource::Links(_)));
@@ -283,7 +283,7 @@ fn a_session_names_a_chain_of_an_mjcf_file_and_keeps_its_frames_when_it_is_writt
     save(
         &session,
         &folder.path().join("rows.json"),
-        Replacing::Nothing,
+        Replacing::default(),
     )
     .unwrap();
     let again = load(folder.path().join("rows.json")).unwrap().session.robot;

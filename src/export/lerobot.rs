@@ -147,7 +147,7 @@ fn present(job: &Job) -> Result<(Vec<Motor>, Vec<String>), ExportError> {
     let joints = job.calibration.model.robot.joints.iter().enumerate();
     let motor = |(k, joint): (usize, &Joint)| Motor {
         name: joint.name.clone(),
-        id: k as i64 + 1,
+        id: i64::try_from(k + 1).unwrap_or(i64::MAX),
         drive_mode: 0,
         homing_offset: 0,
         range_min: 0,
@@ -190,10 +190,8 @@ fn move_zero(motor: &mut Motor, ticks: i64, motors: Motors) -> Result<(), Export
     }
     Err(ExportError::Refused(format!(
         "{}: a homing_offset of {} does not fit into the servo, which takes ±{MOST_TICKS}; remount \
-         its horn about {} teeth of 25 nearer the zero, calibrate the motors again, and measure again",
-        motor.name,
-        motor.homing_offset,
-        // Half a turn too far is the usual one.
-        (motor.homing_offset.abs() * 25 + TICKS_PER_TURN / 2) / TICKS_PER_TURN
+         its horn so that the joint's zero is nearer the middle of the encoder, calibrate the motors \
+         again, and measure again",
+        motor.name, motor.homing_offset
     )))
 }
