@@ -208,7 +208,7 @@ fn rows_may_slide_and_what_stands_beside_them_counts() {
 #[test]
 fn what_is_wrong_beside_a_description_is_refused_with_its_place() {
     for (from, to, part) in [
-        ("[-130,130]", "[130,-130]", "line 6, column 13, limits[0]"),
+        ("[-130,130]", "[130,-130]", "line 6, column 12, limits[0]"),
         (
             "null,[0,180],null]",
             "null]",

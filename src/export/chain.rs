@@ -23,7 +23,7 @@ use crate::lanes::dot;
 use crate::model::Model;
 
 /// A file that is read back leads to the same place up to this, mm.
-pub(super) const SAME_MM: f64 = 1e-9;
+const SAME_MM: f64 = 1e-9;
 
 /// See the module.
 pub(super) struct Chain {

@@ -56,6 +56,8 @@ pub(super) struct Written {
     /// Base and tool as they have to be entered where the file does not hold them.
     pub(super) frames: Option<Frames>,
     pub(super) in_the_controller: Vec<String>,
+    /// Where the zero offsets are, in words, where the file itself is what the controller takes.
+    pub(super) zeros: Option<String>,
     /// What the format cannot say.
     pub(super) cannot_say: Vec<String>,
     pub(super) notes: Vec<String>,
@@ -216,7 +218,7 @@ fn sidecar<'a>(
         sign: written.sign,
         level: written.level,
         level_in_words: written.level.says(),
-        zeros: zeros(nominal, chain),
+        zeros: zeros(nominal, chain, written.zeros.clone()),
         example: Example {
             says: format!(
                 "at home the nominal tool is at {}, and this robot has it at {}",
@@ -267,7 +269,7 @@ fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<String> {
     chain.corrected.left_out.iter().map(leaves).collect()
 }
 
-fn zeros(nominal: &Robot, chain: &Chain) -> ZerosTwin {
+fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<String>) -> ZerosTwin {
     let joints = nominal.joints.iter().enumerate().map(|(k, joint)| {
         let outer = |inner: f64| joint.kind.outer(inner) + 0.0;
         let offset = outer(chain.offsets[k]);
@@ -304,7 +306,7 @@ fn zeros(nominal: &Robot, chain: &Chain) -> ZerosTwin {
     };
     ZerosTwin {
         taken_by: chain.zeros.name(),
-        says,
+        says: in_words.unwrap_or(says),
         joints: joints.collect(),
     }
 }

@@ -16,7 +16,7 @@
 
 use serde::Serialize;
 
-use super::chain::{Chain, SAME_MM};
+use super::chain::Chain;
 use super::description::{Level, Written, finish, frames};
 use super::dh_rows::{nominal_rows, parallel};
 use super::steps::{Step, fit, motion, ranges};
@@ -39,6 +39,9 @@ pub(super) const FORMAT: Format = Format {
 };
 
 struct Dh;
+
+/// Rows that lead to the same place up to this say everything, mm.
+const FOUND_MM: f64 = 1e-7;
 
 #[derive(Serialize)]
 struct RobotTwin<'a> {
@@ -68,32 +71,25 @@ impl Exporter for Dh {
         let found = fitted(job, &chain, convention);
         let text = write(job, &found);
         let robot = read(&text)?;
-        let far_mm = chain.farthest(job, &robot);
-        let between: Vec<String> = nominal
-            .joints
-            .windows(2)
-            .enumerate()
-            .filter(|(_, pair)| parallel(&pair[0].axis, &pair[1].axis))
-            .map(|(k, _)| format!("{} and {}", k + 1, k + 2))
-            .collect();
+        let parallels = parallels(nominal);
         let mut cannot_say = Vec::new();
-        if between.is_empty() {
-            chain.check(job, &robot)?;
-        } else if far_mm > SAME_MM || far_mm.is_nan() {
+        let far_mm = chain.farthest(job, &robot);
+        if far_mm > FOUND_MM {
+            let what = if parallels.is_empty() {
+                "no rows were found that say all of this robot".to_owned()
+            } else {
+                let joints = parallels.join(", ");
+                format!(
+                    "rows cannot say how parallel axes are turned against each other about y \
+                     (joints {joints})"
+                )
+            };
             cannot_say.push(format!(
-                "rows cannot say how parallel axes are turned against each other about y (joints \
-                 {}): {far_mm:.4} mm remain at most over the measured range",
-                between.join(", ")
+                "{what}: {far_mm:.4} mm remain at most over the measured range"
             ));
         }
-        let nominal_base = nominal_rows(nominal, convention).0;
-        if (found.base.inverse() * nominal_base)
-            .translation
-            .vector
-            .norm()
-            > 1e-9
-            || (found.base.inverse() * nominal_base).rotation.angle() > 1e-12
-        {
+        let off_base = found.base.inverse() * nominal_rows(nominal, convention).0;
+        if off_base.translation.vector.norm() > 1e-9 || off_base.rotation.angle() > 1e-12 {
             cannot_say.push(
                 "rows cannot say where the first axis stands in the base: enter base as well"
                     .to_owned(),
@@ -112,6 +108,7 @@ impl Exporter for Dh {
             ends: None,
             frames: Some(frames(&found.base, &found.tool, are)),
             in_the_controller: Vec::new(),
+            zeros: None,
             cannot_say,
             notes: vec![format!(
                 "rows in the {} convention",
@@ -123,6 +120,15 @@ impl Exporter for Dh {
         };
         finish(job, &chain, written)
     }
+}
+
+/// Neighbouring joints whose axes are parallel, counted from 1.
+fn parallels(robot: &Robot) -> Vec<String> {
+    let pairs = robot.joints.windows(2).enumerate();
+    pairs
+        .filter(|(_, pair)| parallel(&pair[0].axis, &pair[1].axis))
+        .map(|(k, _)| format!("{} and {}", k + 1, k + 2))
+        .collect()
 }
 
 /// The convention that the robot came in.

@@ -18,6 +18,8 @@ use crate::kinematics::{Pose, quaternion};
 
 /// Decimals that are written: 10⁻¹⁵ m or rad. What stands behind them is rounding.
 const PER_UNIT: f64 = 1e15;
+/// The same of mm.
+const PER_MM: f64 = 1e12;
 
 /// A number without the digits that are rounding; never −0.
 pub(super) fn tidy(value: f64) -> f64 {
@@ -60,7 +62,7 @@ impl Frame {
         let inverse = rpy(&matrix.matrix().transpose()).map(|turn| -turn.to_degrees());
         let (q, p) = (pose.rotation.quaternion(), pose.translation.vector);
         Self {
-            position_mm: [p.x, p.y, p.z].map(|mm| tidy(mm / 1e3) * 1e3),
+            position_mm: [p.x, p.y, p.z].map(|mm| (mm * PER_MM).round() / PER_MM + 0.0),
             quaternion_wxyz: [q.w, q.i, q.j, q.k].map(tidy),
             kuka_abc_deg: [turns.z, turns.y, turns.x].map(tidy),
             fanuc_wpr_deg: [turns.x, turns.y, turns.z].map(tidy),

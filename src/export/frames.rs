@@ -80,6 +80,11 @@ impl Exporter for FramesExport {
                  nominal one",
             )),
             in_the_controller: Vec::new(),
+            zeros: Some(
+                "the zero offsets in this file are the controller's to take: it has to show as much \
+                 more as each joint stands beyond its command"
+                    .to_owned(),
+            ),
             cannot_say: vec![
                 "the geometry of the links is not in these numbers; dh, urdf or mjcf carry it"
                     .to_owned(),

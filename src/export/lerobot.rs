@@ -72,6 +72,7 @@ impl Exporter for LeRobot {
                 })
                 .collect())
         })?;
+        let mut moved = Vec::new();
         for (taken, place) in chain.taken.iter().zip(&places) {
             #[allow(
                 clippy::cast_possible_truncation,
@@ -80,13 +81,15 @@ impl Exporter for LeRobot {
             let ticks = (taken / tick).round() as i64;
             move_zero(&mut motors[*place], ticks, job.options.motors)?;
             if ticks != 0 {
-                let motor = &motors[*place];
-                notes.push(format!(
-                    "{}: homing_offset {} ({:+} ticks); its range moves by as much with it: keep \
-                     away from the stops until you have tried it",
-                    motor.name, motor.homing_offset, ticks
-                ));
+                moved.push(format!("{} by {ticks:+}", motors[*place].name));
             }
+        }
+        if !moved.is_empty() {
+            notes.push(format!(
+                "the motors show more than before, in ticks: {}; their ranges move by as much with \
+                 it: keep away from the stops until you have tried it",
+                moved.join(", ")
+            ));
         }
         let all = Compensation::new(job.calibration).robot;
         let alone = rms(&apart(job, &all, &nominal.rehomed(&chain.taken)));
@@ -130,6 +133,17 @@ impl Exporter for LeRobot {
                  agrees with this motor calibration only"
                     .to_owned(),
             ],
+            zeros: Some(match zeros {
+                Zeros::Controller => {
+                    "the zero offsets are in homing_offset of this calibration, in whole ticks, and \
+                     the rest of them in the URDF beside it: nothing else is to take them"
+                        .to_owned()
+                }
+                Zeros::Origins => {
+                    "the zero offsets are in the URDF beside this calibration, which is as it was"
+                        .to_owned()
+                }
+            }),
             cannot_say: Vec::new(),
             notes,
         };

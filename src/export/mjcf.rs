@@ -56,6 +56,7 @@ impl Exporter for Mjcf {
             ends: Some([base, tip]),
             frames: None,
             in_the_controller: Vec::new(),
+            zeros: None,
             cannot_say: Vec::new(),
             notes,
         };

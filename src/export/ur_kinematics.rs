@@ -91,6 +91,7 @@ impl Exporter for UrKinematics {
             ends: None,
             frames: Some(tcp),
             in_the_controller: vec![enter],
+            zeros: None,
             cannot_say: Vec::new(),
             notes: vec![
                 "for the launch argument kinematics_params_file; the driver compares its hash with \

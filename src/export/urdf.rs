@@ -56,6 +56,7 @@ impl Exporter for Urdf {
             ends: Some(names.ends()),
             frames: None,
             in_the_controller: Vec::new(),
+            zeros: None,
             cannot_say: Vec::new(),
             notes: names.notes(),
         };

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::robot::Robot;
-use super::xml::{Document, read_included, read_text};
+use super::xml::{Document, ROOT, read_included, read_text};
 use super::{mjcf, urdf};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 
@@ -41,7 +41,7 @@ pub fn robot_from_file(
         Rejected::because(Diagnostic::error(Place::file(path), found, expected))
     })?;
     let mut document = Document::parse(&text, path)?;
-    let is_mjcf = document.element(document.root()).name == "mujoco";
+    let is_mjcf = document.element(ROOT).name == "mujoco";
     let format = format.unwrap_or(if is_mjcf {
         DescriptionFormat::Mjcf
     } else {

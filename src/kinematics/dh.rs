@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The modified rows are Craig's: a and α of a row are those he writes a_{i−1} and α_{i−1}. A row
-//! whose joint slides has d_i + q in place of θ_i + q; θ and d are those at home. The tool is the
+//! whose joint slides has d + q in place of θ + q; θ and d are those at home. The tool is the
 //! frame behind the last row. Each row is a complete rigid motion with its own joint in it, so the
 //! conventions may be mixed in one chain: each row is read by its own.
 //!

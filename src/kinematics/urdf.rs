@@ -20,7 +20,7 @@ use nalgebra::{Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 
 use super::robot::{JointKind, Pose, Robot};
 use super::tree::{Body, BodyJoint, Mass, Motion, Tree, limits};
-use super::xml::Document;
+use super::xml::{Document, ROOT};
 use crate::diagnostic::{Place, Rejected};
 
 const MM_PER_M: f64 = 1e3;
@@ -37,7 +37,7 @@ pub fn robot_from_urdf(text: &str, file: &Path, base: &str, tip: &str) -> Result
 
 /// The links and joints of a document.
 pub(super) fn tree(document: &Document, file: &Path) -> Result<Tree, Rejected> {
-    let root = document.root();
+    let root = ROOT;
     if document.element(root).name != "robot" {
         let found = format!("<{}>", document.element(root).name);
         return Err(document.refuse(root, found, "<robot>, as a URDF file begins"));
@@ -168,17 +168,14 @@ fn origin(document: &Document, element: usize) -> Result<Pose, Rejected> {
         return Ok(Pose::identity());
     };
     let xyz = document.numbers::<3>(origin, "xyz")?.unwrap_or_default();
-    let rotation = match document.numbers::<4>(origin, "quat_xyzw")? {
-        Some([x, y, z, w]) => {
-            let quaternion = Quaternion::new(w, x, y, z);
-            UnitQuaternion::try_new(quaternion, 1e-12).ok_or_else(|| {
-                document.refuse_value(origin, "quat_xyzw", "a quaternion of non-zero length")
-            })?
-        }
-        None => {
-            let [roll, pitch, yaw] = document.numbers::<3>(origin, "rpy")?.unwrap_or_default();
-            UnitQuaternion::from_euler_angles(roll, pitch, yaw)
-        }
+    let rotation = if let Some([x, y, z, w]) = document.numbers::<4>(origin, "quat_xyzw")? {
+        let quaternion = Quaternion::new(w, x, y, z);
+        UnitQuaternion::try_new(quaternion, 1e-12).ok_or_else(|| {
+            document.refuse_value(origin, "quat_xyzw", "a quaternion of non-zero length")
+        })?
+    } else {
+        let [roll, pitch, yaw] = document.numbers::<3>(origin, "rpy")?.unwrap_or_default();
+        UnitQuaternion::from_euler_angles(roll, pitch, yaw)
     };
     let position_mm = Vector3::from(xyz) * MM_PER_M;
     Ok(Pose::from_parts(Translation3::from(position_mm), rotation))

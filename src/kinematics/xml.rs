@@ -52,6 +52,9 @@ pub(super) struct Document {
     elements: Vec<Element>,
 }
 
+/// The outermost element of a document.
+pub(super) const ROOT: usize = 0;
+
 /// What stands in the file where something else should.
 pub(super) type Mistake = (String, String);
 
@@ -149,11 +152,6 @@ impl Document {
             return Err(refuse(self, (found, "each file included once".to_owned())));
         }
         self.add(&text, &file)
-    }
-
-    /// The outermost element.
-    pub(super) fn root(&self) -> usize {
-        0
     }
 
     /// The files that it was read from.
@@ -269,13 +267,11 @@ impl Document {
         let mut count = 0;
         for part in text.split_ascii_whitespace() {
             let number = part.parse::<f64>().ok().filter(|x| good(*x));
-            match (number, numbers.get_mut(count)) {
-                (Some(number), Some(place)) => *place = number,
-                _ => {
-                    count = usize::MAX;
-                    break;
-                }
-            }
+            let (Some(number), Some(place)) = (number, numbers.get_mut(count)) else {
+                count = usize::MAX;
+                break;
+            };
+            *place = number;
             count += 1;
         }
         if count == N {

@@ -23,7 +23,7 @@ use nalgebra::{Point3, Translation3, Vector3};
 
 use super::robot::{JointKind, Pose, Robot};
 use super::tree::{Body, BodyJoint, Mass, Motion, Tree, limits};
-use super::xml::{Document, Include};
+use super::xml::{Document, Include, ROOT};
 use crate::diagnostic::{Place, Rejected};
 use defaults::Defaults;
 use orientation::Angles;
@@ -52,7 +52,7 @@ pub(super) fn tree(
     file: &Path,
     include: Include<'_>,
 ) -> Result<Tree, Rejected> {
-    let root = document.root();
+    let root = ROOT;
     if document.element(root).name != "mujoco" {
         let found = format!("<{}>", document.element(root).name);
         return Err(document.refuse(root, found, "<mujoco>, as an MJCF file begins"));
@@ -146,10 +146,10 @@ struct Reader<'d> {
     joints: usize,
 }
 
-/// An element whose children are still to be read.
+/// An element that is still to be read.
 struct Open {
     element: usize,
-    /// The body that it is part of.
+    /// The body that it stands in.
     body: usize,
     /// The frames between the body and the element.
     body_from_frame: Pose,
@@ -158,7 +158,7 @@ struct Open {
 }
 
 impl Reader<'_> {
-    /// Reads every `worldbody`, bodies in the order of the file.
+    /// Reads every `worldbody`, in the order of the file.
     fn world(&mut self, root: usize) -> Result<(), Rejected> {
         let worlds = self.document.children(root, "worldbody");
         let mut open: Vec<Open> = worlds
@@ -171,60 +171,60 @@ impl Reader<'_> {
             .collect();
         open.reverse();
         while let Some(next) = open.pop() {
-            let mut found = self.inside(&next)?;
-            found.reverse();
-            open.extend(found);
+            let Some((body, body_from_frame, class)) = self.read(&next)? else {
+                continue;
+            };
+            let inside = self.document.element(next.element).children.iter();
+            open.extend(inside.rev().map(|&element| Open {
+                element,
+                body,
+                body_from_frame,
+                class: class.clone(),
+            }));
         }
         Ok(())
     }
 
-    /// Reads joints, sites and masses of a body or frame, and finds what else is to be read.
-    fn inside(&mut self, me: &Open) -> Result<Vec<Open>, Rejected> {
+    /// Reads an element; where others stand in it, their body, frame and default class.
+    fn read(&mut self, me: &Open) -> Result<Option<(usize, Pose, Option<String>)>, Rejected> {
         let document = self.document;
-        let mut more = Vec::new();
-        for &child in &document.element(me.element).children {
-            let class = document.attribute(child, "childclass");
-            let class = class.map(str::to_owned).or_else(|| me.class.clone());
-            match document.element(child).name.as_str() {
-                "body" => {
-                    self.bodies.push(Body {
-                        name: self.name(child),
-                        parent: Some(me.body),
-                        parent_from_body: me.body_from_frame * self.pose(&[child])?,
-                        joints: Vec::new(),
-                        mass: self.mass(child, class.as_deref())?,
-                    });
-                    more.push(Open {
-                        element: child,
-                        body: self.bodies.len() - 1,
-                        body_from_frame: Pose::identity(),
-                        class,
-                    });
-                }
-                "frame" => more.push(Open {
-                    element: child,
-                    body: me.body,
-                    body_from_frame: me.body_from_frame * self.pose(&[child])?,
-                    class,
-                }),
-                "joint" | "freejoint" => {
-                    let joint = self.joint(child, me)?;
-                    self.bodies[me.body].joints.push(joint);
-                }
-                "site" => {
-                    let levels = self.levels("site", child, me.class.as_deref())?;
-                    self.sites.push(Body {
-                        name: self.name(child),
-                        parent: Some(me.body),
-                        parent_from_body: me.body_from_frame * self.pose(&levels)?,
-                        joints: Vec::new(),
-                        mass: Mass::None,
-                    });
-                }
-                _ => {}
+        let class = document.attribute(me.element, "childclass");
+        let class = class.map(str::to_owned).or_else(|| me.class.clone());
+        match document.element(me.element).name.as_str() {
+            "worldbody" => return Ok(Some((0, Pose::identity(), class))),
+            "frame" => {
+                let frame = me.body_from_frame * self.pose(&[me.element])?;
+                return Ok(Some((me.body, frame, class)));
             }
+            "body" => {
+                let body = Body {
+                    name: self.name(me.element),
+                    parent: Some(me.body),
+                    parent_from_body: me.body_from_frame * self.pose(&[me.element])?,
+                    joints: Vec::new(),
+                    mass: self.mass(me.element, class.as_deref())?,
+                };
+                self.bodies.push(body);
+                return Ok(Some((self.bodies.len() - 1, Pose::identity(), class)));
+            }
+            "joint" | "freejoint" => {
+                let joint = self.joint(me)?;
+                self.bodies[me.body].joints.push(joint);
+            }
+            "site" => {
+                let levels = self.levels("site", me.element, me.class.as_deref())?;
+                let site = Body {
+                    name: self.name(me.element),
+                    parent: Some(me.body),
+                    parent_from_body: me.body_from_frame * self.pose(&levels)?,
+                    joints: Vec::new(),
+                    mass: Mass::None,
+                };
+                self.sites.push(site);
+            }
+            _ => {}
         }
-        Ok(more)
+        Ok(None)
     }
 
     fn name(&self, element: usize) -> String {
@@ -277,7 +277,8 @@ impl Reader<'_> {
         Ok(Pose::from_parts(Translation3::from(position_mm), rotation))
     }
 
-    fn joint(&mut self, element: usize, me: &Open) -> Result<BodyJoint, Rejected> {
+    fn joint(&mut self, me: &Open) -> Result<BodyJoint, Rejected> {
+        let element = me.element;
         let levels = self.levels("joint", element, me.class.as_deref())?;
         self.joints += 1;
         let free = self.document.element(element).name == "freejoint";
