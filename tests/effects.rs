@@ -28,6 +28,7 @@ fn robot(joints: Vec<Joint>) -> Robot {
         joints,
         base_from_tool: Pose::from_parts(Vector3::new(410.0, 35.0, 280.0).into(), turn),
         gravity_m_s2: Some(Vector3::new(2.0, -1.0, -9.5)),
+        source: truepose::kinematics::RobotSource::Axes,
     }
 }
 

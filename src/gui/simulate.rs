@@ -284,6 +284,7 @@ impl Form {
             joints: vec![joint],
             base_from_tool: Pose::translation(self.radius_mm, 0.0, 300.0),
             gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
+            source: crate::kinematics::RobotSource::Axes,
         })
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
             covers(ui, workbench);
         }
         Step::Export => {
-            formats(ui);
+            formats(ui, workbench);
             gap(ui, workbench);
         }
     }
@@ -235,7 +235,7 @@ fn search(ui: &mut Ui) {
 }
 
 /// What can be written, before there is anything to write.
-fn formats(ui: &mut Ui) {
+fn formats(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         title(ui, "Nothing to export yet");
         widgets::hint(
@@ -244,7 +244,8 @@ fn formats(ui: &mut Ui) {
              convention in words, the gap that it leaves, and what no joint can remove",
         );
         ui.add_space(space::TIGHT);
-        for format in EXPORTERS {
+        let robot = &workbench.subject().session.robot;
+        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             ui.label(format.title);
         }
     });

@@ -46,6 +46,7 @@ fn any_robot() -> impl Strategy<Value = Robot> {
             .collect(),
         base_from_tool: Pose::from_parts(at.into(), UnitQuaternion::from_scaled_axis(turn)),
         gravity_m_s2: Some(Vector3::new(0.2, 0.0, -9.8)),
+        source: crate::kinematics::RobotSource::Axes,
     })
 }
 
