@@ -236,7 +236,8 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
             continue;
         };
         let (_, rank) = projected.factor(candidate);
-        let high_order = term.effect.about().id == "gear-transmission-error" && term.setting > 12.0;
+        let setting = term.effect.about().setting;
+        let high_order = setting.takes_fractions() && term.setting > 12.0;
         if rank == candidate.size && !high_order {
             spans.push(Span {
                 term,

@@ -468,7 +468,7 @@ impl Plan {
                 };
                 quantity.map_or((*name, *size), |quantity| {
                     let on = quantity.on(kind);
-                    (on.name, size * quantity.inner / on.inner)
+                    (on.name, size * quantity.unit.inner / on.unit.inner)
                 })
             };
             SeenAbove {

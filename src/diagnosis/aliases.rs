@@ -74,6 +74,23 @@ pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     kept.into_iter().cloned().collect()
 }
 
+/// Ends of searches under another noise, as rivals: what each names in the place of what.
+pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fit]) -> Vec<Rival> {
+    let only_in = |a: &Fit, b: &Fit| -> Vec<Term> {
+        let there: Vec<_> = regression.added(b).into_iter().map(name).collect();
+        let own = regression.added(a).into_iter();
+        own.filter(|t| !there.contains(&name(t))).cloned().collect()
+    };
+    let rivals = ends.iter().map(|end| Rival {
+        removed: only_in(fit, end),
+        instead: only_in(end, fit),
+        fit: end.clone(),
+    });
+    rivals
+        .filter(|r| !r.removed.is_empty() && !r.instead.is_empty())
+        .collect()
+}
+
 struct Trial {
     removed: Vec<Term>,
     rest: Fit,

@@ -3,7 +3,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::{CATALOGUE, Setting, Survey, Term, rank};
+use crate::effects::{CATALOGUE, Setting, Survey, Term, find, rank};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
@@ -76,8 +76,9 @@ impl Allowed {
     /// Whether a name exists at all.
     pub fn exists(&self, id: &str) -> bool {
         let without = |id: &str| self.without.iter().any(|w| w == id);
-        // Lost motion becomes backlash as its fade goes to zero.
-        !(without(id) || id == "lost-motion" && without("backlash"))
+        // What becomes another effect in the limit is left out with it.
+        let becomes = find(id).and_then(|effect| effect.about().becomes);
+        !(without(id) || becomes.is_some_and(without))
     }
 
     /// Whether a name is a candidate.
@@ -124,10 +125,11 @@ impl Table {
         });
         let mut ground = ground(rows, base, survey);
         ground.tangential = tangential(rows, base, survey.joints.len());
-        let lacks = |id: &str| !names.iter().any(|c| c.0.effect.about().id == id);
+        let lacks =
+            |is: fn(&Setting) -> bool| !names.iter().any(|c| is(&c.0.effect.about().setting));
         let missing = Missing {
-            gear: lacks("gear-transmission-error"),
-            shift: lacks("frame-shift"),
+            gear: lacks(Setting::takes_fractions),
+            shift: lacks(|setting| *setting == Setting::Time),
         };
         let shapes = shapes(&ground, survey, rows, missing);
         let of_names = names.iter().map(|(term, tried)| {
@@ -255,7 +257,8 @@ fn names(
             1
         };
         for joint in 0..joints {
-            if !allowed.exists(about.id) || !effect.exists_on(joint) || in_base(joint) {
+            let there = effect.exists_on(joint, survey.joints[joint].kind);
+            if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
             if let Some(because) = effect.obstacle(survey, joint) {

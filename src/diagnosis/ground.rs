@@ -187,7 +187,7 @@ pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
 
 /// Derivatives of the rows by each joint's angle.
 pub(crate) fn tangential(rows: &Rows, base: &Model, joints: usize) -> Vec<DVector<f64>> {
-    let effect = crate::effects::CATALOGUE[1];
+    let effect = crate::effects::joint_zero();
     let one = |joint: usize| {
         let probe = crate::effects::Term::absent(effect, joint, f64::MAX);
         let model = base.with_term(probe.clone());

@@ -216,12 +216,26 @@ fn against_rivals<'a>(
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
     free_curve::rival(&prepared, &mut found);
+    let mut others = Vec::new();
     for noise in white.into_iter().chain(slow) {
         let (rival, end) = settled_search(prepared.with_noise(noise), watch)?;
-        if end.fit.ln_evidence > found.fit.ln_evidence {
-            (prepared, found) = (rival, end);
+        let loser = if end.fit.ln_evidence > found.fit.ln_evidence {
+            prepared = rival;
+            std::mem::replace(&mut found, end)
+        } else {
+            end
+        };
+        others.push(loser.fit);
+    }
+    if prepared.regression.noise.slow.is_some() {
+        let white = prepared.with_noise(prepared.white_noise());
+        if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
+            (prepared, found) = (white, curve);
         }
     }
+    let least = found.fit.ln_evidence - aliases::UNDECIDED;
+    others.retain(|other| other.shapes.is_empty() && other.ln_evidence > least);
+    found.other_ends = others;
     Ok((prepared, found))
 }
 

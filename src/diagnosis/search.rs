@@ -43,6 +43,8 @@ pub(crate) struct Found {
     pub(crate) names_only: Fit,
     /// Whether the names were withdrawn, as the geometry of several joints does not fit.
     pub(crate) base_misfit: bool,
+    /// Ends of other searches, under another noise, that the samples do not rule out.
+    pub(crate) other_ends: Vec<Fit>,
 }
 
 pub(crate) struct Search<'s, 'a> {
@@ -72,6 +74,7 @@ impl Search<'_, '_> {
             fit,
             names_only,
             base_misfit: false,
+            other_ends: Vec::new(),
         })
     }
 
@@ -408,14 +411,17 @@ pub(crate) fn by_odds(scores: &mut [Score]) {
     });
 }
 
-/// Whether a name may stand beside those that are there: lost motion is backlash with a setting,
+/// Whether a name may stand beside those that are there: not beside what it becomes in the limit,
 /// and two of a kind need different settings.
 pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
-    let id = |t: &Term| t.effect.about().id;
-    let plays = |t: &Term| matches!(id(t), "backlash" | "lost-motion");
+    let about = |t: &Term| t.effect.about();
+    let in_limit = |a: &Term, b: &Term| {
+        let has_limit = about(a).becomes.or(about(b).becomes).is_some();
+        has_limit && about(a).family() == about(b).family()
+    };
     !there
         .iter()
-        .any(|t| t.joint == term.joint && (t.same_column(term) || plays(t) && plays(term)))
+        .any(|t| t.joint == term.joint && (t.same_column(term) || in_limit(t, term)))
 }
 
 /// Root mean square of σ over the measured axes, mm.

@@ -35,8 +35,8 @@ use std::borrow::Cow;
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{
-    Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition,
-    find,
+    Effect, Inputs, LinkGeometry, MeasuringFrame, Role, Setting, Term, ToolOrientation,
+    ToolPosition, joint_zero, role,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
@@ -49,16 +49,6 @@ use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
 use super::unidentifiable::coefficient_names;
-
-/// Effects that belong to every calibration: of a single joint the first two.
-pub const BASE_EFFECTS: [&str; 6] = [
-    "joint-zero-offset",
-    "link-length",
-    "link-geometry",
-    "tool-position",
-    "tool-orientation",
-    "measuring-frame",
-];
 
 /// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
 const NEVER_ALIGNED_RAD: f64 = 0.1;
@@ -89,7 +79,7 @@ pub fn is_arm(session: &Session) -> bool {
 
 /// Whether an effect belongs to every calibration of this session's robot.
 pub fn belongs(id: &str) -> bool {
-    BASE_EFFECTS.contains(&id)
+    role(id).is_of_every_calibration()
 }
 
 /// The terms of the base model that are beside the effects of the catalogue: frames, tool, links.
@@ -120,9 +110,9 @@ pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool
 /// All of it: zero offsets, frames, tool, links.
 pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Model {
     let mut all = Vec::new();
-    if let Some(zero) = find("joint-zero-offset").filter(|_| exists("joint-zero-offset")) {
+    if exists(joint_zero().about().id) {
         let joints = 0..session.robot.joints.len();
-        all.extend(joints.map(|joint| Term::absent(zero, joint, 0.0)));
+        all.extend(joints.map(|joint| Term::absent(joint_zero(), joint, 0.0)));
     }
     all.extend(terms(session, problem, exists));
     Model::new(session.robot.clone(), all)
@@ -449,23 +439,19 @@ fn places(model: &Model) -> Vec<Place> {
     let mut all = Vec::new();
     let mut first = 0;
     for (index, term) in model.terms().iter().enumerate() {
-        let class = match term.effect.about().id {
-            "measuring-frame" => Some(Class::Frame),
-            "tool-position" if term.setting == 0.0 => Some(Class::Tool),
-            "tool-position" => Some(Class::Target),
-            "joint-zero-offset" => Some(Class::Zero),
-            "tool-orientation" => Some(Class::Turn),
-            "link-geometry" => Some(Class::Link),
-            _ => None,
+        let about = term.effect.about();
+        let class = match about.role {
+            Role::FreeFrame => Some(Class::Frame),
+            Role::ToolPlace if term.setting == 0.0 => Some(Class::Tool),
+            Role::ToolPlace => Some(Class::Target),
+            Role::JointZero => Some(Class::Zero),
+            Role::ToolTurn => Some(Class::Turn),
+            Role::JointAxis => Some(Class::Link),
+            Role::ToolRadius | Role::Candidate | Role::Unexplained => None,
         };
         for coefficient in 0..term.coefficients.len() {
-            let turns = match class {
-                Some(Class::Frame) => coefficient < 3,
-                Some(Class::Link) => coefficient >= 2,
-                Some(Class::Turn) => true,
-                Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
-                _ => false,
-            };
+            let kind = model.robot.joints[term.joint].kind;
+            let turns = about.form.turns(coefficient, kind);
             if let Some(class) = class.filter(|_| !term.held.contains(coefficient)) {
                 all.push(Place {
                     class,

@@ -134,7 +134,7 @@ pub fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
         columns.set_column(own + k, shape);
     }
     let stated = problem.session.instrument.sigma_mm;
-    let noise = Noise::estimate(stated, &rows, &residual, &columns);
+    let noise = Noise::estimate_with_alternatives(stated, &rows, &residual, &columns);
     if problem.shows_time() {
         noise
     } else {

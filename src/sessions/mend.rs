@@ -181,7 +181,10 @@ fn scale_joint(samples: &mut Samples, joint: usize, factor: f64) {
     samples.q_read[joint].iter_mut().for_each(scale);
     samples.speed[joint].iter_mut().for_each(scale);
     if factor < 0.0 {
+        let turn = |column: &mut Vec<f64>| column.iter_mut().for_each(|v| *v = -*v);
         samples.dir[joint].iter_mut().for_each(scale);
+        let torque = samples.torque_nm.get_mut(joint);
+        torque.into_iter().flatten().for_each(turn);
     }
 }
 

@@ -13,7 +13,7 @@ mod read_back;
 
 use std::borrow::Cow;
 
-use crate::effects::{Term, find};
+use crate::effects::{Role, Term, joint_zero, tool_radius};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
@@ -172,12 +172,12 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
     let problem = Problem::new(session, options.joint_values);
     let mut terms = Vec::new();
     for joint in 0..session.robot.joints.len() {
-        terms.push(Term::absent(find("joint-zero-offset")?, joint, 0.0));
+        terms.push(Term::absent(joint_zero(), joint, 0.0));
     }
     if let [joint] = session.robot.joints.as_slice()
         && joint.kind == JointKind::Revolute
     {
-        terms.push(Term::absent(find("link-length")?, 0, 0.0));
+        terms.push(Term::absent(tool_radius(), 0, 0.0));
     }
     terms.extend(crate::fit::free_frames(session, &problem));
     let start = Model::new(session.robot.clone(), terms);
@@ -195,7 +195,7 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
         .model
         .terms()
         .iter()
-        .filter(|t| t.effect.about().id == "joint-zero-offset");
+        .filter(|t| t.effect.about().role == Role::JointZero);
     let largest = offsets
         .filter(|t| session.robot.joints[t.joint].kind == JointKind::Revolute)
         .map(|t| t.coefficients[0].sin().atan2(t.coefficients[0].cos()).abs())
@@ -206,7 +206,7 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
         .model
         .terms()
         .iter()
-        .filter(|t| t.effect.about().id == "link-length")
+        .filter(|t| t.effect.about().role == Role::ToolRadius)
         .map(|t| (t.coefficients[0].abs() - LARGEST_STRETCH * size).max(0.0))
         .fold(0.0, f64::max);
     Some(median + beyond * size + stretched)

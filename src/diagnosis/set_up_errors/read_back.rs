@@ -9,7 +9,7 @@
 //! back better than the commands, the joint lags and nothing is wrong with the data.
 
 use crate::diagnosis::Options;
-use crate::effects::{JointValues, Term, find};
+use crate::effects::{JointValues, Role, Term, find};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::fit::{DEFAULT_EFFECTS, base_model, fit_without_outliers, free_frames};
@@ -136,7 +136,7 @@ fn left_mm(session: &Session, values: JointValues) -> f64 {
     let single = matches!(joints, [joint] if joint.kind == JointKind::Revolute);
     let base = DEFAULT_EFFECTS.iter().filter_map(|id| find(id));
     let mut terms: Vec<Term> = base
-        .filter(|e| single || e.about().id == "joint-zero-offset")
+        .filter(|e| single || e.about().role == Role::JointZero)
         .flat_map(|e| (0..session.robot.joints.len()).map(move |j| Term::absent(e, j, 0.0)))
         .collect();
     terms.extend(free_frames(session, &problem));
