@@ -91,6 +91,7 @@ pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> 
         fit,
         names_only: regression.fit(&found.names_only.model, Vec::new()),
         other_ends: Vec::new(),
+        base_misfit: false,
     })
 }
 

@@ -88,7 +88,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
             };
             let k = candidate.size;
             let nu = freedom - k as f64;
-            let (factor, rank) = regression.factor(&projected, candidate);
+            let (factor, rank) = projected.factor(candidate);
             if rank < k || nu < 2.0 {
                 continue;
             }

@@ -43,6 +43,8 @@ pub(crate) struct Found {
     pub(crate) names_only: Fit,
     /// Ends of other searches, under another noise, that the samples do not rule out.
     pub(crate) other_ends: Vec<Fit>,
+    /// Whether the names were withdrawn, as the geometry of several joints does not fit.
+    pub(crate) base_misfit: bool,
 }
 
 pub(crate) struct Search<'s, 'a> {
@@ -72,6 +74,7 @@ impl Search<'_, '_> {
             fit,
             names_only,
             other_ends: Vec::new(),
+            base_misfit: false,
         })
     }
 
@@ -101,7 +104,9 @@ impl Search<'_, '_> {
             fit = next;
             let names = self.regression.added(&fit).into_iter();
             self.tell(&Progress::Searching {
-                found: names.map(|term| term.effect.about().id).collect(),
+                found: names
+                    .map(|term| term.name_on(&self.regression.base.robot))
+                    .collect(),
             })?;
         }
         Ok(fit)

@@ -281,6 +281,16 @@ impl Term {
         }
     }
 
+    /// The effect's name for reading; of a robot with several joints with the joint, counted from 1.
+    pub fn name_on(&self, robot: &crate::kinematics::Robot) -> String {
+        let about = self.effect.about();
+        if about.per_joint && robot.joints.len() > 1 {
+            format!("{} {}", about.id, self.joint + 1)
+        } else {
+            about.id.to_owned()
+        }
+    }
+
     /// Whether two terms are the same effect on the same joint at the same setting.
     pub fn same_column(&self, other: &Self) -> bool {
         self.effect.about().id == other.effect.about().id

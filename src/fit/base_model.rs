@@ -63,9 +63,6 @@ const GOOD_PART: f64 = 0.3;
 const NAMED_PART: f64 = 0.02;
 /// A column that moves the samples by less than this is rounding, mm for a step of 1 mm or 1 mrad.
 const ROUNDING_MM: f64 = 1e-6;
-/// A direction whose prior moves the samples by less than this part of their noise is left to the
-/// prior where priors have no rows.
-const WEAK: f64 = 0.25;
 /// The gauge is found from so many samples at most.
 const MOST_SAMPLES: usize = 3000;
 /// Noise where nobody says, mm: what a tracker has.
@@ -406,40 +403,6 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
         !(all_held && about.id == LinkGeometry.about().id)
     });
     (Model::new(start.robot.clone(), terms), held)
-}
-
-/// The model with every coefficient of its base held where it is that a fit without the rows of the
-/// priors could not keep where it belongs.
-pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
-    let rows = columns(problem, model);
-    let thinning = problem.samples() as f64 / (rows.nrows() / 3).max(1) as f64;
-    // The columns are in mm, weighed beside the axis that is known best.
-    let largest = problem.axis_weights.iter().copied().fold(0.0, f64::max);
-    let unit = if problem.noise.is_some() {
-        1.0 / largest.sqrt()
-    } else {
-        1.0
-    };
-    let noise = problem.priors.variance.sqrt() * unit;
-    let mut basis = Basis::new(rows.nrows());
-    let mut terms = model.terms().to_vec();
-    for (rank, place) in places(model).into_iter().enumerate() {
-        let term = &terms[place.term];
-        if term.held.contains(place.coefficient) {
-            continue;
-        }
-        let column = rows.column(place.column).into_owned();
-        let free = basis.reject(&column);
-        let seen = free.norm() * thinning.sqrt();
-        let prior = problem.priors.sigma(model, term, place.coefficient);
-        let weak = prior.is_some_and(|sigma| seen * sigma < WEAK * noise);
-        if free.norm() > COPY * column.norm() && !weak {
-            basis.push(rank, &column, &free);
-        } else {
-            terms[place.term].held = terms[place.term].held.with(place.coefficient);
-        }
-    }
-    Model::new(model.robot.clone(), terms)
 }
 
 /// How far the tool is from the farthest axis at home: what a turn of 1 rad may do, mm.

@@ -15,7 +15,9 @@ use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;
 use super::estimator::fit_without_outliers;
+use super::expected::expected_error;
 use super::gap::{Deviations, Spread, deviations};
+use super::levels::levels;
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
 use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
@@ -96,6 +98,8 @@ pub(super) struct Fresh<'a> {
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     /// What else there is to say.
     notes: Vec<String>,
+    /// Whether it holds the base model of several joints.
+    arm: bool,
 }
 
 impl<'a> Fresh<'a> {
@@ -127,6 +131,7 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
+            arm: base.is_some(),
         })
     }
 
@@ -137,9 +142,15 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
+            arm,
         } = self;
         let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
         answer.notes.extend(notes);
+        if arm {
+            answer.levels = levels(&problem, &answer.model);
+            let covariance = answer.covariance.as_ref();
+            answer.expected = covariance.and_then(|c| expected_error(&problem, &answer.model, c));
+        }
         answer
     }
 }
@@ -266,6 +277,8 @@ pub fn report(
             samples: 0,
         }),
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
+        levels: Vec::new(),
+        expected: None,
         outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(session),
         noise_mm: noise_by_axis(problem, &after, rank),

@@ -8,7 +8,9 @@ use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::sessions::Session;
 
+use super::expected::Expected;
 use super::gap::Spread;
+use super::levels::Level;
 use super::noise::Noise;
 use super::problem::Unusable;
 
@@ -150,6 +152,11 @@ pub struct Identification {
     pub gap: Gap,
     /// The gap over the samples that the session holds out, if any.
     pub held_out: Option<Gap>,
+    /// What each level of correction would bring; of a robot with several joints.
+    pub levels: Vec<Level>,
+    /// The error that the uncertainty of the parameters makes over the joint ranges; of a robot with
+    /// several joints.
+    pub expected: Option<Expected>,
     /// Suspected outliers, largest first.
     pub outliers: Vec<Outlier>,
     /// Samples that could not be used.

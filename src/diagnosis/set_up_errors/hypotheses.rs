@@ -135,5 +135,5 @@ fn misaligned_frame(session: &Session) -> Option<Isometry3<f64>> {
 }
 
 /// Ten times what is usual for a tilt or an offset of the base.
-const LEAST_TURN_DEG: f64 = 1.5;
-const LEAST_MOVE_MM: f64 = 60.0;
+pub(super) const LEAST_TURN_DEG: f64 = 1.5;
+pub(super) const LEAST_MOVE_MM: f64 = 60.0;

@@ -153,6 +153,19 @@ impl Noise {
         noise.scaled(scale)
     }
 
+    /// Noise of the same size that is known to be white.
+    #[must_use]
+    pub fn made_white(&self) -> Self {
+        let slow = self.slow.map_or([0.0; 3], |s| s.rms_mm);
+        let total = |axis: usize| self.sigma_mm[axis].hypot(slow[axis]);
+        Self {
+            sigma_mm: [total(0), total(1), total(2)],
+            slow: None,
+            alternatives: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// The same noise so many times as large.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
