@@ -11,7 +11,6 @@ mod failure;
 mod geometry;
 mod identify;
 mod import;
-mod kinds;
 mod output;
 mod plan;
 mod report;
