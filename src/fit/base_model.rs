@@ -12,6 +12,9 @@
 //! frames · tool · targets · zero offsets 1 … n · tool orientation · link geometry 1 … n
 //! ```
 //!
+//! (where orientation is measured the tool's comes before the zero offsets; places that measurements
+//! refer to and that are not known, [`crate::effects::places`], before everything)
+//!
 //! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
 //! the last of those that make it up is held at zero: the last of the kind that has a good part in it, lest a zero
 //! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
@@ -34,13 +37,14 @@ use std::borrow::Cow;
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::effects::places::{self, PlaceKind};
 use crate::effects::{
     Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition,
     find,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
-use crate::effects::places::{self, PlaceKind};
+use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;
@@ -363,7 +367,7 @@ fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
 /// and that in words. Links that are held altogether are left out.
 fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
     let names = coefficient_names(start);
-    let places = in_order(start);
+    let places = in_order(problem, start);
     let mut rows = columns(problem, start);
     add_targets(problem, start, &mut rows);
     let reach_mm = reach_mm(&start.robot);
@@ -459,7 +463,7 @@ pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
     let noise = problem.priors.variance.sqrt() * unit;
     let mut basis = Basis::new(rows.nrows());
     let mut terms = model.terms().to_vec();
-    for (rank, place) in in_order(model).into_iter().enumerate() {
+    for (rank, place) in in_order(problem, model).into_iter().enumerate() {
         let term = &terms[place.term];
         if term.held.contains(place.coefficient) {
             continue;
@@ -493,6 +497,7 @@ enum Class {
     Frame,
     Tool,
     Target,
+    ToolTurn,
     Zero,
     Turn,
     Link,
@@ -509,7 +514,9 @@ struct Place {
 }
 
 /// The coefficients of the base model that are not held, in the order of preference.
-fn in_order(model: &Model) -> Vec<Place> {
+fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
+    // Where orientation is measured, what the last joint shares with the tool belongs to the tool.
+    let attitude = problem.observed.as_ref().is_some_and(Layer::shows_attitude);
     let mut all = Vec::new();
     let mut first = 0;
     for (index, term) in model.terms().iter().enumerate() {
@@ -520,6 +527,7 @@ fn in_order(model: &Model) -> Vec<Place> {
             "tool-position" if term.setting == 0.0 => Some(Class::Tool),
             "tool-position" => Some(Class::Target),
             "joint-zero-offset" => Some(Class::Zero),
+            "tool-orientation" if attitude => Some(Class::ToolTurn),
             "tool-orientation" => Some(Class::Turn),
             "link-geometry" => Some(Class::Link),
             _ => None,
@@ -528,7 +536,7 @@ fn in_order(model: &Model) -> Vec<Place> {
             let turns = match class {
                 Some(Class::Frame) => coefficient < 3,
                 Some(Class::Link) => coefficient >= 2,
-                Some(Class::Turn) => true,
+                Some(Class::Turn | Class::ToolTurn) => true,
                 Some(Class::Place) => place.is_some_and(|kind| places::turns(kind, coefficient)),
                 Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
                 _ => false,
@@ -603,7 +611,7 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
         Some(Sigma::PerAxis(noise)) => noise.into_iter().fold(f64::INFINITY, f64::min),
         None => USUAL_NOISE_MM,
     };
-    let own: Vec<usize> = in_order(model)
+    let own: Vec<usize> = in_order(problem, model)
         .iter()
         .filter(|place| place.class == Class::Target)
         .map(|place| place.column)

@@ -410,7 +410,11 @@ impl Scenario {
                 problems.push(Diagnostic::error(field(at), "not where it is", expected));
             }
         };
-        wrong("measure", !self.measure.is_empty(), "at least one way to measure");
+        wrong(
+            "measure",
+            !self.measure.is_empty(),
+            "at least one way to measure",
+        );
         for measure in &self.measure {
             match measure {
                 Measure::Point | Measure::Pose => {}
@@ -426,11 +430,13 @@ impl Scenario {
                 Measure::Bearing => wrong(
                     "stations",
                     !all.stations.is_empty()
+                        && all.pointing.as_ref().is_none_or(|p| p.stations.is_some())
                         && all
                             .stations
                             .iter()
                             .all(|s| s.position_mm.is_some() && s.attitude.is_some()),
-                    "stations with position_mm and quaternion_wxyz; \"unknown\" hides them",
+                    "stations with position_mm and quaternion_wxyz that are not those of pointing; \
+                     \"unknown\" hides them",
                 ),
                 Measure::Pointing => wrong(
                     "pointing",
