@@ -4,7 +4,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
-use crate::effects::{Effect, Held, MeasuringFrame, Term, ToolOrientation};
+use crate::effects::{Held, MeasuringFrame, Role, Term, ToolOrientation};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
@@ -129,7 +129,7 @@ pub(super) fn with_base_held(
     for term in &mut terms {
         let own = names[first..].iter().take(term.coefficients.len());
         first += term.coefficients.len();
-        if term.effect.about().id != MeasuringFrame.about().id {
+        if term.effect.about().role != Role::FreeFrame {
             continue;
         }
         for (k, name) in own.enumerate() {
@@ -153,7 +153,7 @@ pub(super) fn with_base_held(
 fn with_length_held(model: &Model) -> Model {
     let terms = model.terms().iter().map(|term| {
         let mut term = term.clone();
-        if term.effect.about().id == super::DEFAULT_EFFECTS[1] {
+        if term.effect.about().role == Role::ToolRadius {
             term.held = Held::default().with(0);
         }
         term

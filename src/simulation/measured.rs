@@ -12,7 +12,7 @@ use super::scenario::{Measure, Scenario, Unknown};
 use super::{SimulateError, Stream, random};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
-use crate::effects::{Inputs, JointValues, Term, find};
+use crate::effects::{Inputs, JointValues, Term, joint_zero};
 use crate::lanes::dot;
 use crate::model::Model;
 use crate::observations::layer::predictions;
@@ -184,9 +184,7 @@ fn brought(
     (Place { kind, index }, off): (Place, [f64; 3]),
 ) -> Result<(), SimulateError> {
     let joints = session.robot.joints.len();
-    let Some(zero) = find("joint-zero-offset") else {
-        return Ok(());
-    };
+    let zero = joint_zero();
     // A joint moves the target as its zero offset does; the nominal robot's slopes are near enough.
     let probed = (0..joints).fold(Model::nominal(model.robot.clone()), |m, joint| {
         m.with_term(Term::absent(zero, joint, 0.0))
