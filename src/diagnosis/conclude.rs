@@ -87,20 +87,12 @@ pub(crate) fn answer(
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    // A smooth correction takes the place of the shapes, for names that are fitted alone; then what no
-    // name explains is no noise either.
-    let alone = prepared.options().correct_unexplained;
-    // A shape over a joint of several takes of their geometry, which then predicts nothing without it.
-    let several = session.robot.joints.len() > 1;
-    let own = if alone || several { fit } else { with_shapes };
-    let mut values = Values::of(
+    let values = values(
         prepared,
         problem,
-        own,
-        prepared.is_capped(end) || alone || several && !with_shapes.shapes.is_empty(),
+        [fit, with_shapes],
+        prepared.is_capped(end),
     );
-    correct_for_selection(prepared, with_shapes, &mut values);
-    let values = values;
     let identified = deviations(problem, &prepared.base);
     let after = deviations(problem, &values.model);
     let counts = |i: usize| problem.fit[i];
@@ -172,6 +164,25 @@ pub(crate) fn answer(
         model: values.model.settled(),
         history,
     })
+}
+
+/// Values of the names, from a fit of them alone or with the shapes beside them.
+fn values<'a>(
+    prepared: &Prepared,
+    problem: &Problem<'a>,
+    [alone, with_shapes]: [&Fit; 2],
+    capped: bool,
+) -> Values<'a> {
+    // A smooth correction takes the place of the shapes, for names that are fitted alone; then what no
+    // name explains is no noise either. A shape over a joint of several takes of their geometry, which
+    // then predicts nothing without it.
+    let several = prepared.regression.base.robot.joints.len() > 1;
+    let corrected = prepared.options().correct_unexplained;
+    let without = corrected || several && !with_shapes.shapes.is_empty();
+    let own = if without { alone } else { with_shapes };
+    let mut values = Values::of(prepared, problem, own, capped || without);
+    correct_for_selection(prepared, with_shapes, &mut values);
+    values
 }
 
 /// What belongs to every calibration of a robot.

@@ -234,7 +234,7 @@ fn against_rivals<'a>(
         others.push(loser.fit);
     }
     if prepared.regression.noise.slow.is_some() {
-        let white = prepared.with_noise(prepared.regression.noise.made_white());
+        let white = prepared.with_noise(prepared.white_noise());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
         }

@@ -41,10 +41,10 @@ pub(crate) struct Found {
     pub(crate) fit: Fit,
     /// The best model of names alone.
     pub(crate) names_only: Fit,
-    /// Ends of other searches, under another noise, that the samples do not rule out.
-    pub(crate) other_ends: Vec<Fit>,
     /// Whether the names were withdrawn, as the geometry of several joints does not fit.
     pub(crate) base_misfit: bool,
+    /// Ends of other searches, under another noise, that the samples do not rule out.
+    pub(crate) other_ends: Vec<Fit>,
 }
 
 pub(crate) struct Search<'s, 'a> {
@@ -73,8 +73,8 @@ impl Search<'_, '_> {
         Ok(Found {
             fit,
             names_only,
-            other_ends: Vec::new(),
             base_misfit: false,
+            other_ends: Vec::new(),
         })
     }
 

@@ -81,7 +81,6 @@ fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
 #[cfg(test)]
 mod tests {
     use super::super::testing::{beside, robot_and_pose, space_twist_between};
-    use super::*;
     use proptest::prelude::*;
 
     /// Central differences lose about h² and ε/h; this step balances the two at 1 m of reach.

@@ -9,7 +9,9 @@
 
 use nalgebra::Vector3;
 
-use crate::effects::{Effect, JointValues, LinkGeometry, Setting, Term, ToolOrientation, find};
+use crate::effects::{
+    Effect, JointValues, LinkGeometry, Setting, Term, ToolOrientation, joint_zero,
+};
 use crate::fit::base_model;
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
@@ -77,7 +79,7 @@ struct Trial {
 /// Fits frame, tool and zero offsets; `None` where the end makes sense for no robot.
 fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Trial> {
     let problem = Problem::new(session, values);
-    let zero = find("joint-zero-offset")?;
+    let zero = joint_zero();
     let left_out = [LinkGeometry.about().id, ToolOrientation.about().id];
     let mut terms = base_model::terms(session, &problem, |id| !left_out.contains(&id));
     // Targets sit on the tool as the drawing has them.
