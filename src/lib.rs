@@ -8,7 +8,7 @@
 //! 2. [`effects`] holds the physics: one file for each way in which a real robot differs from its
 //!    drawing. [`model`] strings them along the robot's [`kinematics`], with exact derivatives.
 //! 3. [`fit`] finds how large the effects are, and how sure that is.
-//! 4. [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
+//! 4. [`set_up_errors`] notices mistakes of setting up, and [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
 //! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
 //!    where it was meant to, and what no joint can remove.
 //! 6. [`standards`] states a robot's accuracy as ISO 230-2 and ISO 9283 define it, and [`report`]
@@ -53,6 +53,8 @@ pub mod observations;
 
 pub mod fit;
 pub mod simulation;
+
+pub mod set_up_errors;
 
 pub mod diagnosis;
 

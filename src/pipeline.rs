@@ -4,7 +4,6 @@
 
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Verification, verify};
-use crate::diagnosis::set_up_errors::{DataProblem, Mended, noticed};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues};
@@ -16,6 +15,7 @@ use crate::fit::{
 };
 use crate::model::Calibration;
 use crate::sessions::{Loaded, Session, hash_of_samples, load};
+use crate::set_up_errors::{DataProblem, Mended, noticed};
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]

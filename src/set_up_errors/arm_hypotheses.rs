@@ -1,7 +1,7 @@
 //! What may have gone wrong in setting up a robot with several joints, simplest first.
 
-use crate::diagnosis::Mend;
 use crate::kinematics::JointKind;
+use crate::sessions::Mend;
 use crate::sessions::Session;
 use crate::units::{deg_from_rad, rad_from_deg};
 

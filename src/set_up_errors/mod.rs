@@ -22,9 +22,9 @@ use crate::model::Model;
 use crate::sessions::{Samples, Session, Setups};
 use crate::units::rad_from_deg;
 
-use super::{Mend, Options};
 use crate::effects::JointValues;
 use crate::fit::base_model;
+use crate::sessions::Mend;
 
 use hypotheses::{Hypothesis, hypotheses};
 use losses::{losses, mislocked};
@@ -63,28 +63,28 @@ const GROSS_SHARE: f64 = 0.01;
 const MENDED_SHARE: f64 = 0.2;
 
 /// Tries the blunders and mends what it finds.
-pub fn mend<'a>(session: &'a Session, options: &Options) -> Mended<'a> {
+pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
     let mut problems = Vec::new();
     losses(session, &mut problems);
     let mut mended: Cow<'a, Session> = Cow::Borrowed(session);
     if base_model::is_arm(session) {
-        if let Some(better) = arms::corrected(session, options.joint_values, &mut problems) {
+        if let Some(better) = arms::corrected(session, joint_values, &mut problems) {
             mended = Cow::Owned(better);
         }
     } else {
         // One blunder may hide another: at most two in a row.
         for _ in 0..2 {
-            let Some((better, problem)) = gross_blunder(&mended, options) else {
+            let Some((better, problem)) = gross_blunder(&mended, joint_values) else {
                 break;
             };
             problems.push(problem);
             mended = Cow::Owned(better);
         }
     }
-    if let Some(brought_up) = read_back::lagging(&mended, options, &mut problems) {
+    if let Some(brought_up) = read_back::lagging(&mended, joint_values, &mut problems) {
         mended = Cow::Owned(brought_up);
     }
-    mislocked(&mended, options, &mut problems);
+    mislocked(&mended, joint_values, &mut problems);
     Mended {
         session: mended,
         problems,
@@ -102,23 +102,19 @@ pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_
             problems,
         };
     }
-    let options = Options {
-        joint_values,
-        ..Options::default()
-    };
-    problems.extend(gross_blunder(session, &options).map(|found| found.1));
+    problems.extend(gross_blunder(session, joint_values).map(|found| found.1));
     Mended {
         session: Cow::Borrowed(session),
         problems,
     }
 }
 
-fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataProblem)> {
+fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Session, DataProblem)> {
     let sample = thinned(session);
     if sample.samples.len() < FEWEST_SAMPLES {
         return None;
     }
-    let gap = base_gap(&sample, options)?;
+    let gap = base_gap(&sample, joint_values)?;
     let size = size_mm(&sample);
     if gap < GROSS_SHARE * size {
         return None;
@@ -127,7 +123,7 @@ fn gross_blunder(session: &Session, options: &Options) -> Option<(Session, DataP
     for hypothesis in hypotheses(&sample) {
         let mut trial = sample.clone();
         hypothesis.mend.apply(&mut trial);
-        let Some(after) = base_gap(&trial, options) else {
+        let Some(after) = base_gap(&trial, joint_values) else {
             continue;
         };
         // A change of unit changes the measure as well.
@@ -168,8 +164,8 @@ fn size_mm(session: &Session) -> f64 {
 /// Median length of the deviations after the base fit, mm. A zero offset beyond
 /// [`LARGEST_OFFSET_DEG`] counts as a gap: a joint that reversed with its home a quarter turn off
 /// would pass for two axes that were swapped. So does a link beyond [`LARGEST_STRETCH`].
-fn base_gap(session: &Session, options: &Options) -> Option<f64> {
-    let problem = Problem::new(session, options.joint_values);
+fn base_gap(session: &Session, joint_values: JointValues) -> Option<f64> {
+    let problem = Problem::new(session, joint_values);
     let mut terms = Vec::new();
     for joint in 0..session.robot.joints.len() {
         terms.push(Term::absent(joint_zero(), joint, 0.0));

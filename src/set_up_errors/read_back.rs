@@ -8,7 +8,6 @@
 //! A joint that truly lags shows the same. The measured points decide: if they fit the values read
 //! back better than the commands, the joint lags and nothing is wrong with the data.
 
-use crate::diagnosis::Options;
 use crate::effects::{JointValues, Role, Term, find};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
@@ -33,7 +32,7 @@ struct Lag {
 /// from, the answer is the session with them brought up to the command's time.
 pub(super) fn lagging(
     session: &Session,
-    options: &Options,
+    joint_values: JointValues,
     problems: &mut Vec<DataProblem>,
 ) -> Option<Session> {
     let joints = 0..session.samples.q.len();
@@ -47,7 +46,7 @@ pub(super) fn lagging(
         return None;
     }
     problems.extend(lags.iter().map(Lag::problem));
-    if options.joint_values != JointValues::Read {
+    if joint_values != JointValues::Read {
         return None;
     }
     let mut mended = session.clone();

@@ -4,11 +4,12 @@ use std::borrow::Cow;
 
 use nalgebra::Vector3;
 
-use crate::diagnosis::{Mend, Options};
+use crate::effects::JointValues;
 use crate::effects::{Term, joint_zero};
 use crate::fit::problem::{Problem, unusable};
 use crate::fit::{base_model, fit_without_outliers};
 use crate::model::Model;
+use crate::sessions::Mend;
 use crate::sessions::Session;
 
 use super::DataProblem;
@@ -32,11 +33,15 @@ pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
 }
 
 /// Samples that are far off and lie where another reflector is, or all at one place.
-pub(super) fn mislocked(session: &Session, options: &Options, problems: &mut Vec<DataProblem>) {
+pub(super) fn mislocked(
+    session: &Session,
+    joint_values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) {
     if session.samples.len() > 20_000 || session.samples.len() < 8 {
         return;
     }
-    let mut problem = Problem::new(session, options.joint_values);
+    let mut problem = Problem::new(session, joint_values);
     let fitted = if base_model::is_arm(session) {
         let start = base_model::start(session, &problem, |_| true);
         base_model::fit(&mut problem, &start, true).solution.model
