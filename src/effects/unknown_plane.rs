@@ -1,4 +1,4 @@
-//! A plane that is not known: `n·p = d`, n along (normal_x, normal_y, normal_z).
+//! A plane that is not known: `n·p = d`, n along `(normal_x, normal_y, normal_z)`.
 //!
 //! No effect of the robot: see [`super::places`].
 
