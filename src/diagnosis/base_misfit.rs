@@ -4,6 +4,7 @@
 
 use crate::fit::base_model;
 
+use super::aliases::{self, Rival};
 use super::answer::FloorFrom;
 use super::floor::floor;
 use super::prepare::Prepared;
@@ -18,6 +19,7 @@ const MOST_OVER_THE_FLOOR: f64 = 1.5;
 /// Withdraws the names of a robot with several joints whose base model does not fit.
 pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     let regression = &prepared.regression;
+    found.fit = without_less_likely(prepared, found.fit.clone());
     let names = regression.added(&found.fit).len();
     if names == 0 || !base_model::is_arm(prepared.problem.session) {
         return;
@@ -40,6 +42,24 @@ pub(crate) fn withdraw(prepared: &Prepared, found: &mut Found) {
     if floor.from != FloorFrom::Estimated && more {
         found.names_only = std::mem::replace(&mut found.fit, base);
         found.base_misfit = true;
+    }
+}
+
+/// A fit of a robot with several joints without the names in whose place others are likelier.
+fn without_less_likely(prepared: &Prepared, mut fit: Fit) -> Fit {
+    let regression = &prepared.regression;
+    if !base_model::is_arm(prepared.problem.session) {
+        return fit;
+    }
+    loop {
+        let likelier = |r: &Rival| r.other_names() && r.fit.ln_evidence > fit.ln_evidence + 1e-3;
+        let rival = aliases::rivals(regression, &fit).into_iter().find(likelier);
+        let Some(rival) = rival else {
+            return fit;
+        };
+        for term in &rival.removed {
+            fit = regression.without_term(&fit, term);
+        }
     }
 }
 
