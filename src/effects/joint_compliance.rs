@@ -12,7 +12,7 @@
 use super::about::{About, Form, Over, Quantity, Setting, Stage};
 use super::block::{Block, Turned};
 use super::{Effect, Placed, Survey};
-use crate::kinematics::{Joint, JointKind};
+use crate::kinematics::{Joint, JointKind, Robot};
 use crate::lanes::{LANES, add_scaled, cross, dot, minus, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
@@ -77,6 +77,19 @@ impl Effect for JointCompliance {
                 by: [tau * gain],
             }
         });
+        if block.by_command() {
+            let joints = block.robot.joints.len();
+            for other in (0..joints).filter(|k| *k != me.joint) {
+                let slopes = std::array::from_fn(|i| {
+                    let theta = block.value(me.joint, i);
+                    let torque = &torques[i];
+                    let gain = 1.0 / (1.0 - compliance * torque.at(theta).1);
+                    let by_other = torque.by_other(block, me.joint, other, i, theta);
+                    compliance * by_other * gain
+                });
+                block.turn_by_command_of(me, other, &slopes);
+            }
+        }
     }
 }
 
@@ -99,28 +112,17 @@ impl Torque {
     fn of(block: &Block, joint: usize, lane: usize) -> Self {
         let robot = block.robot;
         let joints = &robot.joints;
-        let tool = robot.base_from_tool.translation.vector.into();
-        let load = Weight {
-            mass_kg: block.load_kg(lane),
-            at_mm: tool,
-            behind: joints.len(),
-        };
-        let links = joints.iter().enumerate().skip(joint);
-        let links = links.filter_map(|(k, j)| {
-            j.link.map(|link| Weight {
-                mass_kg: link.mass_kg,
-                at_mm: link.centre_mm.coords.into(),
-                behind: k + 1,
-            })
-        });
         let axis = &joints[joint].axis;
         let origin = axis.point_mm.coords.into();
         let mut moment = [0.0; 3];
-        for weight in links.chain([load]) {
-            let at_mm = (joint + 1..weight.behind).rev().fold(weight.at_mm, |x, k| {
+        for (mass_kg, at_mm, behind) in weights(robot, block.load_kg(lane)) {
+            if behind <= joint {
+                continue;
+            }
+            let at_mm = (joint + 1..behind).rev().fold(at_mm, |x, k| {
                 moved(&joints[k], x, block.command(k, lane))
             });
-            moment = add_scaled(moment, minus(at_mm, origin), weight.mass_kg * MM);
+            moment = add_scaled(moment, minus(at_mm, origin), mass_kg * MM);
         }
         let gravity = robot.gravity_m_s2.map_or([0.0; 3], Into::into);
         let gravity = (0..joint).fold(gravity, |g, k| {
@@ -145,16 +147,84 @@ impl Torque {
         let slope = dot(self.axis, cross(cross(self.axis, moment), self.gravity));
         (tau, slope)
     }
+
+    /// The derivative of the torque by the command of another joint, N·m/rad or N·m/mm: a joint
+    /// behind moves what hangs on it, one before turns gravity as this joint sees it.
+    fn by_other(&self, block: &Block, joint: usize, other: usize, lane: usize, theta: f64) -> f64 {
+        let joints = &block.robot.joints;
+        let (sin, cos) = sin_cos(theta);
+        if other > joint {
+            let moment = moment_by(block, joint, other, lane);
+            let moment = turned(moment, self.axis, sin, cos);
+            return dot(self.axis, cross(moment, self.gravity));
+        }
+        if joints[other].kind == JointKind::Prismatic {
+            return 0.0;
+        }
+        let before = block.robot.gravity_m_s2.map_or([0.0; 3], Into::into);
+        let slope = (0..joint).fold(before, |g, k| {
+            let (sin, cos) = sin_cos(block.command(k, lane));
+            let turned = match joints[k].kind {
+                JointKind::Revolute => turned(g, direction(&joints[k]), -sin, cos),
+                JointKind::Prismatic => g,
+            };
+            if k == other {
+                cross(turned, direction(&joints[k]))
+            } else {
+                turned
+            }
+        });
+        let moment = turned(self.moment, self.axis, sin, cos);
+        dot(self.axis, cross(moment, slope))
+    }
+}
+
+/// The derivative of the first moment about a joint by the command of one behind it, kg·m/rad or
+/// kg·m/mm.
+fn moment_by(block: &Block, joint: usize, other: usize, lane: usize) -> [f64; 3] {
+    let robot = block.robot;
+    let joints = &robot.joints;
+    let mut moment = [0.0; 3];
+    for (mass_kg, at_mm, behind) in weights(robot, block.load_kg(lane)) {
+        if behind <= other {
+            continue;
+        }
+        let start = (other..behind).rev().fold(at_mm, |x, k| {
+            moved(&joints[k], x, block.command(k, lane))
+        });
+        let axis = direction(&joints[other]);
+        let slope = match joints[other].kind {
+            JointKind::Revolute => {
+                let origin = joints[other].axis.point_mm.coords.into();
+                cross(axis, minus(start, origin))
+            }
+            JointKind::Prismatic => axis,
+        };
+        // A direction is only turned by the joints between.
+        let slope = (joint + 1..other).rev().fold(slope, |v, k| {
+            let (sin, cos) = sin_cos(block.command(k, lane));
+            match joints[k].kind {
+                JointKind::Revolute => turned(v, direction(&joints[k]), sin, cos),
+                JointKind::Prismatic => v,
+            }
+        });
+        moment = add_scaled(moment, slope, mass_kg * MM);
+    }
+    moment
 }
 
 /// One metre in a millimetre.
 const MM: f64 = 1e-3;
 
-/// A mass that hangs behind so many joints.
-struct Weight {
-    mass_kg: f64,
-    at_mm: [f64; 3],
-    behind: usize,
+/// The weights that hang on a robot: mass, kg; place at home, mm; behind how many joints. The load
+/// comes last.
+fn weights(robot: &Robot, load_kg: f64) -> impl Iterator<Item = (f64, [f64; 3], usize)> + '_ {
+    let links = robot.joints.iter().enumerate().filter_map(|(k, joint)| {
+        let link = joint.link?;
+        Some((link.mass_kg, link.centre_mm.coords.into(), k + 1))
+    });
+    let tool = robot.base_from_tool.translation.vector.into();
+    links.chain([(load_kg, tool, robot.joints.len())])
 }
 
 fn direction(joint: &Joint) -> [f64; 3] {

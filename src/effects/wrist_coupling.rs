@@ -65,5 +65,8 @@ impl Effect for WristCoupling {
             carry: 1.0,
             by: [commands[lane]],
         });
+        if let Some(before) = me.joint.checked_sub(1) {
+            block.turn_by_command(me, before, |_| ratio);
+        }
     }
 }

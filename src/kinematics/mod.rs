@@ -22,6 +22,8 @@
 //!   on [`crate::sincos`], sines and cosines of several joints at once.
 //! - [`jacobian`]: derivatives by joint values; [`geometry`]: small screws of base, joint axes and
 //!   tool, what they do to a robot, and derivatives by them.
+//! - [`inverse`]: joint values that reach a pose, all of them; [`configuration`]: which of them a program
+//!   means.
 //! - [`gravity`]: gravity's torque about a joint and its gradient.
 //! - [`dh`] and [`urdf`]: robots from Denavit–Hartenberg rows and from URDF files.
 //! - [`half_angle`]: the source paper's form, one proven case of all this.
@@ -44,10 +46,12 @@
 //! ```
 
 pub mod chain;
+pub mod configuration;
 pub mod dh;
 pub mod geometry;
 pub mod gravity;
 pub mod half_angle;
+pub mod inverse;
 pub mod jacobian;
 pub mod point_map;
 mod problems;
