@@ -5,10 +5,10 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
+use truepose::effects::curve::Knots;
 use truepose::effects::{
     BESIDE_THE_CATALOGUE, CATALOGUE, Curve, Effect, Inputs, Setting, Term, UNEXPLAINED,
 };
-use truepose::effects::curve::Knots;
 use truepose::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
 use truepose::model::Model;
 

@@ -11,6 +11,7 @@
 //!
 //! - [`conditions`]: under which a correction holds; the reference is standstill, 20 °C, no load.
 //! - [`inverse`]: the minimisation above, for any model and any number of joints.
+//! - [`pose`]: the same for the whole pose of the tool, position first.
 //! - [`regional`]: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
 //! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
@@ -27,6 +28,7 @@ pub mod conditions;
 pub mod interpolation;
 pub mod inverse;
 pub mod plan;
+pub mod pose;
 pub mod regional;
 pub mod remainder;
 pub mod table;

@@ -85,7 +85,7 @@ pub fn commands_for_poses(
             break;
         }
     }
-    let seen = seen_at(model, &trial);
+    let seen = seen(model, &trial);
     (0..inputs.len())
         .map(|i| {
             let (way, turn) = seen[i].missing(&wanted[i]);
@@ -100,6 +100,16 @@ pub fn commands_for_poses(
         .collect()
 }
 
+/// Whether the nominal tool can hardly be moved in some direction at these joint values (rad or mm).
+pub fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
+    let scale = Scale::of(robot, free);
+    let jacobian = scale.nominal(robot, q, free);
+    let rows = if scale.whole { 6 } else { 3 };
+    let rank = if scale.whole { 6 } else { scale.directions };
+    let part = jacobian.rows(0, rows).into_owned();
+    solved(&part, &DVector::zeros(rows), rank).is_none()
+}
+
 /// Rounding keeps the last steps from becoming smaller than this many times [`SETTLED`].
 const SETTLING: f64 = 100.0;
 
@@ -109,10 +119,6 @@ struct Seen {
     at: [[f64; 3]; 4],
     /// Their derivatives by each joint's command.
     by: Vec<[[f64; 3]; 4]>,
-}
-
-fn seen_at(model: &Model, inputs: &Inputs) -> Vec<Seen> {
-    seen(model, inputs)
 }
 
 fn seen(model: &Model, inputs: &Inputs) -> Vec<Seen> {
@@ -218,17 +224,22 @@ impl Scale {
             let q: Vec<f64> = (0..robot.joints.len())
                 .map(|j| (GENERIC_STEP * (j + seed) as f64) % 2.0 - 1.0)
                 .collect();
-            let twists = robot.joint_twists(&q);
-            let tool = Point3::from(robot.base_from_tool(&q).translation.vector);
-            let columns = free.iter().map(|j| {
-                let way = twists[*j].velocity_at(&tool).into();
-                (way, twists[*j].angular.into())
-            });
-            let jacobian = scale.jacobian(columns, free);
+            let jacobian = scale.nominal(robot, &q, free);
             scale.directions = scale.directions.max(rank(0..3, &jacobian));
             scale.whole |= rank(0..6, &jacobian) == 6;
         }
         scale
+    }
+
+    /// The Jacobian of the nominal robot.
+    fn nominal(&self, robot: &Robot, q: &[f64], free: &[usize]) -> DMatrix<f64> {
+        let twists = robot.joint_twists(q);
+        let tool = Point3::from(robot.base_from_tool(q).translation.vector);
+        let columns = free.iter().map(|j| {
+            let way = twists[*j].velocity_at(&tool).into();
+            (way, twists[*j].angular.into())
+        });
+        self.jacobian(columns, free)
     }
 
     /// A length of joint travel that moves the tool about as far as one rad.
@@ -260,7 +271,11 @@ impl Scale {
     fn step(&self, seen: &Seen, wanted: &Pose, free: &[usize]) -> Option<Vec<f64>> {
         let (way, turn) = seen.missing(wanted);
         let jacobian = self.jacobian(free.iter().map(|j| seen.motion(*j)), free);
-        let finite = jacobian.iter().chain(&way).chain(&turn).all(|v| v.is_finite());
+        let finite = jacobian
+            .iter()
+            .chain(&way)
+            .chain(&turn)
+            .all(|v| v.is_finite());
         if !finite {
             return None;
         }
@@ -286,7 +301,9 @@ const GENERIC_STEP: f64 = 2.399_963_229_728_653;
 
 /// The least step that solves the equations; `None` where fewer than `rank` directions are good.
 fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>, rank: usize) -> Option<DVector<f64>> {
-    let svd = matrix.clone().try_svd(true, true, f64::EPSILON, MOST_ROTATIONS)?;
+    let svd = matrix
+        .clone()
+        .try_svd(true, true, f64::EPSILON, MOST_ROTATIONS)?;
     let most = svd.singular_values.max();
     let good = svd.singular_values.iter().filter(|s| **s > FLATTEST * most);
     if most <= 0.0 || good.count() < rank {
@@ -298,7 +315,10 @@ fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>, rank: usize) -> Option<DV
 /// The least step of the least squares; directions that do nothing are left alone.
 fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
     let none = DVector::zeros(matrix.ncols());
-    let Some(svd) = matrix.clone().try_svd(true, true, f64::EPSILON, MOST_ROTATIONS) else {
+    let Some(svd) = matrix
+        .clone()
+        .try_svd(true, true, f64::EPSILON, MOST_ROTATIONS)
+    else {
         return none;
     };
     svd.solve(right, FLATTEST).unwrap_or(none)

@@ -119,9 +119,9 @@ impl Torque {
             if behind <= joint {
                 continue;
             }
-            let at_mm = (joint + 1..behind).rev().fold(at_mm, |x, k| {
-                moved(&joints[k], x, block.command(k, lane))
-            });
+            let at_mm = (joint + 1..behind)
+                .rev()
+                .fold(at_mm, |x, k| moved(&joints[k], x, block.command(k, lane)));
             moment = add_scaled(moment, minus(at_mm, origin), mass_kg * MM);
         }
         let gravity = robot.gravity_m_s2.map_or([0.0; 3], Into::into);
@@ -189,9 +189,9 @@ fn moment_by(block: &Block, joint: usize, other: usize, lane: usize) -> [f64; 3]
         if behind <= other {
             continue;
         }
-        let start = (other..behind).rev().fold(at_mm, |x, k| {
-            moved(&joints[k], x, block.command(k, lane))
-        });
+        let start = (other..behind)
+            .rev()
+            .fold(at_mm, |x, k| moved(&joints[k], x, block.command(k, lane)));
         let axis = direction(&joints[other]);
         let slope = match joints[other].kind {
             JointKind::Revolute => {

@@ -35,6 +35,13 @@ pub enum Statement {
         /// Whether it is below zero.
         negative: bool,
     },
+    /// The same of the wrist's middle joint, which makers do not all count the same way round.
+    WristNegative {
+        /// The joint.
+        joint: usize,
+        /// Whether it is below zero.
+        negative: bool,
+    },
     /// Whole turns, rounded to the nearest: 0 from −180° to 180°.
     Turns {
         /// The joint.
@@ -50,10 +57,15 @@ pub enum Statement {
 }
 
 impl Statement {
-    /// Whether it is about a joint's value, which every maker counts alike, and not about a side,
-    /// which each defines for its own arms.
-    pub fn is_of_a_joint(&self) -> bool {
-        !matches!(self, Self::Behind(_) | Self::ElbowTurned(_))
+    /// Whether it is certain what it means: a joint's value is counted alike by every maker, a side
+    /// is defined by each for its own arms.
+    pub fn is_certain(&self) -> bool {
+        let of_a_joint = [
+            matches!(self, Self::Quadrant { .. }),
+            matches!(self, Self::Negative { .. }),
+            matches!(self, Self::Turns { .. }),
+        ];
+        of_a_joint.contains(&true)
     }
 
     /// Whether joint values (rad or mm) agree; `None` where the robot has nothing to compare.
@@ -72,7 +84,7 @@ impl Statement {
                 let near = around(angle(*joint)?);
                 Some(near.iter().any(|v| turns_of(*v) == *turns))
             }
-            Self::Negative { joint, negative } => {
+            Self::Negative { joint, negative } | Self::WristNegative { joint, negative } => {
                 let near = around(angle(*joint)?);
                 Some(near.iter().any(|v| (*v < 0.0) == *negative))
             }
@@ -193,12 +205,17 @@ mod tests {
         let robot = arm();
         let at = |q4: f64| [0.0, 0.0, 0.0, q4, 0.0, 0.0];
         let says = |quadrant, q4| {
-            Statement::Quadrant { joint: 3, quadrant }.agrees(&robot, &at(q4)).unwrap()
+            Statement::Quadrant { joint: 3, quadrant }
+                .agrees(&robot, &at(q4))
+                .unwrap()
         };
         assert!(says(0, 0.5) && !says(-1, 0.5) && says(-1, -0.5));
         assert!(says(0, 1e-6) && says(-1, 1e-6));
         assert!(says(2, 3.3) && says(-3, -3.3));
-        let negative = Statement::Negative { joint: 3, negative: true };
+        let negative = Statement::Negative {
+            joint: 3,
+            negative: true,
+        };
         assert_eq!(negative.agrees(&robot, &at(-0.1)), Some(true));
         assert_eq!(negative.agrees(&robot, &at(0.1)), Some(false));
         let turns = Statement::Turns { joint: 3, turns: 1 };

@@ -215,7 +215,9 @@ impl<'a> Inverse<'a> {
             let limits = self.robot.joints[*joint].limits;
             let (from, to) = match self.robot.joints[*joint].kind {
                 // More than a turn has nothing new.
-                JointKind::Revolute => limits.map_or((-PI, PI), |l| (l.from.max(-PI), l.to.min(PI))),
+                JointKind::Revolute => {
+                    limits.map_or((-PI, PI), |l| (l.from.max(-PI), l.to.min(PI)))
+                }
                 JointKind::Prismatic => {
                     limits.map_or((-self.reach_mm, self.reach_mm), |l| (l.from, l.to))
                 }
@@ -227,7 +229,12 @@ impl<'a> Inverse<'a> {
 
     /// Where other solutions of the same goal are likely: wrist, elbow and shoulder turned over.
     fn mirrored(&self, q: &[f64]) -> Vec<Vec<f64>> {
-        let turns: Vec<usize> = self.free.iter().copied().filter(|j| self.turns_round(*j)).collect();
+        let turns: Vec<usize> = self
+            .free
+            .iter()
+            .copied()
+            .filter(|j| self.turns_round(*j))
+            .collect();
         let mut mirrored = Vec::new();
         for window in turns.windows(3) {
             let mut other = q.to_vec();

@@ -81,7 +81,11 @@ impl Axes {
     pub fn free(&self) -> Vec<usize> {
         let own = |j: &usize| matches!(self.slots[*j], Slot::Own(_));
         let free: Vec<usize> = (0..self.joints()).filter(own).collect();
-        if free.is_empty() { (0..self.joints()).collect() } else { free }
+        if free.is_empty() {
+            (0..self.joints()).collect()
+        } else {
+            free
+        }
     }
 }
 

@@ -22,13 +22,16 @@ mod pose;
 mod rapid;
 mod resolve;
 mod rewrite;
+mod sequence;
 mod target;
 mod text;
 mod tokens;
 mod urscript;
 
 pub use axes::{Axes, Slot};
-pub use compensate::{Answer, CompensateError, Outcome, Request, Written, compensate};
+pub use compensate::{
+    Answer, CompensateError, Left, Outcome, Reason, Request, Written, compensate,
+};
 pub use number::Number;
 pub use target::{Program, Remark, Shape, Target};
 pub use text::Text;

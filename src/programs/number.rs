@@ -31,7 +31,10 @@ impl Number {
     /// Reads `[+-]digits[.digits][e±digits]`; with `comma` the decimal sign is a comma.
     pub(super) fn read(bytes: &[u8], range: Range<usize>, comma: bool) -> Result<Self, NoNumber> {
         let text = &bytes[range.clone()];
-        let unsigned = text.strip_prefix(b"-").or(text.strip_prefix(b"+")).unwrap_or(text);
+        let unsigned = text
+            .strip_prefix(b"-")
+            .or(text.strip_prefix(b"+"))
+            .unwrap_or(text);
         // A sign may stand off its digits.
         let unsigned = unsigned.trim_ascii_start();
         let sign = if comma { b',' } else { b'.' };
@@ -50,7 +53,10 @@ impl Number {
             .map(|b| if *b == sign { '.' } else { *b as char })
             .collect();
         if let Some((b'e' | b'E', power)) = rest.split_first() {
-            let power_digits = power.strip_prefix(b"-").or(power.strip_prefix(b"+")).unwrap_or(power);
+            let power_digits = power
+                .strip_prefix(b"-")
+                .or(power.strip_prefix(b"+"))
+                .unwrap_or(power);
             if power_digits.is_empty() || leading_digits(power_digits) != power_digits.len() {
                 return Err(NoNumber::Malformed);
             }
@@ -64,7 +70,11 @@ impl Number {
         if !value.is_finite() {
             return Err(NoNumber::TooLarge);
         }
-        let value = if text.first() == Some(&b'-') { -value } else { value };
+        let value = if text.first() == Some(&b'-') {
+            -value
+        } else {
+            value
+        };
         Ok(Self {
             range,
             value,
@@ -86,7 +96,11 @@ impl Number {
         if text.starts_with('-') && text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.')) {
             text.remove(0);
         }
-        Some(if self.comma { text.replace('.', ",") } else { text })
+        Some(if self.comma {
+            text.replace('.', ",")
+        } else {
+            text
+        })
     }
 }
 
@@ -110,7 +124,9 @@ mod tests {
         assert_eq!(read("+1.", false), Ok((1.0, 0)));
         assert_eq!(read("- 5", false), Ok((-5.0, 0)));
         assert_eq!(read("1,25", true), Ok((1.25, 2)));
-        for bad in ["", "-", ".", "1.2.3", "nan", "inf", "0x10", "1e", "1,2", "--1", "1e+-2"] {
+        for bad in [
+            "", "-", ".", "1.2.3", "nan", "inf", "0x10", "1e", "1,2", "--1", "1e+-2",
+        ] {
             assert_eq!(read(bad, false), Err(NoNumber::Malformed), "{bad}");
         }
         assert_eq!(read("1e999", false), Err(NoNumber::TooLarge));
@@ -119,7 +135,10 @@ mod tests {
     #[test]
     fn a_value_is_written_with_the_files_digits_or_more() {
         let number = |text: &str| Number::read(text.as_bytes(), 0..text.len(), false).unwrap();
-        assert_eq!(number("10.00").written(10.123_456_78, 5).unwrap(), "10.12346");
+        assert_eq!(
+            number("10.00").written(10.123_456_78, 5).unwrap(),
+            "10.12346"
+        );
         assert_eq!(number("1.12345678").written(2.0, 5).unwrap(), "2.00000000");
         assert_eq!(number("10.0").written(10.000_000_1, 5), None);
         assert_eq!(number("0.5").written(-1e-9, 5).unwrap(), "0.00000");

@@ -141,7 +141,11 @@ fn nearest_angles(rotation: &UnitQuaternion<f64>, before: [f64; 3]) -> Vec<f64> 
     let candidates = [[x, y, z], [x + 180.0, 180.0 - y, z + 180.0]];
     let candidates = candidates.map(|c| [0, 1, 2].map(|k| wound(c[k], before[k])));
     let far = |c: &[f64; 3]| -> f64 { c.iter().zip(before).map(|(a, b)| (a - b).powi(2)).sum() };
-    let best = if far(&candidates[1]) < far(&candidates[0]) { 1 } else { 0 };
+    let best = if far(&candidates[1]) < far(&candidates[0]) {
+        1
+    } else {
+        0
+    };
     candidates[best].to_vec()
 }
 
@@ -153,7 +157,8 @@ fn nearest_vector(rotation: &UnitQuaternion<f64>, before: &[f64]) -> Vec<f64> {
     if length < 1e-12 {
         return now.iter().copied().collect();
     }
-    let far = |v: &Vector3<f64>| -> f64 { v.iter().zip(before).map(|(a, b)| (a - b).powi(2)).sum() };
+    let far =
+        |v: &Vector3<f64>| -> f64 { v.iter().zip(before).map(|(a, b)| (a - b).powi(2)).sum() };
     let turns = [0.0, -TAU, TAU].map(|by| now * ((length + by) / length));
     let mut best = turns[0];
     for turn in turns {
@@ -190,11 +195,15 @@ mod tests {
     #[test]
     fn conventions_are_those_of_the_makers() {
         // KUKA: A about z, then B about the new y, then C about the new x.
-        let kuka = frame(Orientation::ZyxDegrees, &[90.0, 0.0, 0.0]).goal().unwrap();
+        let kuka = frame(Orientation::ZyxDegrees, &[90.0, 0.0, 0.0])
+            .goal()
+            .unwrap();
         let x = kuka.rotation.unwrap() * Vector3::x();
         assert!((x - Vector3::y()).norm() < 1e-12);
         // FANUC: W about x first, in the fixed frame.
-        let fanuc = frame(Orientation::XyzFixedDegrees, &[90.0, 0.0, 90.0]).goal().unwrap();
+        let fanuc = frame(Orientation::XyzFixedDegrees, &[90.0, 0.0, 90.0])
+            .goal()
+            .unwrap();
         let y = fanuc.rotation.unwrap() * Vector3::y();
         assert!((y - Vector3::z()).norm() < 1e-12);
         let x = fanuc.rotation.unwrap() * Vector3::x();

@@ -50,6 +50,19 @@ pub enum Shape {
     Pose(Frame),
 }
 
+impl Shape {
+    /// The values as they stand in the file.
+    pub fn values(&self) -> Vec<f64> {
+        match self {
+            Self::Joints { numbers, .. } => numbers.iter().map(|n| n.value).collect(),
+            Self::Pose(frame) => {
+                let all = frame.position.iter().chain(&frame.turn);
+                all.map(|n| n.value).collect()
+            }
+        }
+    }
+}
+
 /// Numbers of a configuration, which are written anew where a joint crosses a border.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
@@ -139,6 +152,7 @@ impl Program {
     pub(super) fn order(&self) -> Vec<usize> {
         let mut seen = vec![false; self.targets.len()];
         let all = self.visits.iter().copied().chain(0..self.targets.len());
-        all.filter(|k| !std::mem::replace(&mut seen[*k], true)).collect()
+        all.filter(|k| !std::mem::replace(&mut seen[*k], true))
+            .collect()
     }
 }

@@ -53,7 +53,11 @@ impl<'a> Text<'a> {
     /// Every line without its end, by the places of its bytes.
     pub fn lines(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         (0..self.line_starts.len()).map(|k| {
-            let start = if k == 0 { self.start() } else { self.line_starts[k] };
+            let start = if k == 0 {
+                self.start()
+            } else {
+                self.line_starts[k]
+            };
             let next = self.line_starts.get(k + 1);
             let mut end = next.copied().unwrap_or(self.bytes.len());
             while end > start && matches!(self.bytes[end - 1], b'\n' | b'\r') {
