@@ -51,6 +51,10 @@ pub(crate) struct Compensate {
         allow_negative_numbers = true
     )]
     frame: Option<Vec<f64>>,
+    /// Take the frame in which the session was measured, brought into the base, for the robot's base
+    /// [default: the base is where the first axis is]
+    #[arg(long)]
+    measured_frame: bool,
     /// Joint values before the first target, degrees or mm: which configuration the first pose has,
     /// and from which side its joints come
     #[arg(
@@ -100,6 +104,7 @@ impl Compensate {
             load_kg: self.load,
             start: self.start.as_deref().map(|start| inner(robot, start)),
             frame,
+            measured_frame: self.measured_frame,
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());
         let names = [names[0].as_str(), names[1].as_str()];

@@ -24,6 +24,7 @@
 //! What the instrument does (its scale, a frame that drifts or was bumped) is no error of the
 //! robot; it is left out of the model before the model is inverted.
 
+mod carried_over;
 pub mod conditions;
 pub mod interpolation;
 pub mod inverse;

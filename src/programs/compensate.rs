@@ -13,8 +13,8 @@ use std::path::Path;
 use crate::compensation::pose::{Reached, commands_for_poses, tool_poses};
 use crate::compensation::{Compensation, TableError};
 use crate::diagnostic::Rejected;
-use crate::effects::Inputs;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
+use crate::effects::{Inputs, Setting, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::model::Calibration;
 
@@ -48,6 +48,9 @@ pub struct Request<'a> {
     pub start: Option<Vec<f64>>,
     /// The frame in which the file gives its poses, in the robot's base frame.
     pub frame: Pose,
+    /// Whether the frame in which the session was measured, brought into the base, is the robot's base,
+    /// so that what the first joint shares with it is corrected too.
+    pub measured_frame: bool,
 }
 
 /// Why nothing was corrected.
@@ -69,6 +72,12 @@ pub enum CompensateError {
         /// How many joints there are.
         expected: usize,
     },
+    /// The model has no such frame.
+    #[error(
+        "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no \
+         meaning for it"
+    )]
+    NoMeasuredFrame,
     /// What was written does not read back as it was meant.
     #[error("what was written reads back differently: {0}")]
     ReadBack(String),
@@ -183,6 +192,9 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
         let (found, expected) = (start.len(), robot.joints.len());
         return Err(CompensateError::Start { found, expected });
     }
+    if request.measured_frame && measured_frame(calibration).is_none() {
+        return Err(CompensateError::NoMeasuredFrame);
+    }
     let axes = Axes::new(robot);
     let program = request.language.read(request.bytes, &axes, request.file)?;
     let mut results = resolved(request, &program, &axes);
@@ -241,7 +253,11 @@ fn corrected(
     results: &mut Vec<Result<Resolved, Left>>,
 ) -> Vec<Result<Written, Left>> {
     let robot = &request.calibration.model.robot;
-    let compensation = Compensation::new(request.calibration);
+    let mut compensation = Compensation::new(request.calibration);
+    let frame = measured_frame(request.calibration).filter(|_| request.measured_frame);
+    if let Some(frame) = frame {
+        compensation.robot = compensation.robot.with_term(frame.clone());
+    }
     let good: Vec<usize> = (0..results.len()).filter(|k| results[*k].is_ok()).collect();
     let all: Vec<&Resolved> = results.iter().flatten().collect();
     let inputs = conditions.inputs(&good, &all, robot);
@@ -275,6 +291,12 @@ fn corrected(
         }));
     }
     answers.into_iter().flatten().collect()
+}
+
+/// The measuring frame of a session that was brought into the robot's base.
+fn measured_frame(calibration: &Calibration) -> Option<&Term> {
+    let mut terms = calibration.model.terms().iter();
+    terms.find(|t| t.effect.about().setting == Setting::Setup && t.label.is_none())
 }
 
 /// By the model, or by the paper's method.
@@ -431,6 +453,20 @@ fn notes(request: &Request, program: &Program) -> Vec<String> {
             "poses are read as those of the model's tool {frame}; tool and frame of the controller have to \
              be the same"
         ));
+    }
+    if let Some(frame) = measured_frame(request.calibration) {
+        let c = &frame.coefficients;
+        let length = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        notes.push(if request.measured_frame {
+            "the robot's base is the frame in which the session was measured".to_owned()
+        } else {
+            format!(
+                "the robot's base is where its first axis is; the measuring frame stands {:.3} mm and {:.3} mrad \
+                 from it (--measured-frame corrects to that frame)",
+                length(&c[3..]),
+                1e3 * length(&c[..3])
+            )
+        });
     }
     let unstated = |t: &Target| t.circumstances.load_kg.is_none();
     if program.targets.iter().any(unstated) {

@@ -9,7 +9,7 @@ use super::pose::Frame;
 
 /// Something broken in a file: at which byte, what is there and what should be.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Problem {
+pub(super) struct Problem {
     pub(super) at: usize,
     pub(super) found: String,
     pub(super) expected: String,
