@@ -4,9 +4,9 @@ scipy, written from the equations of docs/contract and sharing nothing with src/
     python tests/reference/programs.py tests/data/programs
 
 writes the session of a six-joint arm with spherical wrist (geometry of every joint but the first, which
-is the frame's; zero offsets; joints 2 and 3 that wind up under the load; a tool that sits elsewhere), the same for a SCARA arm; targets as tables of joint values and of poses, as RAPID, KRL, URScript
-and FANUC LS; and `hidden.json`: the robots by their matrices, the targets' joint values, and for the SCARA
-arm how near to each target its joints can bring the tool at all (Nelder and Mead, then Newton by scipy).
+is the frame's; zero offsets; joints 2 and 3 that wind up under the load; a tool that sits elsewhere), the same for a positioner with two axes; targets as tables of joint values and of poses, as RAPID, KRL, URScript
+and FANUC LS; and `hidden.json`: the robots by their matrices, the targets' joint values, and for the
+positioner how near to each target its joints can bring the tool at all (scipy's least squares).
 """
 
 import json
@@ -30,11 +30,9 @@ TOOL = np.array(
     [[0, 0, 1, 414.0], [0, 1, 0, 12.0], [-1, 0, 0, 655.0], [0, 0, 0, 1.0]]
 )  # tool z along the arm
 TARGETS = {"T1": (40.0, 0.0, 20.0), "T2": (-30.0, 50.0, -10.0), "T3": (-20.0, -45.0, 35.0)}
-SCARA = [
-    ("revolute", (0, 0, 1), (0, 0, 0), (-130, 130)),
-    ("revolute", (0, 0, 1), (300, 0, 0), (-140, 140)),
-    ("prismatic", (0, 0, -1), (550, 0, 0), (0, 180)),
-    ("revolute", (0, 0, -1), (550, 0, 0), (-170, 170)),
+TABLE = [
+    ("revolute", (0, 1, 0), (0, 0, 500), (-80, 80)),
+    ("revolute", (0, 0, 1), (0, 0, 620), (-175, 175)),
 ]
 
 
@@ -159,21 +157,14 @@ def six():
     return nominal, real
 
 
-def scara():
-    joints = [j[:3] for j in SCARA]
+def positioner():
+    joints = [j[:3] for j in TABLE]
     tool = np.eye(4)
-    tool[:3, 3] = [550, 0, 120]
+    tool[:3, 3] = [180, 40, 640]
     nominal, real = Robot(joints, tool), Robot(joints, tool)
-    rng = np.random.default_rng(21)
-    for i in range(1, 4):
-        a = np.asarray(joints[i][1], float)
-        turn, shift = rng.normal(0, 1e-3, 3), rng.normal(0, 0.3, 3)
-        turn -= a * (a @ turn)
-        shift = shift - a * (a @ shift) if joints[i][0] == "revolute" else np.zeros(3)
-        real.links[i] = small(turn, shift, joints[i][2])
-        # A height is the frame's.
-        real.zeros[i] = rng.normal(0, 3e-3) if joints[i][0] == "revolute" else 0
-    real.tool[:3, 3] += [0.3, -0.2, 0]
+    # The second axis is skew and stands beside the first one's; the rest would be the frame's.
+    real.links[1] = small([1.5e-3, 0, 0], [0.3, 0, 0], joints[1][2])
+    real.tool[:3, 3] += [0.4, -0.2, 0.5]
     return nominal, real
 
 
@@ -296,13 +287,13 @@ def fanuc(poses, shown, behind):
     return "\n".join([*head, *moves, "/POS", *positions, "/END"]) + "\n"
 
 
-def floors(nominal, real, targets, scale):
+def floors(nominal, real, targets):
     """How near the joints can bring the real tool to where the nominal one would be."""
     out = []
     for q in targets:
         wanted = nominal.pose(q)[:3, 3]
         best = least_squares(
-            lambda u: real.pose(u * scale)[:3, 3] - wanted, np.asarray(q) / scale, xtol=1e-15, ftol=1e-15, gtol=1e-15
+            lambda u: real.pose(u)[:3, 3] - wanted, q, xtol=1e-15, ftol=1e-15, gtol=1e-15
         )
         out.append(float(np.linalg.norm(best.fun)))
     return out
@@ -357,19 +348,18 @@ def main(folder):
         "tool": flat(r.tool),
         "nominal_tool": flat(n.tool),
     }
-    s_nominal, s_real = scara()
-    limits = [j[3] for j in SCARA]
-    session(folder, "scara", s_nominal, s_real, limits, 60, [0], 4)
-    s_shown = np.round(rng.uniform([-100, 20, 10, -150], [100, 120, 170, 150], (12, 4)), 3)
-    outer = np.array([np.pi / 180, np.pi / 180, 1, np.pi / 180])
-    rows = ["q1_deg,q2_deg,q3_mm,q4_deg"] + [",".join(number(v, 3) for v in q) for q in s_shown]
-    (folder / "scara-joints.csv").write_text("\n".join(rows) + "\n")
+    t_nominal, t_real = positioner()
+    limits = [j[3] for j in TABLE]
+    session(folder, "positioner", t_nominal, t_real, limits, 60, [0], 4)
+    t_shown = np.round(rng.uniform([-70, -160], [70, 160], (12, 2)), 3)
+    rows = ["q1_deg,q2_deg"] + [",".join(number(v, 3) for v in q) for q in t_shown]
+    (folder / "positioner-joints.csv").write_text("\n".join(rows) + "\n")
     hidden = {
         "arm": describe(real, nominal) | {"q_deg": shown.tolist(), "path_deg": np.array(path).tolist(), "load_kg": loads},
-        "scara": describe(s_real, s_nominal)
+        "positioner": describe(t_real, t_nominal)
         | {
-            "q_deg": s_shown.tolist(),
-            "floor_mm": floors(s_nominal, s_real, s_shown * outer, np.array([1, 1, 500, 1])),
+            "q_deg": t_shown.tolist(),
+            "floor_mm": floors(t_nominal, t_real, np.radians(t_shown)),
         },
     }
     (folder / "hidden.json").write_text(json.dumps(hidden) + "\n")
