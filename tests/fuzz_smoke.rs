@@ -223,7 +223,11 @@ fn read_program(language: &str, bytes: &[u8]) -> Option<usize> {
     for pair in ranges.windows(2) {
         assert!(pair[0].end <= pair[1].start, "{pair:?}");
     }
-    assert!(ranges.iter().all(|r| r.start < r.end && r.end <= bytes.len()));
+    assert!(
+        ranges
+            .iter()
+            .all(|r| r.start < r.end && r.end <= bytes.len())
+    );
     assert!(program.visits.iter().all(|k| *k < program.targets.len()));
     Some(program.targets.len())
 }
@@ -232,7 +236,10 @@ fn read_program(language: &str, bytes: &[u8]) -> Option<usize> {
 fn the_seeds_of_programs_are_accepted() {
     let targets = PROGRAMS.map(|(language, bytes)| read_program(language, bytes));
     // The list that is no target in the second RAPID move keeps that file from being read.
-    assert_eq!(targets, [Some(2), Some(1), None, Some(3), Some(5), Some(2), Some(0)]);
+    assert_eq!(
+        targets,
+        [Some(2), Some(1), None, Some(3), Some(5), Some(2), Some(0)]
+    );
 }
 
 proptest! {

@@ -315,6 +315,9 @@ fn solved(matrix: &DMatrix<f64>, right: &DVector<f64>, rank: usize) -> Option<DV
 /// The least step of the least squares; directions that do nothing are left alone.
 fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
     let none = DVector::zeros(matrix.ncols());
+    if matrix.is_empty() {
+        return none;
+    }
     let Some(svd) = matrix
         .clone()
         .try_svd(true, true, f64::EPSILON, MOST_ROTATIONS)

@@ -1,7 +1,7 @@
 //! Which axis of a controller is which joint of the model.
 //!
-//! Controllers count six axes of the robot (A1 … A6, J1 … J6, rax_1 …) and six external ones (E1 … E6,
-//! eax_a … eax_f). A joint of the model that has the name of an external axis is that one; the others
+//! Controllers count six axes of the robot (A1 … A6, J1 … J6, `rax_1` …) and six external ones (E1 … E6,
+//! `eax_a` … `eax_f`). A joint of the model that has the name of an external axis is that one; the others
 //! are the robot's, in order.
 
 use crate::kinematics::{JointKind, Robot};

@@ -197,9 +197,9 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     }
     let axes = Axes::new(robot);
     let program = request.language.read(request.bytes, &axes, request.file)?;
-    let mut results = resolved(request, &program, &axes);
+    let results = resolved(request, &program, &axes);
     let conditions = sequence::Sequence::new(&program, &results, request.load_kg);
-    let corrected = corrected(request, &program, &axes, &conditions, &mut results);
+    let corrected = corrected(request, &program, &axes, &conditions, &results);
     let bytes = written(request, &program, robot, &corrected);
     read_back(request, &program, &axes, &corrected, &bytes)?;
     let text = Text::new(request.bytes);
@@ -250,7 +250,7 @@ fn corrected(
     program: &Program,
     axes: &Axes,
     conditions: &sequence::Sequence,
-    results: &mut Vec<Result<Resolved, Left>>,
+    results: &[Result<Resolved, Left>],
 ) -> Vec<Result<Written, Left>> {
     let robot = &request.calibration.model.robot;
     let mut compensation = Compensation::new(request.calibration);

@@ -101,7 +101,7 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
 
 /// The separator that the header uses most.
 fn separator(header: &[u8]) -> u8 {
-    let count = |sign: u8| header.iter().filter(|b| **b == sign).count();
+    let count = |sign: u8| memchr::memchr_iter(sign, header).count();
     let mut best = b',';
     for sign in [b';', b'\t'] {
         if count(sign) > count(best) {

@@ -31,7 +31,7 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
     let mut lines = text.lines().map(str::trim_start);
     lines.any(|line| {
         line.starts_with("&ACCESS")
-            || line.starts_with("DEF ")
+            || (line.starts_with("DEF ") && !line.trim_end().ends_with(':'))
             || line.starts_with("DEFDAT ")
             || line.starts_with("GLOBAL DEF")
             || line.contains("E6POS ")

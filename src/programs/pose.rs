@@ -141,11 +141,7 @@ fn nearest_angles(rotation: &UnitQuaternion<f64>, before: [f64; 3]) -> Vec<f64> 
     let candidates = [[x, y, z], [x + 180.0, 180.0 - y, z + 180.0]];
     let candidates = candidates.map(|c| [0, 1, 2].map(|k| wound(c[k], before[k])));
     let far = |c: &[f64; 3]| -> f64 { c.iter().zip(before).map(|(a, b)| (a - b).powi(2)).sum() };
-    let best = if far(&candidates[1]) < far(&candidates[0]) {
-        1
-    } else {
-        0
-    };
+    let best = usize::from(far(&candidates[1]) < far(&candidates[0]));
     candidates[best].to_vec()
 }
 

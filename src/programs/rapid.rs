@@ -262,7 +262,7 @@ impl Reader<'_, '_> {
         for joint in 0..self.axes.joints() {
             let number = match self.axes.slot(joint) {
                 Slot::Own(k) => &parts[0][k],
-                Slot::External(k) => self.external(&parts[1][k], name)?,
+                Slot::External(k) => external_axis(&parts[1][k], name)?,
             };
             numbers.push(number.clone());
         }
@@ -327,22 +327,13 @@ impl Reader<'_, '_> {
         }
         for joint in 0..self.axes.joints() {
             if let Slot::External(k) = self.axes.slot(joint) {
-                let value = self.external(&external[k], name)?.value;
+                let value = external_axis(&external[k], name)?.value;
                 target
                     .external
                     .push((joint, self.axes.kind(joint).inner(value)));
             }
         }
         Ok(target)
-    }
-
-    fn external<'n>(&self, number: &'n Number, name: &str) -> Result<&'n Number, Problem> {
-        if number.value.abs() < NOT_THERE {
-            return Ok(number);
-        }
-        let found = format!("{name} leaves an external axis out");
-        let expected = "its value: the model has that axis";
-        Err(Problem::new(number.range.start, found, expected))
     }
 
     /// A list that stands in no declaration and no move: an assignment, or a parameter.
@@ -643,6 +634,16 @@ impl Reader<'_, '_> {
         }
         self.program
     }
+}
+
+/// The value of an external axis that the model has.
+fn external_axis<'n>(number: &'n Number, name: &str) -> Result<&'n Number, Problem> {
+    if number.value.abs() < NOT_THERE {
+        return Ok(number);
+    }
+    let found = format!("{name} leaves an external axis out");
+    let expected = "its value: the model has that axis";
+    Err(Problem::new(number.range.start, found, expected))
 }
 
 /// Lists in lists that a target or an array of targets needs, and some more.

@@ -1,5 +1,7 @@
 //! Which joint values a target means.
 
+use std::f64::consts::TAU;
+
 use crate::compensation::pose::is_singular;
 use crate::kinematics::configuration::{Statement, turns_of};
 use crate::kinematics::inverse::{Goal, Inverse};
@@ -13,6 +15,8 @@ use super::target::{Shape, Target};
 const AS_NEAR: f64 = 1.1;
 /// As many solutions of one pose help to find those of the next.
 const MOST_KNOWN: usize = 16;
+/// Joint values nearer to each other than this (rad or mm) are the same.
+const SAME: f64 = 1e-5;
 /// A limit is kept to this, rad or mm.
 const ON_THE_LIMIT: f64 = 1e-9;
 
@@ -179,10 +183,34 @@ impl<'a> Resolver<'a> {
         Ok(possible)
     }
 
+    /// Of joint values that differ by whole turns only those nearest to zero: the pose is the same.
+    fn with_fewest_turns(&self, mut possible: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let zero = vec![0.0; self.robot.joints.len()];
+        let far = |q: &Vec<f64>| self.inverse.distance(q, &zero);
+        possible.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        let mut kept: Vec<Vec<f64>> = Vec::new();
+        for q in possible {
+            let same = |other: &Vec<f64>| {
+                let pairs = self.robot.joints.iter().zip(q.iter().zip(other));
+                let mut apart = pairs.map(|(joint, (a, b))| match joint.kind {
+                    JointKind::Revolute => (a - b - TAU * ((a - b) / TAU).round()).abs(),
+                    JointKind::Prismatic => (a - b).abs(),
+                });
+                apart.all(|by| by < SAME)
+            };
+            if !kept.iter().any(same) {
+                kept.push(q);
+            }
+        }
+        kept
+    }
+
     fn nearest(&self, mut possible: Vec<Vec<f64>>, near: Option<&[f64]>) -> Result<Vec<f64>, Left> {
         if let Some(near) = near {
             let far = |q: &Vec<f64>| self.inverse.distance(q, near);
             possible.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        } else {
+            possible = self.with_fewest_turns(possible);
         }
         let singular = || is_singular(self.robot, &possible[0], &self.free);
         let says = match (&possible[..], near) {

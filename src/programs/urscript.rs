@@ -1,4 +1,4 @@
-//! URScript (Universal Robots): lists of joint values and poses `p[…]` in moves, or given to a name
+//! `URScript` (Universal Robots): lists of joint values and poses `p[…]` in moves, or given to a name
 //! that moves go to.
 //!
 //! ```text
@@ -395,7 +395,7 @@ impl Reader<'_, '_> {
                 Goal::Named(name) => name,
             };
             if !by_name.contains_key(&name) {
-                let targets = self.named(&name, near);
+                let targets = self.named(&name, near.as_deref());
                 by_name.insert(name.clone(), targets);
             }
             match by_name.get(&name).map(Vec::as_slice) {
@@ -433,11 +433,11 @@ impl Reader<'_, '_> {
     }
 
     /// The targets of a name.
-    fn named(&mut self, name: &str, near: Option<Vec<f64>>) -> Vec<usize> {
+    fn named(&mut self, name: &str, near: Option<&[f64]>) -> Vec<usize> {
         let mut targets = Vec::new();
         for (k, literal) in self.assigned.get(name).cloned().unwrap_or_default() {
             let at = self.words.at(k);
-            match self.target(&literal, at, name, near.clone()) {
+            match self.target(&literal, at, name, near.map(<[f64]>::to_vec)) {
                 Ok(Some(index)) => targets.push(index),
                 Ok(None) => {}
                 Err(problem) => {

@@ -1,26 +1,31 @@
 //! A robot whose errors are known, by plain matrices: forward kinematics that share no code with the
 //! program. Written from `tests/reference/programs.py`.
 
-#![allow(dead_code, reason = "not every test uses every part")]
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use serde_json::Value;
 
-pub type Matrix = [[f64; 4]; 4];
+pub(crate) type Matrix = [[f64; 4]; 4];
 
 const G: f64 = 9.81;
 
 /// Everything that `hidden.json` says of a robot.
-pub struct Hidden {
-    pub joints: Vec<(bool, [f64; 3], [f64; 3])>,
-    pub links: Vec<Matrix>,
-    pub zeros: Vec<f64>,
-    pub compliance: Vec<f64>,
-    pub tool: Matrix,
-    pub nominal_tool: Matrix,
+pub(crate) struct Hidden {
+    joints: Vec<(bool, [f64; 3], [f64; 3])>,
+    links: Vec<Matrix>,
+    zeros: Vec<f64>,
+    compliance: Vec<f64>,
+    tool: Matrix,
+    nominal_tool: Matrix,
 }
 
 fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+    value
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|v| v.as_f64().unwrap())
+        .collect()
 }
 
 fn matrix(value: &Value) -> Matrix {
@@ -28,7 +33,7 @@ fn matrix(value: &Value) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| flat[4 * i + j]))
 }
 
-pub fn times(a: &Matrix, b: &Matrix) -> Matrix {
+pub(crate) fn times(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| a[i][k] * b[k][j]).sum()))
 }
 
@@ -39,8 +44,12 @@ fn rotated(axis: [f64; 3], angle: f64, v: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|k| v[k] * c + cross[k] * s + axis[k] * along * (1.0 - c))
 }
 
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }
 
 fn motion((turns, axis, point): (bool, [f64; 3], [f64; 3]), value: f64) -> Matrix {
@@ -49,25 +58,49 @@ fn motion((turns, axis, point): (bool, [f64; 3], [f64; 3]), value: f64) -> Matri
     for k in 0..3 {
         let mut unit = [0.0; 3];
         unit[k] = 1.0;
-        let column = if turns { rotated(axis, value, unit) } else { unit };
+        let column = if turns {
+            rotated(axis, value, unit)
+        } else {
+            unit
+        };
         for i in 0..3 {
             out[i][k] = column[i];
         }
     }
     let moved = rotated(axis, value, point);
     for i in 0..3 {
-        out[i][3] = if turns { point[i] - moved[i] } else { axis[i] * value };
+        out[i][3] = if turns {
+            point[i] - moved[i]
+        } else {
+            axis[i] * value
+        };
     }
     out
 }
 
 impl Hidden {
-    pub fn new(value: &Value) -> Self {
+    pub(crate) fn new(value: &Value) -> Self {
         let triple = |v: &Value| -> [f64; 3] { numbers(v).try_into().unwrap() };
-        let joint = |j: &Value| (j["kind"] == "revolute", triple(&j["axis"]), triple(&j["point"]));
+        let joint = |j: &Value| {
+            (
+                j["kind"] == "revolute",
+                triple(&j["axis"]),
+                triple(&j["point"]),
+            )
+        };
         Self {
-            joints: value["joints"].as_array().unwrap().iter().map(joint).collect(),
-            links: value["links"].as_array().unwrap().iter().map(matrix).collect(),
+            joints: value["joints"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(joint)
+                .collect(),
+            links: value["links"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(matrix)
+                .collect(),
             zeros: numbers(&value["zeros"]),
             compliance: numbers(&value["compliance"]),
             tool: matrix(&value["tool"]),
@@ -76,7 +109,7 @@ impl Hidden {
     }
 
     /// Where the drawing has the tool.
-    pub fn nominal(&self, q: &[f64]) -> Matrix {
+    pub(crate) fn nominal(&self, q: &[f64]) -> Matrix {
         let mut out = motion(self.joints[0], q[0]);
         for (joint, value) in self.joints.iter().zip(q).skip(1) {
             out = times(&out, &motion(*joint, *value));
@@ -85,8 +118,9 @@ impl Hidden {
     }
 
     /// Where the real tool goes.
-    pub fn real(&self, q: &[f64], load_kg: f64) -> Matrix {
-        let mut out: Matrix = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
+    pub(crate) fn real(&self, q: &[f64], load_kg: f64) -> Matrix {
+        let mut out: Matrix =
+            std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
         for i in 0..q.len() {
             let start = q[i] + self.zeros[i];
             let mut angle = start;
@@ -101,10 +135,16 @@ impl Hidden {
     }
 
     fn torque(&self, i: usize, angle: f64, q: &[f64], load_kg: f64) -> f64 {
-        let mut at = [self.nominal_tool[0][3], self.nominal_tool[1][3], self.nominal_tool[2][3]];
+        let mut at = [
+            self.nominal_tool[0][3],
+            self.nominal_tool[1][3],
+            self.nominal_tool[2][3],
+        ];
         for k in (i + 1..q.len()).rev() {
             let m = motion(self.joints[k], q[k]);
-            at = std::array::from_fn(|r| m[r][0] * at[0] + m[r][1] * at[1] + m[r][2] * at[2] + m[r][3]);
+            at = std::array::from_fn(|r| {
+                m[r][0] * at[0] + m[r][1] * at[1] + m[r][2] * at[2] + m[r][3]
+            });
         }
         let mut gravity = [0.0, 0.0, -G];
         for k in 0..i {
@@ -113,14 +153,18 @@ impl Hidden {
             }
         }
         let (_, axis, point) = self.joints[i];
-        let arm = rotated(axis, angle, std::array::from_fn(|k| (at[k] - point[k]) * 1e-3));
+        let arm = rotated(
+            axis,
+            angle,
+            std::array::from_fn(|k| (at[k] - point[k]) * 1e-3),
+        );
         let turning = cross(arm, gravity);
         load_kg * (0..3).map(|k| axis[k] * turning[k]).sum::<f64>()
     }
 
     /// Joint values near `start` at which the drawing has the tool at this pose: Newton's method on
     /// difference quotients.
-    pub fn nominal_inverse(&self, pose: &Matrix, start: &[f64]) -> Vec<f64> {
+    pub(crate) fn nominal_inverse(&self, pose: &Matrix, start: &[f64]) -> Vec<f64> {
         let n = start.len();
         let mut q = start.to_vec();
         for _ in 0..30 {
@@ -170,7 +214,9 @@ fn difference(from: &Matrix, to: &Matrix) -> [f64; 6] {
 fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();
     for k in 0..n {
-        let pivot = (k..n).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs())).unwrap();
+        let pivot = (k..n)
+            .max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs()))
+            .unwrap();
         rows.swap(k, pivot);
         for i in 0..n {
             if i != k {
@@ -185,7 +231,7 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
 }
 
 /// Distance of two tools, mm, and the angle between them, rad.
-pub fn apart(a: &Matrix, b: &Matrix) -> (f64, f64) {
+pub(crate) fn apart(a: &Matrix, b: &Matrix) -> (f64, f64) {
     let d = difference(a, b);
     let length = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
     (length(&d[..3]), length(&d[3..]) / 300.0)
