@@ -7,11 +7,15 @@
     reason = "a test that cannot prepare its files has failed"
 )]
 
+use std::path::Path;
+
 use proptest::prelude::*;
+use truepose::export::lerobot_calibration;
 use truepose::importers::{
     AngleUnit, Companion, Kind, LengthUnit, Matching, Reading, Settings, import, inspect,
 };
 use truepose::kinematics::Robot;
+use truepose::kinematics::{robot_from_mjcf, robot_from_urdf};
 use truepose::programs::{Axes, LANGUAGES, Shape};
 use truepose::sessions::{Loaded, parse, parse_robot, parse_with_csv, write_inline};
 
@@ -24,11 +28,43 @@ const DOCUMENT: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"
 "dir1":[1,-1,0,null],"use":["fit","held-out",null,"fit"],"setup":["a","a","b","b"],"remark":["x",1,null,true]}}}"#;
 
 const ROBOT: &[u8] = br#"{"name":"r","dh":[{"a_mm":100,"alpha_deg":90,"d_mm":0,"theta_deg":0,"convention":"standard"},
-{"a_mm":0,"alpha_deg":-45.5,"d_mm":20,"theta_deg":10,"convention":"modified"}]}"#;
+{"a_mm":0,"alpha_deg":-45.5,"d_mm":20,"theta_deg":10,"convention":"modified","kind":"prismatic"}],
+"base":{"position_mm":[0,0,1],"quaternion_wxyz":[1,0,0,0]},"tool":{"position_mm":[1,2,3],"quaternion_wxyz":[0,1,0,0]},
+"limits":[[-90,90],null],"masses":[null,{"mass_kg":2,"centre_mm":[1,2,3]}]}"#;
+
+const MJCF: &[u8] = br#"<mujoco model="m"><compiler angle="radian" eulerseq="ZyX" autolimits="true"/>
+<default><joint axis="0 1 0"/><default class="c"><joint type="slide" range="-1 1"/><site euler="1 2 3"/></default></default>
+<worldbody><body name="a" pos="0 0 .4" xyaxes="1 0 0 0 1 0" childclass="c"><inertial pos="0 0 0" mass="1"/>
+<joint name="j" ref="0.1" pos="0 0 .1"/><frame zaxis="0 1 0"><body name="b" axisangle="0 0 1 2"><joint class="main"/>
+<site name="tip" quat="1 0 0 1"/></body></frame></body></worldbody><equality><joint joint1="x"/></equality></mujoco>"#;
+
+const URDF: &[u8] = br#"<robot name="r"><link name="a"/><link name="b"><inertial><mass value="2"/></inertial></link>
+<joint name="j" type="revolute"><origin xyz="1 2 3" rpy=".1 .2 .3"/><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1"/></joint><link name="tip"/><joint name="f" type="fixed"><parent link="b"/><child link="tip"/></joint></robot>"#;
+
+const MOTORS: &[u8] = br#"{"pan": {"id": 1, "drive_mode": 0, "homing_offset": -14, "range_min": 1015, "range_max": 3128}}"#;
 
 const CSV: &[u8] = b"\xef\xbb\xbfq1_deg,x_mm,y_mm,z_m,target,dir1,speed1_rad_s,load_kg,use,setup,remark\r\n\
 -9.25,249.895665,-0.38,0.3,T1,1,0.5,,fit,a,\"quoted, \"\"twice\"\"\"\n\
 0,1e2,+5, 7 ,T2,-1,-0,3,held-out,b,\n\n90,,2,123456789012345678901234567890,T1,0,.5,6.,,b,\"two\nlines\"\n";
+
+/// Every kind of measurement and what it refers to.
+const OBSERVED: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
+{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],
+"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},
+"instrument":{"name":"i","sigma_range_mm":0.01,"sigma_angle_urad":5,"position_mm":[1e3,0,0],"sigma_mrad":0.1,
+"sigma_distance_mm":0.02,"sigma_direction_urad":10,"sigma_touch_mm":0.01},
+"anchors":{"A":{"position_mm":[1,2,3],"offset_mm":null},"B":null},
+"stations":{"S":{"position_mm":null,"quaternion_wxyz":[1,0,0,0],"azimuth":"clockwise"},"T":null},
+"planes":{"P":{"normal":[0,0,1],"distance_mm":5},"Q":null},"sockets":{"K":null,"L":{"position_mm":[1,2,3]}},
+"socket_distances_mm":[["K","L",400.5]],"pointing":{"axis":[0,0,2],"stations":["T"]},
+"samples":{"columns":{"q1_deg":[0,1,2,3,4,5,6],"x_mm":[1,null,null,null,null,null,null],"y_mm":[1,2,null,null,null,null,null],
+"z_mm":[null,3,null,null,null,null,null],"qw":[1,null,null,null,null,null,null],"qx":[0,null,null,null,null,null,null],
+"qy":[0,null,null,null,null,null,null],"qz":[0,null,null,null,null,null,null],
+"distance_mm":[null,null,7,null,null,null,null],"anchor":[null,null,"A",null,null,null,null],
+"azimuth_deg":[null,null,null,8,9,null,null],"elevation_deg":[null,null,null,-8,9,null,null],
+"station":[null,null,null,"S","T",null,null],"plane":[null,null,null,null,null,"Q",null],
+"socket":[null,null,null,null,null,null,"K"]}}}"#;
 
 /// One change to a file.
 #[derive(Debug, Clone)]
@@ -128,6 +164,16 @@ fn assert_promises(loaded: &Loaded) {
         assert_eq!(column.len(), rows);
         assert!(column.iter().all(|value| !value.is_infinite()));
     }
+    let (observed, all) = (&samples.observed, &session.instrument.references);
+    for (column, declared) in [
+        (&observed.anchor, all.anchors.len()),
+        (&observed.station, all.stations.len()),
+        (&observed.plane, all.planes.len()),
+        (&observed.socket, all.sockets.len()),
+    ] {
+        let column = column.iter().flatten();
+        assert!(column.flatten().all(|index| (*index as usize) < declared));
+    }
     for target in samples.target.iter().flatten() {
         assert!((*target as usize) < session.targets.len());
     }
@@ -150,6 +196,7 @@ fn assert_promises(loaded: &Loaded) {
 #[test]
 fn the_seeds_are_accepted() {
     assert_promises(&parse(DOCUMENT).unwrap());
+    assert_promises(&parse(OBSERVED).unwrap());
     let with_file = String::from_utf8_lossy(DOCUMENT).into_owned();
     let (head, _) = with_file.split_once("\"samples\"").unwrap();
     let document = format!("{head}\"samples\":{{\"file\":\"s.csv\"}}}}");
@@ -297,6 +344,35 @@ proptest! {
             assert_promises(&loaded);
         }
         let _ = parse_robot(&changed(ROBOT, &changes));
+    }
+
+    #[test]
+    fn measurements_of_any_kind_that_are_damaged_do_no_harm(
+        changes in prop::collection::vec(any_change(), 1..5),
+    ) {
+        if let Ok(loaded) = parse(&changed(OBSERVED, &changes)) {
+            assert_promises(&loaded);
+            let effects = truepose::fit::DEFAULT_EFFECTS.map(str::to_owned);
+            let values = truepose::effects::JointValues::Commanded;
+            // Whatever can be read can be fitted, or is refused in words.
+            let _ = truepose::fit::identify_exact(&loaded.session, &effects, values);
+        }
+    }
+
+    #[test]
+    fn descriptions_of_robots_that_are_damaged_do_no_harm(changes in prop::collection::vec(any_change(), 1..5)) {
+        let file = Path::new("r.xml");
+        let finite = |robot: truepose::kinematics::Robot| {
+            let tool = robot.base_from_tool.translation.vector;
+            tool.iter().all(|x| x.is_finite()) && !robot.link_frames().is_empty()
+        };
+        for read in [robot_from_mjcf, robot_from_urdf] {
+            for (sound, base) in [(MJCF, "world"), (URDF, "a")] {
+                let text = String::from_utf8_lossy(&changed(sound, &changes)).into_owned();
+                prop_assert!(read(&text, file, base, "tip").map_or(true, finite));
+            }
+        }
+        let _ = lerobot_calibration(&changed(MOTORS, &changes), "m.json");
     }
 
     #[test]

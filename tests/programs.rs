@@ -462,7 +462,7 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 40] = [
     ("krl", b"PTP {X 1,Y 2,Z 3,A 0,B 0,C 0,S 2,T 'B012'}", 1, 36, "binary"),
     ("krl", b"CIRC {X 1,Y 2,Z 3,A 0,B 0,C 0} {X 1,Y 2,Z 3,A 0,B 0,C 0}", 1, 32, ","),
     ("krl", b"DEF m()\nPTP\n", 2, 4, "target"),
-    ("krl", b"DECL E6AXIS P={X 1,Y 2,Z 3,A 0,B 0,C 0}", 1, 32, "A1"),
+    ("krl", b"DECL E6AXIS P={X 1,Y 2,Z 3,A 0,B 0,C 0}", 1, 30, "A1"),
     ("krl", b"PTP {A1 ,A2 2,A3 3,A4 4,A5 5,A6 6}", 1, 9, "value"),
     ("urscript", b"movej([1,2,3,4,5])", 1, 7, "6"),
     ("urscript", b"movel(p[1,2,3,4,5])", 1, 7, "rx"),

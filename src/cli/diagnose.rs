@@ -11,6 +11,7 @@ use truepose::fit::{Estimate, IMPLAUSIBLE};
 use truepose::paper::{RegionalStart, regional_start};
 use truepose::pipeline::diagnose;
 use truepose::present::diagnosis_v1::Document;
+use truepose::present::kinds;
 
 use super::failure::Failure;
 use super::{geometry, output};
@@ -173,6 +174,7 @@ fn in_words(d: &Diagnosis) -> String {
             gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
         );
     }
+    text += &kinds::in_words(&d.identification.kinds);
     noise_in_words(&mut text, d);
     let arm = geometry::is_of_an_arm(&d.identified);
     if arm {
@@ -204,10 +206,12 @@ fn in_words(d: &Diagnosis) -> String {
     }
     unexplained_in_words(&mut text, d);
     for pose in &d.not_testable {
-        let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
+        let name = named(d, pose.effect, pose.joint);
+        let _ = writeln!(text, "{name}: not testable, {}", pose.because);
     }
     for limit in &d.not_found {
-        let _ = writeln!(text, "{}: {}", limit.effect, limit_in_words(limit));
+        let name = named(d, limit.effect, limit.joint);
+        let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
     }
     left_out_in_words(&mut text, d);
     if !d.next_poses.is_empty() {
@@ -223,6 +227,14 @@ fn in_words(d: &Diagnosis) -> String {
         );
     }
     text
+}
+
+/// A name, of several joints with its joint.
+fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
+    match joint.filter(|_| d.model.robot.joints.len() > 1) {
+        Some(joint) => format!("{effect} {}", joint + 1),
+        None => effect.to_owned(),
+    }
 }
 
 /// What the samples do not determine, and which of them were not fitted.

@@ -5,16 +5,18 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
+use truepose::diagnosis::set_up_errors::DataProblem;
 use truepose::effects::JointValues;
 use truepose::fit::noise::StatedNoise;
 use truepose::fit::regions::RegionChoice;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, IMPLAUSIBLE, Identification};
 use truepose::pipeline;
+use truepose::present::kinds::{self, KindRow};
 use truepose::sessions::Session;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
-use super::{geometry, output};
+use super::{geometry, levels, output};
 
 /// Identify a session's robot: the exact fit, or the paper's method by regions
 #[derive(Debug, Args)]
@@ -96,17 +98,21 @@ impl Identify {
             (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
             (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
         };
-        let (answer, calibration) = pipeline::identify(session, &method, values)?;
+        let pipeline::Identified {
+            identification: answer,
+            calibration,
+            data_problems,
+        } = pipeline::identify_checked(session, &method, values)?;
         if let Some(out) = &self.out {
             let text = truepose::model::format_v1::write_model(&calibration);
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
-            output::json(&Answer::new(&answer))
+            output::json(&Answer::new(&answer, &data_problems))
         } else if to_stdout {
             Ok(())
         } else {
-            output::text(&in_words(&answer, session))
+            output::text(&in_words(&answer, session, &data_problems))
         }
     }
 }
@@ -147,9 +153,18 @@ struct Answer<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     parameters: Option<Vec<ParameterRow>>,
     not_identifiable: Vec<NotIdentifiableRow<'a>>,
+    data_problems: Vec<ProblemRow<'a>>,
     gap: GapRow,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    kinds: Vec<KindRow>,
     #[serde(skip_serializing_if = "Option::is_none")]
     held_out: Option<HeldOutRow>,
+    /// What each level of correction would bring; of several joints.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    levels: Vec<levels::Row>,
+    /// The error to be expected over the joint ranges; of several joints.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    expected_error: Option<levels::ExpectedRow>,
     outliers: Vec<OutlierRow>,
     left_out: Vec<LeftOutRow>,
     noise_mm: Option<[f64; 3]>,
@@ -189,6 +204,8 @@ struct ParameterRow {
     setup: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     target: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -198,6 +215,13 @@ struct ParameterRow {
 struct NotIdentifiableRow<'a> {
     combination: &'a str,
     because: &'a str,
+}
+
+#[derive(Serialize)]
+struct ProblemRow<'a> {
+    what: &'a str,
+    evidence: &'a str,
+    proposal: &'a str,
 }
 
 #[derive(Serialize)]
@@ -248,13 +272,24 @@ impl GapRow {
     }
 }
 
+impl<'a> ProblemRow<'a> {
+    fn new(problem: &'a DataProblem) -> Self {
+        Self {
+            what: &problem.what,
+            evidence: &problem.evidence,
+            proposal: &problem.proposal,
+        }
+    }
+}
+
 impl<'a> Answer<'a> {
-    fn new(answer: &'a Identification) -> Self {
+    fn new(answer: &'a Identification, data_problems: &'a [DataProblem]) -> Self {
         let parameters = answer.parameters.iter().map(|p| ParameterRow {
             effect: p.effect,
             joint: p.joint,
             setup: p.setup.clone(),
             target: p.target.clone(),
+            place: p.place.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,
@@ -296,7 +331,11 @@ impl<'a> Answer<'a> {
             regions: regions.collect(),
             parameters: (answer.method == "exact").then(|| parameters.collect()),
             not_identifiable: not_identifiable.collect(),
+            data_problems: data_problems.iter().map(ProblemRow::new).collect(),
             gap: GapRow::new(&answer.gap),
+            kinds: kinds::rows(&answer.kinds),
+            levels: levels::rows(answer),
+            expected_error: levels::expected_row(answer),
             held_out: answer.held_out.as_ref().map(|gap| HeldOutRow {
                 samples: gap.samples,
                 gap: GapRow::new(gap),
@@ -322,12 +361,18 @@ fn rounded_degrees(rad: f64) -> f64 {
     (deg_from_rad(rad) * 1e9).round() / 1e9
 }
 
-fn in_words(answer: &Identification, session: &Session) -> String {
+fn in_words(answer: &Identification, session: &Session, data_problems: &[DataProblem]) -> String {
     let gap = &answer.gap;
     let mut text = format!(
         "{}: {} identification of {} samples\n",
         answer.session, answer.method, answer.samples
     );
+    for problem in data_problems {
+        text += &format!(
+            "data: {}\n  {}\n  {}\n",
+            problem.what, problem.evidence, problem.proposal
+        );
+    }
     text += &format!(
         "gap          {:.6} mm before, {:.6} mm after (largest {:.6} and {:.6})\n",
         gap.before.rms_mm, gap.after.rms_mm, gap.before.max_mm, gap.after.max_mm
@@ -338,10 +383,12 @@ fn in_words(answer: &Identification, session: &Session) -> String {
             held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
         );
     }
+    text += &kinds::in_words(&answer.kinds);
     let arm = geometry::is_of_an_arm(&answer.parameters);
     if arm {
         text += &format!("\n{}", geometry::table(&answer.parameters));
     }
+    text += &levels::in_words(answer);
     let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
     let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
     if !rows.is_empty() {
@@ -413,7 +460,7 @@ fn in_words(answer: &Identification, session: &Session) -> String {
 
 /// A row of the table of parameters.
 fn parameter_row(p: &Estimate) -> String {
-    let joint = match (&p.setup, p.joint) {
+    let joint = match (p.setup.as_ref().or(p.place.as_ref()), p.joint) {
         (Some(setup), _) => setup.clone(),
         (None, Some(joint)) => joint.to_string(),
         (None, None) => "-".to_owned(),

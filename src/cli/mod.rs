@@ -12,6 +12,7 @@ mod failure;
 mod geometry;
 mod identify;
 mod import;
+mod levels;
 mod output;
 mod plan;
 mod report;

@@ -7,7 +7,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::effects::{Inputs, Term, ToolPosition};
+use crate::effects::{Inputs, Role, Term, ToolPosition};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
 use crate::sessions::{Session, hash_of_samples};
@@ -19,8 +19,10 @@ const SETTLED_MM: f64 = 1e-9;
 /// Below this part of the largest a direction of the shift is not shown by the samples.
 const FLATTEST: f64 = 1e-9;
 
-/// Effects that belong to the tool.
-const OF_THE_TOOL: [&str; 2] = ["tool-position", "tool-orientation"];
+/// Whether a term says where a tool or a target is.
+fn is_place_of_the_tool(term: &Term) -> bool {
+    term.effect.about().role == Role::ToolPlace
+}
 
 /// The calibration for this session, and what was done; `None` where the tool is the same.
 /// `applied` makes the model for the session of a calibration: with its frames.
@@ -39,7 +41,7 @@ pub(super) fn carried_over(
     }
     let mut there = robot.clone();
     there.base_from_tool = session.robot.base_from_tool;
-    let of_the_tool = |t: &&Term| OF_THE_TOOL.contains(&t.effect.about().id);
+    let of_the_tool = |t: &&Term| matches!(t.effect.about().role, Role::ToolPlace | Role::ToolTurn);
     let terms = calibration.model.terms().iter();
     let terms = terms.filter(|t| !of_the_tool(t)).cloned().collect();
     let mut carried = Calibration {
@@ -54,7 +56,7 @@ pub(super) fn carried_over(
             break;
         };
         let terms = carried.model.terms().iter().cloned().map(|mut term| {
-            if term.effect.about().id == OF_THE_TOOL[0] {
+            if is_place_of_the_tool(&term) {
                 let pairs = term.coefficients.iter_mut().zip(step.iter());
                 pairs.for_each(|(coefficient, by)| *coefficient += by);
             }
@@ -87,7 +89,7 @@ fn step(model: &Model, session: &Session, problem: &Problem) -> Option<Vector3<f
     let mut first = 0;
     let mut of_the_tool = None;
     for term in model.terms() {
-        if term.effect.about().id == OF_THE_TOOL[0] && term.setting == 0.0 {
+        if is_place_of_the_tool(term) && term.setting == 0.0 {
             of_the_tool = Some(first);
         }
         first += term.coefficients.len();

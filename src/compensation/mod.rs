@@ -28,6 +28,7 @@ mod carried_over;
 pub mod conditions;
 pub mod interpolation;
 pub mod inverse;
+mod observed;
 pub mod plan;
 pub mod pose;
 pub mod regional;

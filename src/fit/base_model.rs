@@ -12,6 +12,9 @@
 //! frames · tool · targets · zero offsets 1 … n · tool orientation · link geometry 1 … n
 //! ```
 //!
+//! (where orientation is measured the tool's comes before the zero offsets; places that measurements
+//! refer to and that are not known, [`crate::effects::places`], before everything)
+//!
 //! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
 //! the last of those that make it up is held at zero: the last of the kind that has a good part in it, lest a zero
 //! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
@@ -35,30 +38,22 @@ use std::borrow::Cow;
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{
-    Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition,
-    find,
+    Effect, Inputs, LinkGeometry, MeasuringFrame, Role, Setting, Term, ToolOrientation,
+    ToolPosition, joint_zero, role,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
+use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;
 use super::estimator::fit_without_outliers;
+use super::observed;
 use super::outcome::NotIdentifiable;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
 use super::unidentifiable::coefficient_names;
-
-/// Effects that belong to every calibration: of a single joint the first two.
-pub const BASE_EFFECTS: [&str; 6] = [
-    "joint-zero-offset",
-    "link-length",
-    "link-geometry",
-    "tool-position",
-    "tool-orientation",
-    "measuring-frame",
-];
 
 /// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
 const NEVER_ALIGNED_RAD: f64 = 0.1;
@@ -73,9 +68,6 @@ const GOOD_PART: f64 = 0.3;
 const NAMED_PART: f64 = 0.02;
 /// A column that moves the samples by less than this is rounding, mm for a step of 1 mm or 1 mrad.
 const ROUNDING_MM: f64 = 1e-6;
-/// A direction whose prior moves the samples by less than this part of their noise is left to the
-/// prior where priors have no rows.
-const WEAK: f64 = 0.25;
 /// The gauge is found from so many samples at most.
 const MOST_SAMPLES: usize = 3000;
 /// Noise where nobody says, mm: what a tracker has.
@@ -92,7 +84,7 @@ pub fn is_arm(session: &Session) -> bool {
 
 /// Whether an effect belongs to every calibration of this session's robot.
 pub fn belongs(id: &str) -> bool {
-    BASE_EFFECTS.contains(&id)
+    role(id).is_of_every_calibration()
 }
 
 /// The terms of the base model that are beside the effects of the catalogue: frames, tool, links.
@@ -100,7 +92,9 @@ pub fn belongs(id: &str) -> bool {
 pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Vec<Term> {
     let mut terms = Vec::new();
     let of = |effect: &'static dyn Effect| exists(effect.about().id);
-    if of(&MeasuringFrame) {
+    if let Some(layer) = &problem.observed {
+        terms.extend(observed::terms(session, layer));
+    } else if of(&MeasuringFrame) {
         terms.extend(frames(session, problem));
     }
     if of(&ToolPosition) {
@@ -123,9 +117,9 @@ pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool
 /// All of it: zero offsets, frames, tool, links.
 pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Model {
     let mut all = Vec::new();
-    if let Some(zero) = find("joint-zero-offset").filter(|_| exists("joint-zero-offset")) {
+    if exists(joint_zero().about().id) {
         let joints = 0..session.robot.joints.len();
-        all.extend(joints.map(|joint| Term::absent(zero, joint, 0.0)));
+        all.extend(joints.map(|joint| Term::absent(joint_zero(), joint, 0.0)));
     }
     all.extend(terms(session, problem, exists));
     Model::new(session.robot.clone(), all)
@@ -192,6 +186,9 @@ pub struct Fitted {
 pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let mut notes = Vec::new();
     problem.priors = priors(problem, start, weak, &mut notes);
+    let mut open = Vec::new();
+    let sized = observed::hold_size(problem, start, &mut open);
+    let start = &sized;
     let (mut model, mut held) = with_gauge(problem, start);
     let mut solution = solve(problem, &links_held(&model));
     solution = fit_without_outliers(problem, &with_held_of(&solution.model, &model));
@@ -240,6 +237,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         }
         solution = fit_without_outliers(problem, &solution.model);
     }
+    held.splice(0..0, open);
     Fitted {
         solution,
         held,
@@ -269,30 +267,36 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<String>)
         weak,
         aligned,
         targets_mm: session.instrument.targets_sigma_mm,
-        variance: stated_variance(session).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
+        variance: stated_variance(problem).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
         ..Priors::default()
     }
 }
 
 /// Variance of a coordinate of weight one, where the instrument's maker says.
-fn stated_variance(session: &Session) -> Option<f64> {
-    session.instrument.sigma_mm.map(|sigma| match sigma {
-        Sigma::Overall(sigma) => sigma * sigma,
-        Sigma::PerAxis(_) => 1.0,
-    })
+fn stated_variance(problem: &Problem) -> Option<f64> {
+    if let Some(layer) = &problem.observed {
+        return Some(layer.unit_mm * layer.unit_mm);
+    }
+    problem
+        .session
+        .instrument
+        .sigma_mm
+        .map(|sigma| match sigma {
+            Sigma::Overall(sigma) => sigma * sigma,
+            Sigma::PerAxis(_) => 1.0,
+        })
 }
 
 /// The same as the residuals show it: where something is missing they weigh less beside the priors.
 fn variance(problem: &Problem, solution: &Solution) -> f64 {
-    let rows = problem.samples() * problem.axes();
-    let freedom = rows.saturating_sub(solution.spectrum.rank());
+    let freedom = problem.rows().saturating_sub(solution.spectrum.rank());
     let shown = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
     } else {
         0.0
     };
     // With the noise known, rows are in units of it.
-    let least = match stated_variance(problem.session) {
+    let least = match stated_variance(problem) {
         Some(stated) if problem.noise.is_none() => stated,
         _ => 1e-12,
     };
@@ -349,15 +353,21 @@ fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
 /// and that in words. Links that are held altogether are left out.
 fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
     let names = coefficient_names(start);
-    let places = places(start);
+    let places = in_order(problem, start);
     let mut rows = columns(problem, start);
     add_targets(problem, start, &mut rows);
     let reach_mm = reach_mm(&start.robot);
+    observed::add_size(problem, start, reach_mm, &mut rows);
     let size = |place: &Place| if place.turns { reach_mm } else { 1.0 };
     let mut basis = Basis::new(rows.nrows());
     let mut terms = start.terms().to_vec();
     let mut held = Vec::new();
+    let open = observed::open(problem).base;
     for (rank, place) in places.iter().enumerate() {
+        if open && place.class == Class::Place {
+            // They carry the base, and the frame stands for them here.
+            continue;
+        }
         let column = rows.column(place.column).into_owned();
         let own = column.norm();
         let unit = if place.turns { 1e-3 } else { 1.0 };
@@ -410,46 +420,18 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
             },
         });
     }
+    let mut of_base = Vec::new();
+    let based = Model::new(start.robot.clone(), terms);
+    let mut terms = observed::with_base_held(problem, based, &mut of_base)
+        .terms()
+        .to_vec();
+    held.splice(0..0, of_base);
     terms.retain(|term| {
         let about = term.effect.about();
         let all_held = (0..term.coefficients.len()).all(|k| term.held.contains(k));
         !(all_held && about.id == LinkGeometry.about().id)
     });
     (Model::new(start.robot.clone(), terms), held)
-}
-
-/// The model with every coefficient of its base held where it is that a fit without the rows of the
-/// priors could not keep where it belongs.
-pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
-    let rows = columns(problem, model);
-    let thinning = problem.samples() as f64 / (rows.nrows() / 3).max(1) as f64;
-    // The columns are in mm, weighed beside the axis that is known best.
-    let largest = problem.axis_weights.iter().copied().fold(0.0, f64::max);
-    let unit = if problem.noise.is_some() {
-        1.0 / largest.sqrt()
-    } else {
-        1.0
-    };
-    let noise = problem.priors.variance.sqrt() * unit;
-    let mut basis = Basis::new(rows.nrows());
-    let mut terms = model.terms().to_vec();
-    for (rank, place) in places(model).into_iter().enumerate() {
-        let term = &terms[place.term];
-        if term.held.contains(place.coefficient) {
-            continue;
-        }
-        let column = rows.column(place.column).into_owned();
-        let free = basis.reject(&column);
-        let seen = free.norm() * thinning.sqrt();
-        let prior = problem.priors.sigma(model, term, place.coefficient);
-        let weak = prior.is_some_and(|sigma| seen * sigma < WEAK * noise);
-        if free.norm() > COPY * column.norm() && !weak {
-            basis.push(rank, &column, &free);
-        } else {
-            terms[place.term].held = terms[place.term].held.with(place.coefficient);
-        }
-    }
-    Model::new(model.robot.clone(), terms)
 }
 
 /// How far the tool is from the farthest axis at home: what a turn of 1 rad may do, mm.
@@ -463,9 +445,11 @@ fn reach_mm(robot: &Robot) -> f64 {
 /// In this order columns are preferred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Class {
+    Place,
     Frame,
     Tool,
     Target,
+    ToolTurn,
     Zero,
     Turn,
     Link,
@@ -482,27 +466,27 @@ struct Place {
 }
 
 /// The coefficients of the base model that are not held, in the order of preference.
-fn places(model: &Model) -> Vec<Place> {
+fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
+    // Where orientation is measured, what the last joint shares with the tool belongs to the tool.
+    let attitude = problem.observed.as_ref().is_some_and(Layer::shows_attitude);
     let mut all = Vec::new();
     let mut first = 0;
     for (index, term) in model.terms().iter().enumerate() {
-        let class = match term.effect.about().id {
-            "measuring-frame" => Some(Class::Frame),
-            "tool-position" if term.setting == 0.0 => Some(Class::Tool),
-            "tool-position" => Some(Class::Target),
-            "joint-zero-offset" => Some(Class::Zero),
-            "tool-orientation" => Some(Class::Turn),
-            "link-geometry" => Some(Class::Link),
-            _ => None,
+        let about = term.effect.about();
+        let class = match about.role {
+            Role::Place => Some(Class::Place),
+            Role::FreeFrame => Some(Class::Frame),
+            Role::ToolPlace if term.setting == 0.0 => Some(Class::Tool),
+            Role::ToolPlace => Some(Class::Target),
+            Role::JointZero => Some(Class::Zero),
+            Role::ToolTurn if attitude => Some(Class::ToolTurn),
+            Role::ToolTurn => Some(Class::Turn),
+            Role::JointAxis => Some(Class::Link),
+            Role::ToolRadius | Role::Candidate | Role::Unexplained => None,
         };
         for coefficient in 0..term.coefficients.len() {
-            let turns = match class {
-                Some(Class::Frame) => coefficient < 3,
-                Some(Class::Link) => coefficient >= 2,
-                Some(Class::Turn) => true,
-                Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
-                _ => false,
-            };
+            let kind = model.robot.joints[term.joint].kind;
+            let turns = about.form.turns(coefficient, kind);
             if let Some(class) = class.filter(|_| !term.held.contains(coefficient)) {
                 all.push(Place {
                     class,
@@ -523,6 +507,9 @@ fn places(model: &Model) -> Vec<Place> {
 /// The Jacobian on the samples that count, or on enough of them, mm; three rows a sample, those of
 /// an axis that was not measured zero.
 fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
+    if let Some(layer) = &problem.observed {
+        return observed::columns(layer, model, MOST_SAMPLES);
+    }
     let used: Vec<usize> = (0..problem.used.len())
         .filter(|i| problem.used[*i])
         .collect();
@@ -565,11 +552,12 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
         return;
     };
     let noise = match problem.session.instrument.sigma_mm {
+        _ if problem.observed.is_some() => stated_variance(problem).map_or(1.0, f64::sqrt),
         Some(Sigma::Overall(noise)) => noise,
         Some(Sigma::PerAxis(noise)) => noise.into_iter().fold(f64::INFINITY, f64::min),
         None => USUAL_NOISE_MM,
     };
-    let own: Vec<usize> = places(model)
+    let own: Vec<usize> = in_order(problem, model)
         .iter()
         .filter(|place| place.class == Class::Target)
         .map(|place| place.column)

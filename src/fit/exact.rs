@@ -6,25 +6,29 @@
 
 use nalgebra::DMatrix;
 
+use crate::effects::places::PlaceKind;
 use crate::effects::{
-    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, Setting, Survey, Term, find,
+    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, OF_A_SINGLE_AXIS, Role, Setting,
+    Survey, Term, find, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;
 use super::estimator::fit_without_outliers;
+use super::expected::expected_error;
 use super::gap::{Deviations, Spread, deviations};
+use super::levels::levels;
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
 use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::{name_on_joint, undetermined_combinations};
-use super::{alignment, base_model, scan};
+use super::{alignment, base_model, observed, scan};
 
 /// The effects that every calibration identifies.
-pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
+pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
 
 /// Fits the named effects, each on every joint where it can be tested.
 ///
@@ -95,6 +99,8 @@ pub(super) struct Fresh<'a> {
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     /// What else there is to say.
     notes: Vec<String>,
+    /// Whether it holds the base model of several joints.
+    arm: bool,
 }
 
 impl<'a> Fresh<'a> {
@@ -126,6 +132,7 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
+            arm: base.is_some(),
         })
     }
 
@@ -136,9 +143,18 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
+            arm,
         } = self;
         let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
         answer.notes.extend(notes);
+        if arm && base_model::is_arm(session) {
+            // Cells that are left out are those of points.
+            if problem.observed.is_none() {
+                answer.levels = levels(&problem, &answer.model);
+            }
+            let covariance = answer.covariance.as_ref();
+            answer.expected = covariance.and_then(|c| expected_error(&problem, &answer.model, c));
+        }
         answer
     }
 }
@@ -165,7 +181,7 @@ pub(super) fn prepare<'a>(
     values: JointValues,
     go_on: &'a dyn Fn() -> bool,
 ) -> Result<Prepared<'a>, IdentifyError> {
-    let mut problem = Problem::new(session, values);
+    let mut problem = Problem::observing(session, values);
     problem.watch = Watch::by(go_on);
     if problem.samples() == 0 {
         return Err(IdentifyError::NothingToFit);
@@ -175,7 +191,7 @@ pub(super) fn prepare<'a>(
     let mut terms = Vec::new();
     let base = base_model::is_arm(session) && asks_for_base(effects);
     for id in effects {
-        if base && id == "link-length" {
+        if base && role(id) == Role::ToolRadius {
             continue;
         }
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;
@@ -204,10 +220,14 @@ pub(super) fn prepare<'a>(
         let known = |id: &str| terms.iter().any(|t: &Term| t.effect.about().id == id);
         let new = base_model::terms(session, &problem, |id| !known(id));
         terms.extend(new);
+    } else if let Some(layer) = &problem.observed {
+        terms.extend(observed::terms_beside(session, layer));
     } else {
         terms.extend(free_frames(session, &problem));
     }
     let nominal = Model::nominal(session.robot.clone());
+    let base = base || problem.observed.is_some();
+    let placed = observed::places_alone(&Model::new(session.robot.clone(), terms.clone()));
     let start = scan::with_best_settings(&problem, &nominal, terms);
     let start = known
         .iter()
@@ -215,7 +235,7 @@ pub(super) fn prepare<'a>(
     Ok(Prepared {
         problem,
         start,
-        nominal,
+        nominal: placed,
         not_identifiable,
         base: base.then_some(true),
     })
@@ -265,9 +285,12 @@ pub fn report(
             samples: 0,
         }),
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
+        levels: Vec::new(),
+        expected: None,
         outliers: outliers(&after, suspected.iter().copied()),
-        left_out: left_out(session),
+        left_out: left_out(problem),
         noise_mm: noise_by_axis(problem, &after, rank),
+        kinds: observed::figures(problem, nominal, &solution.model),
         noise: problem.noise.clone(),
         quality: Quality {
             stopped: solution.stopped.says(),
@@ -326,6 +349,9 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
 }
 
 fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[f64; 3]> {
+    if problem.observed.is_some() {
+        return None;
+    }
     let n = problem.samples();
     let lost = rank as f64 / problem.axes().max(1) as f64;
     let freedom = n as f64 - lost;
@@ -344,6 +370,8 @@ pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f
     let freedom = freedom(problem, solution);
     let variance = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
+    } else if let Some(layer) = &problem.observed {
+        layer.unit_mm * layer.unit_mm
     } else {
         // The weights are those of the noise as it was estimated, or of none.
         let unit = match problem.session.instrument.sigma_mm? {
@@ -359,8 +387,13 @@ pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f
 /// With more samples the noise is known well enough to take it as known.
 const MOST_TO_AVERAGE: usize = 5000;
 
-/// The covariance averaged over the noises that the residuals allow, each with the size that it
-/// leaves (Draper 1995): an interval that takes an estimated noise for the true one is too narrow.
+/// The covariance averaged over the noises that the residuals allow, each with the size and the
+/// solution that it leaves (Draper 1995): an interval that takes an estimated noise for the true one
+/// is too narrow.
+///
+/// ```text
+/// C = Σ_j w_j (C_j + δ_j δ_jᵀ),   δ_j the step from the solution to that under noise j
+/// ```
 fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DMatrix<f64>> {
     let known = problem.noise.as_ref()?;
     let possible = known.possible();
@@ -372,8 +405,9 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
     for (share, noise) in possible {
         let mut other = problem.clone();
         other.set_noise(&noise);
-        let (spectrum, cost) = spectrum_at(&other, solution);
-        let own = spectrum.inverse() * (share * cost.max(0.0) / freedom as f64);
+        let (spectrum, cost, step) = spectrum_at(&other, solution);
+        let variance = cost.max(0.0) / freedom as f64;
+        let own = (spectrum.inverse() * variance + &step * step.transpose()) * share;
         sum = Some(sum.map_or(own.clone(), |sum| sum + own));
     }
     sum
@@ -381,8 +415,7 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
 
 /// Measured coordinates beyond what the fit follows.
 fn freedom(problem: &Problem, solution: &Solution) -> usize {
-    let m = problem.samples() * problem.axes();
-    m.saturating_sub(solution.spectrum.rank())
+    problem.rows().saturating_sub(solution.spectrum.rank())
 }
 
 /// The parameters of every term of a solution, term by term.
@@ -408,6 +441,11 @@ pub fn parameters_of(
             .collect();
         let kind = solution.model.robot.joints[term.joint].kind;
         let mut own = estimates(term, own.as_ref(), factor, &undetermined, kind);
+        if PlaceKind::of(term).is_some_and(|kind| kind != PlaceKind::Plane) {
+            // What the session states of a place is no answer.
+            let mut k = 0..size;
+            own.retain(|_| !k.next().is_some_and(|k| term.held.contains(k)));
+        }
         for estimate in &mut own {
             if term.effect.about().setting == Setting::Time && estimate.name == "time_s" {
                 estimate.ci95 = times_around(problem, term.setting);
@@ -458,10 +496,15 @@ pub(crate) fn outliers(after: &Deviations, stands_out: impl Iterator<Item = bool
     outliers
 }
 
-pub(super) fn left_out(session: &Session) -> Vec<LeftOut> {
-    let samples = 0..session.samples.len();
-    let left_out = samples
-        .filter_map(|sample| unusable(session, sample).map(|because| LeftOut { sample, because }));
+pub(super) fn left_out(problem: &Problem) -> Vec<LeftOut> {
+    let samples = (0..problem.session.samples.len()).filter(|sample| {
+        // Of other measurements than points a sample may have no coordinate at all.
+        problem.observed.is_none() || !problem.usable[*sample]
+    });
+    let left_out = samples.filter_map(|sample| {
+        let because = unusable(problem.session, sample)?;
+        Some(LeftOut { sample, because })
+    });
     left_out.collect()
 }
 

@@ -3,7 +3,10 @@
 
 pub mod alignment;
 pub mod base_model;
+pub mod cells;
+pub mod expected;
 pub mod gap;
+pub mod levels;
 pub(crate) mod linear;
 pub mod noise;
 pub mod normal;
@@ -19,6 +22,7 @@ pub mod uncertainty;
 mod adaptive;
 mod estimator;
 mod exact;
+mod observed;
 mod outcome;
 mod plane;
 mod regional;

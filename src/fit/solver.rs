@@ -13,8 +13,8 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use crate::effects::Role;
 use crate::effects::block::Block;
-use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -277,7 +277,8 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
         beside: vec![0.0; problem.beside.len()],
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    if blocks.len() <= 2 * COARSE_BLOCKS || start.count() == 0 {
+    let few = blocks.len() <= 2 * COARSE_BLOCKS || problem.observed.is_some();
+    if few || start.count() == 0 {
         return descend(problem, start, &blocks).0;
     }
     let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
@@ -382,6 +383,15 @@ fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> S
 fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal {
     let columns = state.count();
     let mut normal = Normal::new(columns);
+    if let Some(layer) = &problem.observed {
+        layer.visit(&state.model, true, |rows| {
+            rows.keep(&layer.used);
+            normal.add_rows(rows, sums);
+        });
+        normal.complete();
+        problem.priors.add(&state.model, &mut normal);
+        return normal;
+    }
     let mut whitening = Whitening::new(problem.noise.as_ref(), columns);
     let starts = blocks.iter().copied();
     state
@@ -411,15 +421,18 @@ const LEAST_TOLD: f64 = 4.0;
 /// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
 const ROUNDING_MM: f64 = 1e-6;
 
-/// The spectrum of a problem with another noise at a solution, and the cost there.
-pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64) {
+/// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
+/// solution under that noise.
+pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64, DVector<f64>) {
     let state = State {
         model: solution.model.clone(),
         beside: solution.beside.clone(),
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
     let normal = sum(problem, &state, &blocks, Sums::All);
-    (spectrum_of(problem, &normal, &state), normal.cost)
+    let spectrum = spectrum_of(problem, &normal, &state);
+    let step = spectrum.step(&normal.gradient, 0.0);
+    (spectrum, normal.cost, step)
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
@@ -464,17 +477,15 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
     for term in model.terms() {
         let (about, own) = (term.effect.about(), first);
         first += term.coefficients.len();
-        if !super::base_model::belongs(about.id) {
+        if !about.role.is_of_every_calibration() {
             continue;
         }
         for k in 0..term.coefficients.len() {
-            let turns = match about.id {
-                "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
-                "measuring-frame" => k < 3,
-                "link-geometry" => k >= 2,
-                "tool-orientation" => true,
-                _ => false,
-            };
+            let turns = about.form.turns(k, model.robot.joints[term.joint].kind);
+            if about.role == Role::Place && !turns {
+                // A place may be as far off as it likes; only a turn is not linear.
+                continue;
+            }
             let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
             let size = step[own + k].abs();
             if size > most {

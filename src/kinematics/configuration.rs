@@ -197,6 +197,7 @@ mod tests {
             joints: rows.into_iter().map(joint).collect(),
             base_from_tool: Pose::translation(374.0, 0.0, 630.0),
             gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
         }
     }
 

@@ -357,6 +357,7 @@ mod tests {
             joints: rows.into_iter().map(joint).collect(),
             base_from_tool: Pose::translation(420.0, 15.0, 730.0),
             gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
         }
     }
 

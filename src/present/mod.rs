@@ -2,6 +2,7 @@
 
 pub mod compensation_v1;
 pub mod diagnosis_v1;
+pub mod kinds;
 pub mod plan_v1;
 
 mod place;

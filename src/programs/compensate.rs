@@ -14,7 +14,7 @@ use crate::compensation::pose::{Reached, commands_for_poses, tool_poses};
 use crate::compensation::{Compensation, TableError};
 use crate::diagnostic::Rejected;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-use crate::effects::{Inputs, Setting, Term};
+use crate::effects::{Inputs, Role, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::model::Calibration;
 
@@ -296,7 +296,7 @@ fn corrected(
 /// The measuring frame of a session that was brought into the robot's base.
 fn measured_frame(calibration: &Calibration) -> Option<&Term> {
     let mut terms = calibration.model.terms().iter();
-    terms.find(|t| t.effect.about().setting == Setting::Setup && t.label.is_none())
+    terms.find(|t| t.effect.about().role == Role::FreeFrame && t.label.is_none())
 }
 
 /// By the model, or by the paper's method.

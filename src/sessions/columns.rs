@@ -19,14 +19,41 @@ pub(crate) enum Quantity {
     Z,
     /// Component of the measured orientation: w, x, y, z.
     Orientation(usize),
+    Distance,
+    Azimuth,
+    Elevation,
+    Anchor,
+    Station,
+    Plane,
+    Socket,
     Target,
     Direction(usize),
     Speed(usize),
+    /// Measured torque of a joint.
+    Torque(usize),
+    /// Temperature of a joint.
+    JointTemperature(usize),
     Load,
     Temperature,
     Time,
     Setup,
     Use,
+}
+
+impl Quantity {
+    /// Whether it means something only beside what a session declares: an anchor, a station …
+    pub(crate) fn needs_a_reference(self) -> bool {
+        matches!(
+            self,
+            Self::Distance
+                | Self::Azimuth
+                | Self::Elevation
+                | Self::Anchor
+                | Self::Station
+                | Self::Plane
+                | Self::Socket
+        )
+    }
 }
 
 /// What kind of cells a column has.
@@ -84,7 +111,16 @@ impl Heading {
     pub(crate) fn cells(&self) -> CellKind {
         match self {
             Self::Unknown { .. } => CellKind::Text,
-            Self::Known(Quantity::Target | Quantity::Setup | Quantity::Use, _) => CellKind::Name,
+            Self::Known(
+                Quantity::Target
+                | Quantity::Setup
+                | Quantity::Use
+                | Quantity::Anchor
+                | Quantity::Station
+                | Quantity::Plane
+                | Quantity::Socket,
+                _,
+            ) => CellKind::Name,
             Self::Known(..) => CellKind::Number,
         }
     }
@@ -107,6 +143,10 @@ fn known(heading: &str) -> Option<(Quantity, Unit)> {
         "qy" => Quantity::Orientation(2),
         "qz" => Quantity::Orientation(3),
         "target" => Quantity::Target,
+        "anchor" => Quantity::Anchor,
+        "station" => Quantity::Station,
+        "plane" => Quantity::Plane,
+        "socket" => Quantity::Socket,
         "load_kg" => Quantity::Load,
         "temperature_c" => Quantity::Temperature,
         "time_s" => Quantity::Time,
@@ -128,12 +168,23 @@ fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
             Unit::from_suffix(unit)?,
         ));
     }
+    if let Some(rest) = heading.strip_prefix("torque") {
+        let joint = joint_index(rest.strip_suffix("_nm")?)?;
+        return Some((Quantity::Torque(joint), Unit::Fixed));
+    }
+    if let Some(rest) = heading.strip_prefix("temperature") {
+        let joint = joint_index(rest.strip_suffix("_c")?)?;
+        return Some((Quantity::JointTemperature(joint), Unit::Fixed));
+    }
     let (name, suffix) = heading.rsplit_once('_')?;
     let unit = Unit::from_suffix(suffix)?;
     let quantity = match name {
         "x" => Quantity::X,
         "y" => Quantity::Y,
         "z" => Quantity::Z,
+        "distance" => Quantity::Distance,
+        "azimuth" => Quantity::Azimuth,
+        "elevation" => Quantity::Elevation,
         _ => {
             let joint = name.strip_prefix('q')?;
             match joint.strip_suffix("_read") {
@@ -142,8 +193,14 @@ fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
             }
         }
     };
-    let position = matches!(quantity, Quantity::X | Quantity::Y | Quantity::Z);
-    (!position || matches!(unit, Unit::Length(_))).then_some((quantity, unit))
+    let fits = match quantity {
+        Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance => {
+            matches!(unit, Unit::Length(_))
+        }
+        Quantity::Azimuth | Quantity::Elevation => matches!(unit, Unit::Angle(_)),
+        _ => true,
+    };
+    fits.then_some((quantity, unit))
 }
 
 /// The joint's index from its number in a heading: `1` is the first; `01` and `0` are no numbers.
@@ -166,12 +223,23 @@ fn hint(heading: &str) -> Option<String> {
     }
     let name = plain.split(['_', '[', '(']).next().unwrap_or_default();
     let meant = match name {
-        "x" | "y" | "z" => format!("{name}_mm, {name}_m, {name}_um or {name}_in"),
+        "x" | "y" | "z" | "distance" => format!("{name}_mm, {name}_m, {name}_um or {name}_in"),
+        "azimuth" | "elevation" => format!("{name}_deg or {name}_rad"),
         "load" => "load_kg".to_owned(),
         "temperature" | "temp" => "temperature_c".to_owned(),
         "time" | "t" => "time_s".to_owned(),
         _ if name.strip_prefix('q').and_then(joint_index).is_some() => {
             format!("{name}_deg, {name}_rad or, for a sliding joint, {name}_mm")
+        }
+        _ if name.strip_prefix("torque").and_then(joint_index).is_some() => {
+            format!("{name}_nm")
+        }
+        _ if name
+            .strip_prefix("temperature")
+            .and_then(joint_index)
+            .is_some() =>
+        {
+            format!("{name}_c")
         }
         _ if name.strip_prefix("speed").and_then(joint_index).is_some() => {
             format!("{name}_deg_s, {name}_rad_s or, for a sliding joint, {name}_mm_s")
@@ -259,6 +327,8 @@ pub(crate) fn check_joint(
     let (Quantity::Commanded(joint)
     | Quantity::ReadBack(joint)
     | Quantity::Speed(joint)
+    | Quantity::Torque(joint)
+    | Quantity::JointTemperature(joint)
     | Quantity::Direction(joint)) = quantity
     else {
         return;
@@ -307,8 +377,24 @@ fn require_columns(
             );
         }
     }
+    let direction = [Quantity::Azimuth, Quantity::Elevation].map(has);
+    if direction[0] != direction[1] {
+        missing(
+            "one of the two columns of a measured direction".to_owned(),
+            "both azimuth_deg and elevation_deg or none".to_owned(),
+        );
+    }
+    // Any kind of measurement will do; a session that has none is told of points.
+    let other = [
+        Quantity::Distance,
+        Quantity::Azimuth,
+        Quantity::Plane,
+        Quantity::Socket,
+        Quantity::Orientation(0),
+    ];
+    let has_other = other.into_iter().any(has);
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
-        if !has(quantity) {
+        if !has(quantity) && !has_other {
             missing(
                 format!("no column for the measured {name}"),
                 format!("{name}_mm"),
@@ -335,6 +421,8 @@ fn highest_joint(headings: &[Heading]) -> usize {
                 Quantity::Commanded(joint)
                 | Quantity::ReadBack(joint)
                 | Quantity::Speed(joint)
+                | Quantity::Torque(joint)
+                | Quantity::JointTemperature(joint)
                 | Quantity::Direction(joint),
                 _,
             ) => Some(joint + 1),
@@ -375,6 +463,12 @@ mod tests {
         assert_eq!(unit("x_in"), Some((Quantity::X, 25.4)));
         assert_eq!(unit("speed2_mm_s"), Some((Quantity::Speed(1), 1.0)));
         assert_eq!(unit("dir3"), Some((Quantity::Direction(2), 1.0)));
+        assert_eq!(unit("torque2_nm"), Some((Quantity::Torque(1), 1.0)));
+        assert_eq!(
+            unit("temperature4_c"),
+            Some((Quantity::JointTemperature(3), 1.0))
+        );
+        assert_eq!(unit("temperature_c"), Some((Quantity::Temperature, 1.0)));
         for stranger in [
             "x",
             "x_deg",
@@ -382,6 +476,9 @@ mod tests {
             "q01_deg",
             "qx_mm",
             "speed1_deg",
+            "torque1",
+            "torque_nm",
+            "temperature0_c",
             "dir",
             "",
             "_mm",

@@ -3,6 +3,7 @@
 
 use super::domain::{Samples, Setups, UnknownColumn};
 use super::lines::Lines;
+use super::references::ObservedColumns;
 
 impl Samples {
     /// Takes samples away; `rows` count from 0, in any order. Rows that are not there are passed
@@ -21,10 +22,33 @@ impl Samples {
             retain(column, &kept);
         }
         self.z_mm.iter_mut().for_each(keep);
-        for columns in [&mut self.q_read, &mut self.dir, &mut self.speed] {
+        for columns in [
+            &mut self.q_read,
+            &mut self.dir,
+            &mut self.speed,
+            &mut self.torque_nm,
+            &mut self.joint_temperature_c,
+        ] {
             columns.iter_mut().flatten().for_each(keep);
         }
         self.orientation_wxyz.iter_mut().flatten().for_each(keep);
+        let observed = &mut self.observed;
+        for column in [
+            &mut observed.distance_mm,
+            &mut observed.azimuth,
+            &mut observed.elevation,
+        ] {
+            column.iter_mut().for_each(keep);
+        }
+        for column in [
+            &mut observed.anchor,
+            &mut observed.station,
+            &mut observed.plane,
+            &mut observed.socket,
+        ] {
+            let keep = |column: &mut Vec<Option<u32>>| retain(column, &kept);
+            column.iter_mut().for_each(keep);
+        }
         for column in [&mut self.load_kg, &mut self.temperature_c, &mut self.time_s] {
             column.iter_mut().for_each(keep);
         }
@@ -60,7 +84,12 @@ impl Samples {
             (&mut self.q_read, more.q_read),
             (&mut self.dir, more.dir),
             (&mut self.speed, more.speed),
+            (&mut self.torque_nm, more.torque_nm),
+            (&mut self.joint_temperature_c, more.joint_temperature_c),
         ] {
+            let joints = columns.len().max(more.len());
+            columns.resize(joints, None);
+            let more = more.into_iter().chain(std::iter::repeat(None));
             for (column, more) in columns.iter_mut().zip(more) {
                 extend(column, more, before, added);
             }
@@ -95,6 +124,7 @@ impl Samples {
                 Some(target)
             }
         };
+        append_observed(&mut self.observed, more.observed, before, added);
         self.setups = together(self.setups.take(), more.setups, before, added);
         self.held_out = match (self.held_out.take(), more.held_out) {
             (None, None) => None,
@@ -141,6 +171,31 @@ fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, 
             Some(column)
         }
     };
+}
+
+fn append_observed(here: &mut ObservedColumns, more: ObservedColumns, before: usize, added: usize) {
+    for (column, more) in [
+        (&mut here.distance_mm, more.distance_mm),
+        (&mut here.azimuth, more.azimuth),
+        (&mut here.elevation, more.elevation),
+    ] {
+        extend(column, more, before, added);
+    }
+    for (column, more) in [
+        (&mut here.anchor, more.anchor),
+        (&mut here.station, more.station),
+        (&mut here.plane, more.plane),
+        (&mut here.socket, more.socket),
+    ] {
+        *column = match (column.take(), more) {
+            (None, None) => None,
+            (here, there) => {
+                let mut column = here.unwrap_or_else(|| vec![None; before]);
+                column.extend(there.unwrap_or_else(|| vec![None; added]));
+                Some(column)
+            }
+        };
+    }
 }
 
 /// Setups by their names: the same name is the same frame.
