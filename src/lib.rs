@@ -15,6 +15,7 @@
 //!    puts all of it on paper.
 //! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
+//! [`programs`] corrects the targets of tables and robot programs in place.
 //! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
 //!
 //! ```
@@ -68,6 +69,7 @@ pub mod compensation;
 pub mod export;
 pub mod importers;
 pub mod pipeline;
+pub mod programs;
 
 pub mod standards;
 

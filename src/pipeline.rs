@@ -14,6 +14,7 @@ use crate::fit::{
     identify_without_priors,
 };
 use crate::model::Calibration;
+use crate::programs::{self, CompensateError};
 use crate::sessions::{Loaded, Session, hash_of_samples, load};
 use crate::set_up_errors::{DataProblem, Mended, noticed};
 
@@ -162,4 +163,12 @@ pub fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     crate::diagnosis::diagnose(session, options, &crate::design::next_poses::propose, watch)
+}
+
+/// Corrects the targets of a table or a robot program in place.
+///
+/// # Errors
+/// See [`CompensateError`].
+pub fn compensate(request: &programs::Request) -> Result<programs::Answer, CompensateError> {
+    programs::compensate(request)
 }

@@ -1,9 +1,10 @@
 //! The terminal: one file per command.
 //!
-//! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, or there is
-//! no display for the window. With `--json` standard output carries exactly one JSON document;
+//! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, there is no display
+//! for the window, or `compensate` left some targets as they are. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
+mod compensate;
 mod diagnose;
 mod effects;
 mod export;
@@ -50,6 +51,8 @@ enum Command {
     Plan(plan::Plan),
     /// Check a model on another session
     Verify(verify::Verify),
+    /// Correct the targets of a table or a robot program in place
+    Compensate(compensate::Compensate),
     /// State accuracy and repeatability after ISO 230-2 and ISO 9283
     Standards(standards::Standards),
     /// Write the table that a controller reads
@@ -73,6 +76,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Diagnose(command)) => command.run(),
         Some(Command::Plan(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
+        Some(Command::Compensate(command)) => command.run(),
         Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
         Some(Command::Report(command)) => command.run(),
