@@ -49,6 +49,8 @@ pub mod effects;
 
 pub mod model;
 
+pub mod observations;
+
 pub mod fit;
 pub mod simulation;
 

@@ -11,6 +11,7 @@ use truepose::fit::noise::StatedNoise;
 use truepose::fit::regions::RegionChoice;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, IMPLAUSIBLE, Identification};
 use truepose::pipeline;
+use truepose::present::kinds::{self, KindRow};
 use truepose::sessions::Session;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
@@ -154,6 +155,8 @@ struct Answer<'a> {
     not_identifiable: Vec<NotIdentifiableRow<'a>>,
     data_problems: Vec<ProblemRow<'a>>,
     gap: GapRow,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    kinds: Vec<KindRow>,
     #[serde(skip_serializing_if = "Option::is_none")]
     held_out: Option<HeldOutRow>,
     /// What each level of correction would bring; of several joints.
@@ -201,6 +204,8 @@ struct ParameterRow {
     setup: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     target: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -284,6 +289,7 @@ impl<'a> Answer<'a> {
             joint: p.joint,
             setup: p.setup.clone(),
             target: p.target.clone(),
+            place: p.place.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,
@@ -327,6 +333,7 @@ impl<'a> Answer<'a> {
             not_identifiable: not_identifiable.collect(),
             data_problems: data_problems.iter().map(ProblemRow::new).collect(),
             gap: GapRow::new(&answer.gap),
+            kinds: kinds::rows(&answer.kinds),
             levels: levels::rows(answer),
             expected_error: levels::expected_row(answer),
             held_out: answer.held_out.as_ref().map(|gap| HeldOutRow {
@@ -376,6 +383,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
             held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
         );
     }
+    text += &kinds::in_words(&answer.kinds);
     let arm = geometry::is_of_an_arm(&answer.parameters);
     if arm {
         text += &format!("\n{}", geometry::table(&answer.parameters));
@@ -452,7 +460,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
 
 /// A row of the table of parameters.
 fn parameter_row(p: &Estimate) -> String {
-    let joint = match (&p.setup, p.joint) {
+    let joint = match (p.setup.as_ref().or(p.place.as_ref()), p.joint) {
         (Some(setup), _) => setup.clone(),
         (None, Some(joint)) => joint.to_string(),
         (None, None) => "-".to_owned(),

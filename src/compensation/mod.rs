@@ -26,6 +26,7 @@
 pub mod conditions;
 pub mod interpolation;
 pub mod inverse;
+mod observed;
 pub mod plan;
 pub mod regional;
 pub mod remainder;

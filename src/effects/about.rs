@@ -105,6 +105,8 @@ pub enum Setting {
     Fade,
     /// Which measuring frame (counted from 0); not a parameter of the robot.
     Setup,
+    /// Which place that measurements refer to (counted from 0); not a parameter of the robot.
+    Place,
     /// Which target's own part: 0 for what all of them share, else the target counted from 1.
     Target,
     /// Another quantity, with what the effect's file says of it.
@@ -144,7 +146,7 @@ impl PartialEq for Listed {
 impl Setting {
     /// Whether a search tries several values of it.
     pub fn is_scanned(&self) -> bool {
-        !matches!(self, Self::None | Self::Setup | Self::Target)
+        !matches!(self, Self::None | Self::Setup | Self::Target | Self::Place)
     }
 
     /// Whether it is an order that need not be a whole number: one that reaches beyond the error
@@ -208,6 +210,8 @@ pub enum Role {
     ToolTurn,
     /// A free frame of the instrument.
     FreeFrame,
+    /// A place that measurements refer to.
+    Place,
     /// What no name explains.
     Unexplained,
 }

@@ -19,6 +19,7 @@ pub mod block;
 pub mod curve;
 pub mod inputs;
 pub mod needs;
+pub mod places;
 pub mod survey;
 pub mod term;
 pub mod units;
@@ -43,7 +44,7 @@ mod link_droop;
 mod link_geometry;
 mod link_length;
 mod lost_motion;
-mod measuring_frame;
+pub(crate) mod measuring_frame;
 mod screw_pitch;
 mod thermal_growth;
 mod thermal_zero_drift;
@@ -62,6 +63,7 @@ pub use inputs::{Inputs, JointValues};
 pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
 pub use needs::{Need, Offered};
+pub use places::{UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
 pub use survey::Survey;
 pub use term::{Held, Parameter, Placed, Term, TermError};
 pub use tool_orientation::ToolOrientation;
@@ -137,6 +139,10 @@ pub const BESIDE_THE_CATALOGUE: &[&dyn Effect] = &[
     &ToolOrientation,
     &ToolPosition,
     &LinkGeometry,
+    &UnknownAnchor,
+    &UnknownStation,
+    &UnknownPlane,
+    &UnknownSocket,
     &Unexplained,
 ];
 

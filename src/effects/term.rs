@@ -7,6 +7,7 @@ use crate::units::wrapped_positive;
 
 use super::about::{Form, Quantity, Setting};
 use super::curve::Curve;
+use super::places::PlaceKind;
 use super::units::{DEGREE, MILLIRADIAN, Unit};
 use super::{Effect, Role, find};
 
@@ -271,7 +272,12 @@ impl Term {
                 *coefficient += by;
             }
         }
-        if self.effect.about().setting == Setting::Setup {
+        let free_turn = match self.effect.about().setting {
+            Setting::Setup => true,
+            Setting::Place => PlaceKind::of(self) == Some(PlaceKind::Station),
+            _ => false,
+        };
+        if free_turn && !held.contains(0) {
             super::measuring_frame::unwind(&mut self.coefficients);
         }
         if let (Form::Fading(_), Some(by)) = (self.effect.about().form, by.get(1)) {
@@ -350,7 +356,7 @@ pub(super) fn fade(setting: f64, u: f64) -> f64 {
 /// Name and inner size of the scanned parameter, where the user sees one.
 pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
     match setting {
-        Setting::None | Setting::Setup | Setting::Target => None,
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
         Setting::Order { from, .. } => {
             let unit = Unit::ONE.like(f64::from(from));
             Some(Quantity::new("order", unit))
@@ -427,7 +433,7 @@ fn check_setting(
         Setting::Listed(listed) => {
             (!(listed.takes)(given, joint, joints)).then(|| listed.expected.to_owned())
         }
-        Setting::None | Setting::Setup | Setting::Target => None,
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
     };
     match expected {
         Some(expected) => Err(TermError::OutOfRange {

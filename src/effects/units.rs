@@ -61,6 +61,8 @@ impl Unit {
     pub const SECOND: Self = Self::new("s", 1.0, 100.0, 0.01);
     /// A number without a unit: a ratio, an order.
     pub const ONE: Self = Self::new("", 1.0, 1000.0, 0.001);
+    /// A component of a direction.
+    pub const DIRECTION: Self = Self::new("", 1.0, 1000.0, 0.001).turning();
     /// Degrees per kelvin.
     pub const DEGREE_PER_KELVIN: Self = Self::new("°/K", DEGREE, 1.0, 0.002);
     /// Millimetres per kelvin.

@@ -12,6 +12,9 @@
 //! frames · tool · targets · zero offsets 1 … n · tool orientation · link geometry 1 … n
 //! ```
 //!
+//! (where orientation is measured the tool's comes before the zero offsets; places that measurements
+//! refer to and that are not known, [`crate::effects::places`], before everything)
+//!
 //! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
 //! the last of those that make it up is held at zero: the last of the kind that has a good part in it, lest a zero
 //! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
@@ -40,10 +43,12 @@ use crate::effects::{
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
+use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;
 use super::estimator::fit_without_outliers;
+use super::observed;
 use super::outcome::NotIdentifiable;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
@@ -87,7 +92,9 @@ pub fn belongs(id: &str) -> bool {
 pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Vec<Term> {
     let mut terms = Vec::new();
     let of = |effect: &'static dyn Effect| exists(effect.about().id);
-    if of(&MeasuringFrame) {
+    if let Some(layer) = &problem.observed {
+        terms.extend(observed::terms(session, layer));
+    } else if of(&MeasuringFrame) {
         terms.extend(frames(session, problem));
     }
     if of(&ToolPosition) {
@@ -179,6 +186,9 @@ pub struct Fitted {
 pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let mut notes = Vec::new();
     problem.priors = priors(problem, start, weak, &mut notes);
+    let mut open = Vec::new();
+    let sized = observed::hold_size(problem, start, &mut open);
+    let start = &sized;
     let (mut model, mut held) = with_gauge(problem, start);
     let mut solution = solve(problem, &links_held(&model));
     solution = fit_without_outliers(problem, &with_held_of(&solution.model, &model));
@@ -227,6 +237,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         }
         solution = fit_without_outliers(problem, &solution.model);
     }
+    held.splice(0..0, open);
     Fitted {
         solution,
         held,
@@ -256,30 +267,36 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<String>)
         weak,
         aligned,
         targets_mm: session.instrument.targets_sigma_mm,
-        variance: stated_variance(session).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
+        variance: stated_variance(problem).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
         ..Priors::default()
     }
 }
 
 /// Variance of a coordinate of weight one, where the instrument's maker says.
-fn stated_variance(session: &Session) -> Option<f64> {
-    session.instrument.sigma_mm.map(|sigma| match sigma {
-        Sigma::Overall(sigma) => sigma * sigma,
-        Sigma::PerAxis(_) => 1.0,
-    })
+fn stated_variance(problem: &Problem) -> Option<f64> {
+    if let Some(layer) = &problem.observed {
+        return Some(layer.unit_mm * layer.unit_mm);
+    }
+    problem
+        .session
+        .instrument
+        .sigma_mm
+        .map(|sigma| match sigma {
+            Sigma::Overall(sigma) => sigma * sigma,
+            Sigma::PerAxis(_) => 1.0,
+        })
 }
 
 /// The same as the residuals show it: where something is missing they weigh less beside the priors.
 fn variance(problem: &Problem, solution: &Solution) -> f64 {
-    let rows = problem.samples() * problem.axes();
-    let freedom = rows.saturating_sub(solution.spectrum.rank());
+    let freedom = problem.rows().saturating_sub(solution.spectrum.rank());
     let shown = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
     } else {
         0.0
     };
     // With the noise known, rows are in units of it.
-    let least = match stated_variance(problem.session) {
+    let least = match stated_variance(problem) {
         Some(stated) if problem.noise.is_none() => stated,
         _ => 1e-12,
     };
@@ -336,15 +353,21 @@ fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
 /// and that in words. Links that are held altogether are left out.
 fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
     let names = coefficient_names(start);
-    let places = places(start);
+    let places = in_order(problem, start);
     let mut rows = columns(problem, start);
     add_targets(problem, start, &mut rows);
     let reach_mm = reach_mm(&start.robot);
+    observed::add_size(problem, start, reach_mm, &mut rows);
     let size = |place: &Place| if place.turns { reach_mm } else { 1.0 };
     let mut basis = Basis::new(rows.nrows());
     let mut terms = start.terms().to_vec();
     let mut held = Vec::new();
+    let open = observed::open(problem).base;
     for (rank, place) in places.iter().enumerate() {
+        if open && place.class == Class::Place {
+            // They carry the base, and the frame stands for them here.
+            continue;
+        }
         let column = rows.column(place.column).into_owned();
         let own = column.norm();
         let unit = if place.turns { 1e-3 } else { 1.0 };
@@ -397,6 +420,12 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
             },
         });
     }
+    let mut of_base = Vec::new();
+    let based = Model::new(start.robot.clone(), terms);
+    let mut terms = observed::with_base_held(problem, based, &mut of_base)
+        .terms()
+        .to_vec();
+    held.splice(0..0, of_base);
     terms.retain(|term| {
         let about = term.effect.about();
         let all_held = (0..term.coefficients.len()).all(|k| term.held.contains(k));
@@ -416,9 +445,11 @@ fn reach_mm(robot: &Robot) -> f64 {
 /// In this order columns are preferred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Class {
+    Place,
     Frame,
     Tool,
     Target,
+    ToolTurn,
     Zero,
     Turn,
     Link,
@@ -435,16 +466,20 @@ struct Place {
 }
 
 /// The coefficients of the base model that are not held, in the order of preference.
-fn places(model: &Model) -> Vec<Place> {
+fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
+    // Where orientation is measured, what the last joint shares with the tool belongs to the tool.
+    let attitude = problem.observed.as_ref().is_some_and(Layer::shows_attitude);
     let mut all = Vec::new();
     let mut first = 0;
     for (index, term) in model.terms().iter().enumerate() {
         let about = term.effect.about();
         let class = match about.role {
+            Role::Place => Some(Class::Place),
             Role::FreeFrame => Some(Class::Frame),
             Role::ToolPlace if term.setting == 0.0 => Some(Class::Tool),
             Role::ToolPlace => Some(Class::Target),
             Role::JointZero => Some(Class::Zero),
+            Role::ToolTurn if attitude => Some(Class::ToolTurn),
             Role::ToolTurn => Some(Class::Turn),
             Role::JointAxis => Some(Class::Link),
             Role::ToolRadius | Role::Candidate | Role::Unexplained => None,
@@ -472,6 +507,9 @@ fn places(model: &Model) -> Vec<Place> {
 /// The Jacobian on the samples that count, or on enough of them, mm; three rows a sample, those of
 /// an axis that was not measured zero.
 fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
+    if let Some(layer) = &problem.observed {
+        return observed::columns(layer, model, MOST_SAMPLES);
+    }
     let used: Vec<usize> = (0..problem.used.len())
         .filter(|i| problem.used[*i])
         .collect();
@@ -514,11 +552,12 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
         return;
     };
     let noise = match problem.session.instrument.sigma_mm {
+        _ if problem.observed.is_some() => stated_variance(problem).map_or(1.0, f64::sqrt),
         Some(Sigma::Overall(noise)) => noise,
         Some(Sigma::PerAxis(noise)) => noise.into_iter().fold(f64::INFINITY, f64::min),
         None => USUAL_NOISE_MM,
     };
-    let own: Vec<usize> = places(model)
+    let own: Vec<usize> = in_order(problem, model)
         .iter()
         .filter(|place| place.class == Class::Target)
         .map(|place| place.column)

@@ -108,9 +108,10 @@ pub fn identify_regional(
         levels: Vec::new(),
         expected: None,
         outliers: outliers(&after, suspected.iter().copied()),
-        left_out: left_out(session),
+        left_out: left_out(&problem),
         noise_mm: None,
         noise: None,
+        kinds: Vec::new(),
         quality: Quality {
             stopped: "solved directly",
             converged: true,

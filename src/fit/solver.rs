@@ -13,6 +13,7 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use crate::effects::Role;
 use crate::effects::block::Block;
 use crate::lanes::LANES;
 use crate::model::Model;
@@ -276,7 +277,8 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
         beside: vec![0.0; problem.beside.len()],
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    if blocks.len() <= 2 * COARSE_BLOCKS || start.count() == 0 {
+    let few = blocks.len() <= 2 * COARSE_BLOCKS || problem.observed.is_some();
+    if few || start.count() == 0 {
         return descend(problem, start, &blocks).0;
     }
     let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
@@ -381,6 +383,15 @@ fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> S
 fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal {
     let columns = state.count();
     let mut normal = Normal::new(columns);
+    if let Some(layer) = &problem.observed {
+        layer.visit(&state.model, true, |rows| {
+            rows.keep(&layer.used);
+            normal.add_rows(rows, sums);
+        });
+        normal.complete();
+        problem.priors.add(&state.model, &mut normal);
+        return normal;
+    }
     let mut whitening = Whitening::new(problem.noise.as_ref(), columns);
     let starts = blocks.iter().copied();
     state
@@ -471,6 +482,10 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
         }
         for k in 0..term.coefficients.len() {
             let turns = about.form.turns(k, model.robot.joints[term.joint].kind);
+            if about.role == Role::Place && !turns {
+                // A place may be as far off as it likes; only a turn is not linear.
+                continue;
+            }
             let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
             let size = step[own + k].abs();
             if size > most {

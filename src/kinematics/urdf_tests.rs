@@ -137,7 +137,7 @@ fn every_refusal_names_the_file_and_what_was_expected() {
         assert!(message.contains("expected"), "{message}");
     }
     let unknown = read(ARM, "wold", "tool").unwrap_err().to_string();
-    assert!(unknown.contains("no link 'wold' for the base; expected one of 'base'"));
+    assert!(unknown.contains("no link 'wold' for the base; expected one of 'world'"));
     let upside_down = read(ARM, "tool", "world").unwrap_err().to_string();
     assert!(upside_down.contains("no chain of joints from 'tool' to 'world'"));
     let still = read(ARM, "slide", "tool").unwrap_err().to_string();

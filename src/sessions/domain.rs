@@ -9,6 +9,7 @@ use nalgebra::Point3;
 
 use crate::kinematics::Robot;
 use crate::sessions::lines::Lines;
+use crate::sessions::references::{ObservedColumns, References};
 
 /// A reflector that the instrument sees, fixed in the tool frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,29 @@ pub struct Instrument {
     pub sigma_mm: Option<Sigma>,
     /// How well the targets' own places in the tool frame are known, mm; `None`: not at all.
     pub targets_sigma_mm: Option<f64>,
+    /// What a tracker's points come from, where it is known: then it replaces `sigma_mm`.
+    pub tracker: Option<Tracker>,
+    /// Noise of a measured orientation about each axis, rad.
+    pub sigma_orientation: Option<f64>,
+    /// Noise of a measured distance, mm.
+    pub sigma_distance_mm: Option<f64>,
+    /// Noise of a measured direction, rad.
+    pub sigma_direction: Option<f64>,
+    /// Noise of a touch, mm.
+    pub sigma_touch_mm: Option<f64>,
+    /// What measurements other than points refer to.
+    pub references: References,
+}
+
+/// A laser tracker: its noise is a length along the beam and an angle across it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tracker {
+    /// Noise of the range, mm.
+    pub sigma_range_mm: f64,
+    /// Noise of each angle, rad.
+    pub sigma_angle: f64,
+    /// Where the tracker stands in the measuring frame, mm.
+    pub position_mm: Point3<f64>,
 }
 
 /// How well the targets' own places are known where nobody says, mm.
@@ -48,6 +72,12 @@ impl Default for Instrument {
             name: String::new(),
             sigma_mm: None,
             targets_sigma_mm: Some(TARGETS_SIGMA_MM),
+            tracker: None,
+            sigma_orientation: None,
+            sigma_distance_mm: None,
+            sigma_direction: None,
+            sigma_touch_mm: None,
+            references: References::default(),
         }
     }
 }
@@ -98,6 +128,8 @@ pub struct Samples {
     pub z_mm: Option<Vec<f64>>,
     /// Measured orientation as w, x, y, z columns.
     pub orientation_wxyz: Option<[Vec<f64>; 4]>,
+    /// Measurements other than points: distances, directions, touches, sockets.
+    pub observed: ObservedColumns,
     /// Index into the session's targets; `None`: all samples see the first.
     pub target: Option<Vec<u32>>,
     /// Side from which each joint came: +1 moving positive, −1, 0 unknown.
@@ -132,6 +164,11 @@ impl Samples {
         self.x_mm.len()
     }
 
+    /// Number of coordinates that a point of this session has: two in a planar one.
+    pub fn axes(&self) -> usize {
+        if self.z_mm.is_some() { 3 } else { 2 }
+    }
+
     /// Whether there is no sample at all (a valid session has one).
     pub fn is_empty(&self) -> bool {
         self.x_mm.is_empty()
@@ -145,8 +182,8 @@ impl Samples {
             .collect()
     }
 
-    /// Samples without a commanded value or a measured x or y: they are kept, but no fit can use
-    /// them.
+    /// Samples without a commanded value, or with nothing measured: they are kept, but no fit can
+    /// use them.
     pub fn incomplete(&self) -> Vec<usize> {
         let mut columns = self.q.iter().chain([&self.x_mm, &self.y_mm]);
         if !columns.any(|column| has_missing(column)) {
@@ -154,12 +191,34 @@ impl Samples {
         }
         (0..self.len())
             .filter(|&i| {
-                let commanded = self.q.iter().map(|q| q[i]);
-                commanded
-                    .chain([self.x_mm[i], self.y_mm[i]])
-                    .any(f64::is_nan)
+                let point = self.coordinates(i).iter().any(|v| !v.is_nan());
+                let measured = point || self.observed.has(i) || self.is_turned(i);
+                self.q.iter().any(|q| q[i].is_nan()) || !measured
             })
             .collect()
+    }
+
+    /// Samples of whose point some coordinates were measured and others not.
+    pub fn partly_measured(&self) -> Vec<usize> {
+        let axes = self.axes();
+        (0..self.len())
+            .filter(|&i| {
+                let own = &self.coordinates(i)[..axes];
+                own.iter().any(|v| v.is_nan()) && own.iter().any(|v| !v.is_nan())
+            })
+            .collect()
+    }
+
+    /// The coordinates of a sample; NaN where one is missing.
+    pub(crate) fn coordinates(&self, sample: usize) -> [f64; 3] {
+        let z = self.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
+        [self.x_mm[sample], self.y_mm[sample], z]
+    }
+
+    /// Whether a sample has a measured orientation.
+    pub(crate) fn is_turned(&self, sample: usize) -> bool {
+        let parts = self.orientation_wxyz.as_ref();
+        parts.is_some_and(|parts| parts.iter().all(|part| !part[sample].is_nan()))
     }
 }
 

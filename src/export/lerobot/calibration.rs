@@ -180,7 +180,7 @@ mod tests {
             ("-14", "-14.5", "a whole number"),
             ("1015", "\"1015\"", "shoulder_pan.range_min"),
             ("1015", "4000", "from the smaller"),
-            ("{\"id\": 6", "[{\"id\": 6", "line 3"),
+            ("{\"id\": 6", "[{\"id\": 6", "line 4, column 1"),
         ] {
             let wrong = FILE.replacen(from, to, 1);
             let message = read_calibration(wrong.as_bytes(), "arm.json")

@@ -69,7 +69,7 @@ fn every_refusal_names_the_file_its_line_and_what_was_expected() {
         (with("zyx", "zyw"), "eulerseq"),
         (
             with("childclass=\"sliding\"", "childclass=\"gone\""),
-            "line 12",
+            "line 14, column 11: a default class 'gone'",
         ),
         (with("axis=\"0 0 2\"", "axis=\"0 0 0\""), "zero length"),
         (with("axis=\"0 0 2\"", "type=\"ball\""), "a ball joint"),

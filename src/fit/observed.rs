@@ -1,0 +1,226 @@
+//! What the fit of other measurements than points needs beside that of points: where it begins, what
+//! the measurements leave open, and their rows.
+
+use nalgebra::DMatrix;
+
+use crate::effects::places::PlaceKind;
+use crate::effects::{Held, MeasuringFrame, Role, Term, ToolOrientation};
+use crate::model::Model;
+use crate::observations::figures::{KindFigures, by_kind};
+use crate::observations::gauge::Open;
+use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
+use crate::sessions::Session;
+
+use super::outcome::NotIdentifiable;
+use super::priors::key;
+use super::problem::Problem;
+use super::unidentifiable::coefficient_names;
+
+/// Frames, places and the turn of the tool of a robot with several joints.
+pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
+    let nominal = Model::nominal(session.robot.clone());
+    let mut terms = frames(session, layer, &nominal);
+    let placed = Model::new(session.robot.clone(), terms.clone());
+    terms.extend(start::unknown_places(layer, &placed));
+    if layer.shows_attitude() {
+        let mut turn = Term::absent(&ToolOrientation, 0, 0.0);
+        turn.coefficients = start::tool_turn(layer, &placed).to_vec();
+        terms.push(turn);
+    }
+    terms
+}
+
+/// The same beside effects that somebody chose: frames only where the session has setups.
+pub(super) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
+    let nominal = Model::nominal(session.robot.clone());
+    let mut terms = Vec::new();
+    if session.samples.setups.is_some() || gauge::open(layer).base {
+        terms = frames(session, layer, &nominal);
+    }
+    let placed = Model::new(session.robot.clone(), terms.clone());
+    terms.extend(start::unknown_places(layer, &placed));
+    terms
+}
+
+/// A frame for each setup, or the one of the instrument.
+fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
+    let setups = session.samples.setups.as_ref();
+    let open = gauge::open(layer).base;
+    let frame = |setup: usize| {
+        let inside = |i: usize| setups.is_none_or(|s| s.index[i] as usize == setup);
+        let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
+        term.label = setups.map(|s| s.names[setup].as_str().into());
+        let motion = (!open).then(|| start::frame(layer, nominal, inside));
+        if let Some(motion) = motion.flatten() {
+            let turn = motion.rotation.scaled_axis();
+            let shift = motion.translation.vector;
+            term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
+        }
+        term
+    };
+    let count = setups.map_or(1, |s| s.names.len());
+    (0..count).map(frame).collect()
+}
+
+/// The places of a model and nothing else: the nominal robot beside what its measurements refer to.
+pub(super) fn places_alone(model: &Model) -> Model {
+    model.without(|term| PlaceKind::of(term).is_none())
+}
+
+/// What the kinds of measurement leave open whatever the poses are; nothing for plain points.
+pub(super) fn open(problem: &Problem) -> Open {
+    problem
+        .observed
+        .as_ref()
+        .map(gauge::open)
+        .unwrap_or_default()
+}
+
+/// Holds a size that no measurement shows by the priors, and says so.
+pub(super) fn hold_size(
+    problem: &mut Problem,
+    model: &Model,
+    said: &mut Vec<NotIdentifiable>,
+) -> Model {
+    let Some(layer) = problem.observed.as_ref().filter(|_| open(problem).size) else {
+        return model.clone();
+    };
+    let model = if model.robot.joints.len() == 1 {
+        with_length_held(model)
+    } else {
+        model.clone()
+    };
+    let usual = problem.priors.usual(&model, !open(problem).base);
+    let size = gauge::size(layer, &model, &usual);
+    let of = size.as_ref().map_or(String::new(), |size| {
+        let percent = 100.0 * size.sigma;
+        format!(" (known to about {percent:.2} % from what is usual for links)")
+    });
+    said.push(NotIdentifiable {
+        combination: "overall size: all lengths of the robot and of the places together".to_owned(),
+        because: format!(
+            "directions, touches and sockets show no length: the nominal size is kept{of}; one known \
+             length sets it, a distance between two sockets or a second known station"
+        ),
+    });
+    problem.priors.size = size.map_or(Vec::new(), |size| {
+        let coefficients = model.terms().iter().flat_map(|term| {
+            let own = 0..term.coefficients.len();
+            own.map(move |k| key(term, k))
+        });
+        let weighed = coefficients.zip(size.weights);
+        weighed.filter(|own| own.1 != 0.0).collect()
+    });
+    model
+}
+
+/// The model with its frames held where the base is open, and that in words: the places carry it.
+pub(super) fn with_base_held(
+    problem: &Problem,
+    model: Model,
+    said: &mut Vec<NotIdentifiable>,
+) -> Model {
+    if !open(problem).base {
+        return model;
+    }
+    let names = coefficient_names(&model);
+    let mut terms = model.terms().to_vec();
+    let mut first = 0;
+    for term in &mut terms {
+        let own = names[first..].iter().take(term.coefficients.len());
+        first += term.coefficients.len();
+        if term.effect.about().role != Role::FreeFrame {
+            continue;
+        }
+        for (k, name) in own.enumerate() {
+            if term.held.contains(k) {
+                continue;
+            }
+            term.coefficients[k] = 0.0;
+            term.held = term.held.with(k);
+            said.push(NotIdentifiable {
+                combination: name.clone(),
+                because: "the base is open: what was measured refers to places that are not known, and \
+                          does not say where the robot stands; it is held where it is, and the places \
+                          carry it"
+                    .to_owned(),
+            });
+        }
+    }
+    Model::new(model.robot.clone(), terms)
+}
+
+fn with_length_held(model: &Model) -> Model {
+    let terms = model.terms().iter().map(|term| {
+        let mut term = term.clone();
+        if term.effect.about().role == Role::ToolRadius {
+            term.held = Held::default().with(0);
+        }
+        term
+    });
+    Model::new(model.robot.clone(), terms.collect())
+}
+
+/// The size that the priors hold, as a row beside the columns of a Jacobian in mm.
+pub(super) fn add_size(problem: &Problem, model: &Model, reach_mm: f64, rows: &mut DMatrix<f64>) {
+    // Where the base is open the rows are those of points, which show lengths.
+    if problem.priors.size.is_empty() || open(problem).base {
+        return;
+    }
+    let weight = reach_mm * (rows.nrows() as f64).sqrt();
+    let first = rows.nrows();
+    let wider = std::mem::replace(rows, DMatrix::zeros(0, 0));
+    *rows = wider.insert_row(first, 0.0);
+    for (k, own) in problem.priors.size_row(model).into_iter().enumerate() {
+        rows[(first, k)] = weight * own;
+    }
+}
+
+/// The Jacobian of the observations that count, or of about `most` of them. Where the base is open, a
+/// column of the robot is seen beside any motion of the whole: then the targets themselves stand for
+/// what unknown places measure of them, and the frame for the places.
+pub(super) fn columns(layer: &Layer, model: &Model, most: usize) -> DMatrix<f64> {
+    let open = gauge::open(layer).base;
+    let count = layer.used.iter().filter(|used| **used).count();
+    let mut kept = layer.used.clone();
+    let mut seen = 0;
+    for used in kept.iter_mut().filter(|used| **used) {
+        // Evenly: one stays wherever k·most/count steps on.
+        *used = count <= most || (seen + 1) * most / count > seen * most / count;
+        seen += 1;
+    }
+    let mut all: Vec<Vec<f64>> = vec![Vec::new(); model.coefficient_count()];
+    layer.visit(model, true, |block: &mut RowBlock| {
+        block.keep(&kept);
+        for (lane, item) in block.items.iter().enumerate() {
+            let looks = item.map(|item| KINDS[layer.items[item].kind].about().looks);
+            if open && looks != Some(Looks::AtAttitude) {
+                continue;
+            }
+            for axis in (0..3).filter(|axis| block.rows[*axis][lane]) {
+                for (own, column) in all.iter_mut().zip(&block.columns) {
+                    own.push(column[axis][lane]);
+                }
+            }
+        }
+    });
+    if open {
+        layer.visit_points(model, |item, _, columns| {
+            if kept[item] {
+                for axis in 0..3 {
+                    for (own, column) in all.iter_mut().zip(columns) {
+                        own.push(column[axis]);
+                    }
+                }
+            }
+        });
+    }
+    let rows = all.first().map_or(0, Vec::len);
+    DMatrix::from_fn(rows, all.len(), |row, column| all[column][row])
+}
+
+/// Errors by kind, where more than plain points was measured.
+pub(super) fn figures(problem: &Problem, before: &Model, after: &Model) -> Vec<KindFigures> {
+    let layer = problem.observed.as_ref();
+    layer.map_or(Vec::new(), |layer| by_kind(layer, before, after))
+}
