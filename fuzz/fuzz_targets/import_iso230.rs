@@ -4,6 +4,5 @@
 mod importing;
 
 use libfuzzer_sys::fuzz_target;
-use truepose::importers::Kind;
 
-fuzz_target!(|data: &[u8]| importing::import_any(Kind::Iso230, data));
+fuzz_target!(|data: &[u8]| importing::import_any("iso230", data));

@@ -4,6 +4,5 @@
 mod importing;
 
 use libfuzzer_sys::fuzz_target;
-use truepose::importers::Kind;
 
-fuzz_target!(|data: &[u8]| importing::import_any(Kind::Tum, data));
+fuzz_target!(|data: &[u8]| importing::import_any("tum", data));

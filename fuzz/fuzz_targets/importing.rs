@@ -1,7 +1,7 @@
 //! Imports any bytes; a session that comes of it is written and read again.
 
 use truepose::importers::{
-    AngleUnit, Companion, Decimal, Kind, LengthUnit, Matching, Motion, Reading, Settings, import, inspect,
+    AngleUnit, Companion, Decimal, LengthUnit, Matching, Motion, Reading, Settings, find, import, inspect,
 };
 use truepose::sessions::{parse, parse_robot, write_inline};
 
@@ -13,14 +13,14 @@ const COMMANDS: &[u8] = b"name,q1_deg,time_s\nA,0,0\nB,10,1\nA,20,2\nP1,30,3\n1,
 
 /// The first byte chooses what a person would have said; a zero byte in between starts a second
 /// file, of commands or of reference points.
-pub fn import_any(kind: Kind, data: &[u8]) {
+pub fn import_any(kind: &str, data: &[u8]) {
     let Some((&choice, bytes)) = data.split_first() else {
         return;
     };
     let robot = parse_robot(ROBOT).expect("a sound robot").robot;
     let said = choice & 1 != 0;
     let reading = Reading {
-        kind: (choice & 128 == 0).then_some(kind),
+        kind: (choice & 128 == 0).then(|| find(kind)).flatten(),
         unit: said.then_some(LengthUnit::Millimetres),
         angle_unit: said.then_some(AngleUnit::Degrees),
         decimal: (choice & 2 != 0).then_some(Decimal::Comma),

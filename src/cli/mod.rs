@@ -12,6 +12,7 @@ mod geometry;
 mod identify;
 mod import;
 mod output;
+mod own_options;
 mod plan;
 mod report;
 mod simulate;

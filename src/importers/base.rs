@@ -7,7 +7,7 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::beside::points_of;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::csv;
+use crate::importers::formats::csv;
 use crate::importers::matching::{self, Matching, listed};
 use crate::importers::reference::{Alignment, Landmark, align};
 use crate::importers::session::Job;

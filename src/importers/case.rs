@@ -24,7 +24,10 @@ const SHOWN_NAMES: usize = 100;
 
 /// See the module.
 pub(crate) struct Case<'a> {
+    /// The file as text; empty where it is none.
     pub(crate) text: &'a str,
+    /// The file as it is.
+    pub(crate) bytes: &'a [u8],
     pub(crate) reading: &'a Reading,
     pub(crate) place: Place,
     pub(crate) found: Inspection,
@@ -193,7 +196,11 @@ impl<'a> Case<'a> {
                 })
             })
             .collect();
-        Some(Columns { list, lines })
+        Some(Columns {
+            list,
+            lines,
+            commands: None,
+        })
     }
 
     /// Two columns for one quantity: only a person can say which is meant.
