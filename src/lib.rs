@@ -50,6 +50,8 @@ pub mod effects;
 
 pub mod model;
 
+pub mod observations;
+
 pub mod fit;
 pub mod simulation;
 

@@ -14,6 +14,7 @@ use truepose::sessions::Session;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
+use super::kinds::{self, KindRow};
 use super::{geometry, output};
 
 /// Identify a session's robot: the exact fit, or the paper's method by regions
@@ -148,6 +149,8 @@ struct Answer<'a> {
     parameters: Option<Vec<ParameterRow>>,
     not_identifiable: Vec<NotIdentifiableRow<'a>>,
     gap: GapRow,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    kinds: Vec<KindRow>,
     #[serde(skip_serializing_if = "Option::is_none")]
     held_out: Option<HeldOutRow>,
     outliers: Vec<OutlierRow>,
@@ -189,6 +192,8 @@ struct ParameterRow {
     setup: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     target: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<String>,
     name: &'static str,
     value: f64,
     ci95: Option<[f64; 2]>,
@@ -255,6 +260,7 @@ impl<'a> Answer<'a> {
             joint: p.joint,
             setup: p.setup.clone(),
             target: p.target.clone(),
+            place: p.place.clone(),
             name: p.name,
             value: p.value,
             ci95: p.ci95,
@@ -297,6 +303,7 @@ impl<'a> Answer<'a> {
             parameters: (answer.method == "exact").then(|| parameters.collect()),
             not_identifiable: not_identifiable.collect(),
             gap: GapRow::new(&answer.gap),
+            kinds: kinds::rows(&answer.kinds),
             held_out: answer.held_out.as_ref().map(|gap| HeldOutRow {
                 samples: gap.samples,
                 gap: GapRow::new(gap),
@@ -338,6 +345,7 @@ fn in_words(answer: &Identification, session: &Session) -> String {
             held_out.before.rms_mm, held_out.after.rms_mm, held_out.samples
         );
     }
+    text += &kinds::in_words(&answer.kinds);
     let arm = geometry::is_of_an_arm(&answer.parameters);
     if arm {
         text += &format!("\n{}", geometry::table(&answer.parameters));
@@ -413,7 +421,7 @@ fn in_words(answer: &Identification, session: &Session) -> String {
 
 /// A row of the table of parameters.
 fn parameter_row(p: &Estimate) -> String {
-    let joint = match (&p.setup, p.joint) {
+    let joint = match (p.setup.as_ref().or(p.place.as_ref()), p.joint) {
         (Some(setup), _) => setup.clone(),
         (None, Some(joint)) => joint.to_string(),
         (None, None) => "-".to_owned(),

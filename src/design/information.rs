@@ -207,7 +207,7 @@ fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
                 continue;
             }
             let settings: Vec<f64> = match about.setting {
-                Setting::None | Setting::Setup | Setting::Target => vec![0.0],
+                Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![0.0],
                 Setting::Order { to, .. } if to > 6 && ranges.len() == 1 => ORDERS.to_vec(),
                 Setting::Order { from, to } => {
                     let most = if ranges.len() > 1 { from } else { to };

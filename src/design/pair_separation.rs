@@ -262,7 +262,7 @@ fn settings_of(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -
     let robot = &prepared.problem.session.robot;
     let range = &super::candidate_poses::ranges(robot, Some(&prepared.problem.inputs))[joint];
     let settings: Vec<f64> = match effect.about().setting {
-        Setting::None | Setting::Setup | Setting::Target => vec![0.0],
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![0.0],
         Setting::Order { from, to } => (from..=to.min(6)).map(f64::from).collect(),
         Setting::Fade => vec![0.03 * (range.to - range.from)],
         Setting::Time => {

@@ -144,7 +144,7 @@ fn scanned_terms(regression: &Regression, fit: &Fit) -> Vec<Scanned> {
         // A fade is a coefficient like others: every fold's fit moves it.
         let scanned = !matches!(
             about.setting,
-            Setting::None | Setting::Setup | Setting::Target | Setting::Fade
+            Setting::None | Setting::Setup | Setting::Target | Setting::Place | Setting::Fade
         );
         if scanned {
             let same = |i: &usize| {

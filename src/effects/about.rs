@@ -86,6 +86,8 @@ pub enum Setting {
     Fade,
     /// Which measuring frame (counted from 0); not a parameter of the robot.
     Setup,
+    /// Which place that measurements refer to (counted from 0); not a parameter of the robot.
+    Place,
     /// Which target's own part: 0 for what all of them share, else the target counted from 1.
     Target,
 }

@@ -96,7 +96,7 @@ impl Effect for MeasuringFrame {
 }
 
 /// Exchanges a rotation vector of more than half a turn for the shorter one of the same rotation.
-pub(super) fn unwind(coefficients: &mut [f64]) {
+pub(crate) fn unwind(coefficients: &mut [f64]) {
     use std::f64::consts::{PI, TAU};
     let omega = [coefficients[0], coefficients[1], coefficients[2]];
     let angle = crate::lanes::dot(omega, omega).sqrt();
@@ -110,13 +110,13 @@ pub(super) fn unwind(coefficients: &mut [f64]) {
 }
 
 /// Rotation matrix of a rotation vector, by rows (Rodrigues).
-pub(super) fn rotation(omega: [f64; 3]) -> [[f64; 3]; 3] {
+pub(crate) fn rotation(omega: [f64; 3]) -> [[f64; 3]; 3] {
     let (a, b, _) = rodrigues_factors(omega);
     from_factors(omega, 1.0, a, b)
 }
 
 /// Left Jacobian of SO(3), by rows: `1 + b [ω] + c [ω]²`.
-pub(super) fn left_jacobian(omega: [f64; 3]) -> [[f64; 3]; 3] {
+pub(crate) fn left_jacobian(omega: [f64; 3]) -> [[f64; 3]; 3] {
     let (_, b, c) = rodrigues_factors(omega);
     from_factors(omega, 1.0, b, c)
 }

@@ -38,7 +38,7 @@ mod link_droop;
 mod link_geometry;
 mod link_length;
 mod lost_motion;
-mod measuring_frame;
+pub(crate) mod measuring_frame;
 mod thermal_growth;
 mod thermal_zero_drift;
 mod tool_lateral_offset;
@@ -47,6 +47,8 @@ mod tool_position;
 mod tracking_lag;
 mod unexplained;
 mod wrist_coupling;
+
+use crate::observations::places::{UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
 
 pub use about::{About, Form, Over, Quantity, Setting, Stage};
 pub use curve::Curve;
@@ -110,6 +112,10 @@ pub const BESIDE_THE_CATALOGUE: &[&dyn Effect] = &[
     &ToolOrientation,
     &ToolPosition,
     &LinkGeometry,
+    &UnknownAnchor,
+    &UnknownStation,
+    &UnknownPlane,
+    &UnknownSocket,
     &Unexplained,
 ];
 

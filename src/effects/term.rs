@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::kinematics::{JointKind, Range, Robot};
+use crate::observations::places::PlaceKind;
 use crate::units::wrapped_positive;
 
 use super::about::{DEGREE, Form, MILLIRADIAN, Quantity, Setting};
@@ -264,7 +265,12 @@ impl Term {
                 *coefficient += by;
             }
         }
-        if self.effect.about().setting == Setting::Setup {
+        let free_turn = match self.effect.about().setting {
+            Setting::Setup => true,
+            Setting::Place => PlaceKind::of(self) == Some(PlaceKind::Station),
+            _ => false,
+        };
+        if free_turn && !held.contains(0) {
             super::measuring_frame::unwind(&mut self.coefficients);
         }
         if let (Form::Fading(_), Some(by)) = (self.effect.about().form, by.get(1)) {
@@ -334,7 +340,7 @@ pub(super) fn fade(setting: f64, u: f64) -> f64 {
 pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
     let quantity = |name, inner| Some(Quantity { name, inner });
     match setting {
-        Setting::None | Setting::Setup | Setting::Target => None,
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
         Setting::Order { .. } => quantity("order", 1.0),
         Setting::Time => quantity("time_s", 1.0),
         Setting::Fade => quantity("fade_deg", DEGREE),
@@ -386,7 +392,7 @@ fn check_setting(effect: &dyn Effect, name: &'static str, given: f64) -> Result<
         }
         Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
         Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),
-        Setting::None | Setting::Setup | Setting::Target => None,
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
     };
     match expected {
         Some(expected) => Err(TermError::OutOfRange {

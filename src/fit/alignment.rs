@@ -17,6 +17,11 @@ pub fn best_rigid_motion(
     let z_mm = samples.z_mm.as_ref()?;
     let pairs: Vec<(Vector3<f64>, Vector3<f64>)> = (0..samples.len())
         .filter(|i| counts(*i))
+        .filter(|i| {
+            ![samples.x_mm[*i], samples.y_mm[*i], z_mm[*i]]
+                .iter()
+                .any(|v| v.is_nan())
+        })
         .map(|i| {
             let measured = Vector3::new(samples.x_mm[i], samples.y_mm[i], z_mm[i]);
             (Vector3::from(predicted.get(i)), measured)

@@ -40,10 +40,12 @@ use crate::effects::{
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
+use crate::observations::places::{self, PlaceKind};
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;
 use super::estimator::fit_without_outliers;
+use super::observed;
 use super::outcome::NotIdentifiable;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
@@ -100,7 +102,9 @@ pub fn belongs(id: &str) -> bool {
 pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Vec<Term> {
     let mut terms = Vec::new();
     let of = |effect: &'static dyn Effect| exists(effect.about().id);
-    if of(&MeasuringFrame) {
+    if let Some(layer) = &problem.observed {
+        terms.extend(observed::terms(session, layer));
+    } else if of(&MeasuringFrame) {
         terms.extend(frames(session, problem));
     }
     if of(&ToolPosition) {
@@ -192,6 +196,9 @@ pub struct Fitted {
 pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let mut notes = Vec::new();
     problem.priors = priors(problem, start, weak, &mut notes);
+    let mut open = Vec::new();
+    let opened = observed::with_open_held(problem, start, &mut open);
+    let start = &opened;
     let (mut model, mut held) = with_gauge(problem, start);
     let mut solution = solve(problem, &links_held(&model));
     solution = fit_without_outliers(problem, &with_held_of(&solution.model, &model));
@@ -240,6 +247,7 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
         }
         solution = fit_without_outliers(problem, &solution.model);
     }
+    held.splice(0..0, open);
     Fitted {
         solution,
         held,
@@ -269,30 +277,36 @@ fn priors(problem: &Problem, start: &Model, weak: bool, notes: &mut Vec<String>)
         weak,
         aligned,
         targets_mm: session.instrument.targets_sigma_mm,
-        variance: stated_variance(session).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
+        variance: stated_variance(problem).unwrap_or(USUAL_NOISE_MM * USUAL_NOISE_MM),
         ..Priors::default()
     }
 }
 
 /// Variance of a coordinate of weight one, where the instrument's maker says.
-fn stated_variance(session: &Session) -> Option<f64> {
-    session.instrument.sigma_mm.map(|sigma| match sigma {
-        Sigma::Overall(sigma) => sigma * sigma,
-        Sigma::PerAxis(_) => 1.0,
-    })
+fn stated_variance(problem: &Problem) -> Option<f64> {
+    if let Some(layer) = &problem.observed {
+        return Some(layer.unit_mm * layer.unit_mm);
+    }
+    problem
+        .session
+        .instrument
+        .sigma_mm
+        .map(|sigma| match sigma {
+            Sigma::Overall(sigma) => sigma * sigma,
+            Sigma::PerAxis(_) => 1.0,
+        })
 }
 
 /// The same as the residuals show it: where something is missing they weigh less beside the priors.
 fn variance(problem: &Problem, solution: &Solution) -> f64 {
-    let rows = problem.samples() * problem.axes();
-    let freedom = rows.saturating_sub(solution.spectrum.rank());
+    let freedom = problem.rows().saturating_sub(solution.spectrum.rank());
     let shown = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
     } else {
         0.0
     };
     // With the noise known, rows are in units of it.
-    let least = match stated_variance(problem.session) {
+    let least = match stated_variance(problem) {
         Some(stated) if problem.noise.is_none() => stated,
         _ => 1e-12,
     };
@@ -349,10 +363,11 @@ fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
 /// and that in words. Links that are held altogether are left out.
 fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
     let names = coefficient_names(start);
-    let places = places(start);
+    let places = in_order(start);
     let mut rows = columns(problem, start);
     add_targets(problem, start, &mut rows);
     let reach_mm = reach_mm(&start.robot);
+    observed::add_size(problem, start, reach_mm, &mut rows);
     let size = |place: &Place| if place.turns { reach_mm } else { 1.0 };
     let mut basis = Basis::new(rows.nrows());
     let mut terms = start.terms().to_vec();
@@ -433,7 +448,7 @@ pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
     let noise = problem.priors.variance.sqrt() * unit;
     let mut basis = Basis::new(rows.nrows());
     let mut terms = model.terms().to_vec();
-    for (rank, place) in places(model).into_iter().enumerate() {
+    for (rank, place) in in_order(model).into_iter().enumerate() {
         let term = &terms[place.term];
         if term.held.contains(place.coefficient) {
             continue;
@@ -463,6 +478,7 @@ fn reach_mm(robot: &Robot) -> f64 {
 /// In this order columns are preferred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Class {
+    Place,
     Frame,
     Tool,
     Target,
@@ -482,11 +498,13 @@ struct Place {
 }
 
 /// The coefficients of the base model that are not held, in the order of preference.
-fn places(model: &Model) -> Vec<Place> {
+fn in_order(model: &Model) -> Vec<Place> {
     let mut all = Vec::new();
     let mut first = 0;
     for (index, term) in model.terms().iter().enumerate() {
+        let place = PlaceKind::of(term);
         let class = match term.effect.about().id {
+            _ if place.is_some() => Some(Class::Place),
             "measuring-frame" => Some(Class::Frame),
             "tool-position" if term.setting == 0.0 => Some(Class::Tool),
             "tool-position" => Some(Class::Target),
@@ -500,6 +518,7 @@ fn places(model: &Model) -> Vec<Place> {
                 Some(Class::Frame) => coefficient < 3,
                 Some(Class::Link) => coefficient >= 2,
                 Some(Class::Turn) => true,
+                Some(Class::Place) => place.is_some_and(|kind| places::turns(kind, coefficient)),
                 Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
                 _ => false,
             };
@@ -523,6 +542,9 @@ fn places(model: &Model) -> Vec<Place> {
 /// The Jacobian on the samples that count, or on enough of them, mm; three rows a sample, those of
 /// an axis that was not measured zero.
 fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
+    if let Some(layer) = &problem.observed {
+        return observed::columns(layer, model, MOST_SAMPLES);
+    }
     let used: Vec<usize> = (0..problem.used.len())
         .filter(|i| problem.used[*i])
         .collect();
@@ -565,11 +587,12 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
         return;
     };
     let noise = match problem.session.instrument.sigma_mm {
+        _ if problem.observed.is_some() => stated_variance(problem).map_or(1.0, f64::sqrt),
         Some(Sigma::Overall(noise)) => noise,
         Some(Sigma::PerAxis(noise)) => noise.into_iter().fold(f64::INFINITY, f64::min),
         None => USUAL_NOISE_MM,
     };
-    let own: Vec<usize> = places(model)
+    let own: Vec<usize> = in_order(model)
         .iter()
         .filter(|place| place.class == Class::Target)
         .map(|place| place.column)

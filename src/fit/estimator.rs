@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Term;
 use crate::model::Model;
+use crate::observations::figures::judge;
 
 use super::gap::deviations;
 use super::noise::Noise;
@@ -29,6 +30,9 @@ const STRETCHES: usize = 25;
 /// Fits the coefficients of `start`. The problem leaves with its outliers out and its noise known.
 pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
     let mut solution = solve(problem, start);
+    if problem.observed.is_some() {
+        return of_all_kinds(problem, solution);
+    }
     for round in 0..MOST_ROUNDS {
         if solution.stopped == Stopped::Cancelled {
             break;
@@ -63,6 +67,26 @@ pub fn fit_without_outliers(problem: &mut Problem, start: &Model) -> Solution {
         if first && open && !problem.priors.weak {
             solution = solve(problem, start);
         }
+    }
+    solution = without_negative_sizes(problem, solution);
+    solution.model = solution.model.settled();
+    solution
+}
+
+/// The same where more than plain points was measured: every kind has its own noise and its own
+/// outliers.
+fn of_all_kinds(problem: &mut Problem, mut solution: Solution) -> Solution {
+    for _ in 0..MOST_ROUNDS {
+        let Some(layer) = problem.observed.as_mut() else {
+            break;
+        };
+        let rank = solution.spectrum.rank();
+        if solution.stopped == Stopped::Cancelled || !judge(layer, &solution.model, rank) {
+            break;
+        }
+        let used = layer.samples_with(&layer.used);
+        problem.used = used;
+        solution = solve(problem, &solution.model);
     }
     solution = without_negative_sizes(problem, solution);
     solution.model = solution.model.settled();

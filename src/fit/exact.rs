@@ -10,6 +10,7 @@ use crate::effects::{
     CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, Setting, Survey, Term, find,
 };
 use crate::model::Model;
+use crate::observations::places::PlaceKind;
 use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;
@@ -21,7 +22,7 @@ use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::{name_on_joint, undetermined_combinations};
-use super::{alignment, base_model, scan};
+use super::{alignment, base_model, observed, scan};
 
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
@@ -165,7 +166,7 @@ pub(super) fn prepare<'a>(
     values: JointValues,
     go_on: &'a dyn Fn() -> bool,
 ) -> Result<Prepared<'a>, IdentifyError> {
-    let mut problem = Problem::new(session, values);
+    let mut problem = Problem::observing(session, values);
     problem.watch = Watch::by(go_on);
     if problem.samples() == 0 {
         return Err(IdentifyError::NothingToFit);
@@ -204,10 +205,14 @@ pub(super) fn prepare<'a>(
         let known = |id: &str| terms.iter().any(|t: &Term| t.effect.about().id == id);
         let new = base_model::terms(session, &problem, |id| !known(id));
         terms.extend(new);
+    } else if let Some(layer) = &problem.observed {
+        terms.extend(observed::terms_beside(session, layer));
     } else {
         terms.extend(free_frames(session, &problem));
     }
     let nominal = Model::nominal(session.robot.clone());
+    let base = base || problem.observed.is_some();
+    let placed = observed::places_alone(&Model::new(session.robot.clone(), terms.clone()));
     let start = scan::with_best_settings(&problem, &nominal, terms);
     let start = known
         .iter()
@@ -215,7 +220,7 @@ pub(super) fn prepare<'a>(
     Ok(Prepared {
         problem,
         start,
-        nominal,
+        nominal: placed,
         not_identifiable,
         base: base.then_some(true),
     })
@@ -266,8 +271,9 @@ pub fn report(
         }),
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
         outliers: outliers(&after, suspected.iter().copied()),
-        left_out: left_out(session),
+        left_out: left_out(problem),
         noise_mm: noise_by_axis(problem, &after, rank),
+        kinds: observed::figures(problem, nominal, &solution.model),
         noise: problem.noise.clone(),
         quality: Quality {
             stopped: solution.stopped.says(),
@@ -326,6 +332,9 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
 }
 
 fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[f64; 3]> {
+    if problem.observed.is_some() {
+        return None;
+    }
     let n = problem.samples();
     let lost = rank as f64 / problem.axes().max(1) as f64;
     let freedom = n as f64 - lost;
@@ -344,6 +353,8 @@ pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f
     let freedom = freedom(problem, solution);
     let variance = if freedom > 0 {
         solution.cost.max(0.0) / freedom as f64
+    } else if let Some(layer) = &problem.observed {
+        layer.unit_mm * layer.unit_mm
     } else {
         // The weights are those of the noise as it was estimated, or of none.
         let unit = match problem.session.instrument.sigma_mm? {
@@ -381,8 +392,7 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
 
 /// Measured coordinates beyond what the fit follows.
 fn freedom(problem: &Problem, solution: &Solution) -> usize {
-    let m = problem.samples() * problem.axes();
-    m.saturating_sub(solution.spectrum.rank())
+    problem.rows().saturating_sub(solution.spectrum.rank())
 }
 
 /// The parameters of every term of a solution, term by term.
@@ -408,6 +418,11 @@ pub fn parameters_of(
             .collect();
         let kind = solution.model.robot.joints[term.joint].kind;
         let mut own = estimates(term, own.as_ref(), factor, &undetermined, kind);
+        if PlaceKind::of(term).is_some_and(|kind| kind != PlaceKind::Plane) {
+            // What the session states of a place is no answer.
+            let mut k = 0..size;
+            own.retain(|_| !k.next().is_some_and(|k| term.held.contains(k)));
+        }
         for estimate in &mut own {
             if term.effect.about().setting == Setting::Time && estimate.name == "time_s" {
                 estimate.ci95 = times_around(problem, term.setting);
@@ -458,10 +473,15 @@ pub(crate) fn outliers(after: &Deviations, stands_out: impl Iterator<Item = bool
     outliers
 }
 
-pub(super) fn left_out(session: &Session) -> Vec<LeftOut> {
-    let samples = 0..session.samples.len();
-    let left_out = samples
-        .filter_map(|sample| unusable(session, sample).map(|because| LeftOut { sample, because }));
+pub(super) fn left_out(problem: &Problem) -> Vec<LeftOut> {
+    let samples = (0..problem.session.samples.len()).filter(|sample| {
+        // Of other measurements than points a sample may have no coordinate at all.
+        problem.observed.is_none() || !problem.usable[*sample]
+    });
+    let left_out = samples.filter_map(|sample| {
+        let because = unusable(problem.session, sample)?;
+        Some(LeftOut { sample, because })
+    });
     left_out.collect()
 }
 

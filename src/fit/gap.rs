@@ -4,6 +4,7 @@
 //! Suspected outliers count in the largest deviation and not in the root mean square.
 
 use crate::model::Model;
+use crate::observations::figures;
 
 use super::problem::Problem;
 
@@ -18,6 +19,9 @@ pub struct Deviations {
 
 /// Deviations of a session's samples from a model.
 pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
+    if let Some(layer) = &problem.observed {
+        return figures::deviations(layer, model);
+    }
     let n = problem.inputs.len();
     let mut deviations = Deviations {
         axes_mm: std::array::from_fn(|_| Vec::with_capacity(n)),

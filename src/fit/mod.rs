@@ -19,6 +19,7 @@ pub mod uncertainty;
 mod adaptive;
 mod estimator;
 mod exact;
+mod observed;
 mod outcome;
 mod plane;
 mod regional;

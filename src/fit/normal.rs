@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::block::Block;
 use crate::lanes::{LANES, Lanes};
+use crate::observations::RowBlock;
 use crate::wide::{Loop, wide};
 
 use super::noise::{Noise, Step, carried};
@@ -119,6 +120,33 @@ impl Normal {
                 }
                 for j in 0..=k {
                     self.gram[(k, j)] += dot(&white[k], &white[j]);
+                }
+            }
+        }
+    }
+
+    /// Adds rows of observations of any kind, which are in units of their noise already.
+    pub(super) fn add_rows(&mut self, rows: &RowBlock, sums: Sums) {
+        let p = self.gradient.len();
+        for axis in 0..3 {
+            let count = rows.rows[axis].iter().filter(|there| **there).count();
+            if count == 0 {
+                continue;
+            }
+            let residual = &rows.left[axis];
+            self.cost += dot(residual, residual);
+            self.weight += count as f64;
+            for k in 0..p {
+                let column = &rows.columns[k][axis];
+                if column.iter().all(|v| *v == 0.0) {
+                    continue;
+                }
+                self.gradient[k] += dot(column, residual);
+                if sums == Sums::Gradient {
+                    continue;
+                }
+                for j in 0..=k {
+                    self.gram[(k, j)] += dot(column, &rows.columns[j][axis]);
                 }
             }
         }

@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use crate::effects::{Effect, Inputs, find};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
+use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
 
 use super::gap::Spread;
@@ -22,6 +23,8 @@ pub struct Estimate {
     pub setup: Option<String>,
     /// Name of the target whose own place it is.
     pub target: Option<String>,
+    /// Name of the anchor, station, plane or socket that it says where it is.
+    pub place: Option<String>,
     /// The parameter's name with its unit.
     pub name: &'static str,
     /// Its value.
@@ -155,6 +158,8 @@ pub struct Identification {
     pub noise_mm: Option<[f64; 3]>,
     /// The noise that values and intervals allow for; `None` where none was estimated.
     pub noise: Option<Noise>,
+    /// Errors of every kind of measurement; empty where plain points are all there is.
+    pub kinds: Vec<KindFigures>,
     /// How the solver fared.
     pub quality: Quality,
     /// What else there is to say.

@@ -43,6 +43,10 @@ const MOST_SHARE: f64 = 0.35;
 /// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do
 /// not count in the bulk.
 pub fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
+    if let Some(layer) = &problem.observed {
+        // Every kind was judged beside its own bulk while it was fitted.
+        return layer.samples_with(&layer.suspected);
+    }
     let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
     let all: Vec<&[f64]> = axes.iter().map(|a| &deviations.axes_mm[*a][..]).collect();
     let balanced = problem.samples() >= FEWEST_TO_BALANCE;

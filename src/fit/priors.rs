@@ -48,9 +48,18 @@ pub struct Priors {
     pub targets_mm: Option<f64>,
     /// Variance of a coordinate of weight one.
     pub variance: f64,
+    /// How large everything is, where no measurement shows it: a sum of coefficients that is held at
+    /// zero ([`crate::observations::gauge`]).
+    pub(super) size: Vec<(Key, f64)>,
     /// Those that were let go: effect, joint, setting, coefficient.
-    pub(super) freed: Vec<(&'static str, usize, u64, usize)>,
+    pub(super) freed: Vec<Key>,
 }
+
+/// Which coefficient: effect, joint, setting, coefficient.
+pub(super) type Key = (&'static str, usize, u64, usize);
+
+/// How well a size that no measurement shows is held, as a ratio.
+const SIZE: f64 = 1e-6;
 
 impl Priors {
     /// Standard deviation of a coefficient, inner units; `None` where nothing is known of it.
@@ -80,6 +89,7 @@ impl Priors {
 
     /// Adds the rows of the priors to the normal equations of the samples.
     pub(super) fn add(&self, model: &Model, normal: &mut Normal) {
+        self.add_size(model, normal);
         if !self.weak && self.targets_mm.is_none() {
             return;
         }
@@ -96,6 +106,55 @@ impl Priors {
             }
             first += term.coefficients.len();
         }
+    }
+
+    /// The row that holds the size.
+    fn add_size(&self, model: &Model, normal: &mut Normal) {
+        if self.size.is_empty() {
+            return;
+        }
+        let row = self.size_row(model);
+        let coefficients = model.coefficients();
+        let weight = self.variance / (SIZE * SIZE);
+        let size: f64 = row.iter().zip(&coefficients).map(|(w, x)| w * x).sum();
+        for (i, a) in row.iter().enumerate().filter(|own| *own.1 != 0.0) {
+            normal.gradient[i] -= weight * size * a;
+            for (j, b) in row.iter().enumerate() {
+                normal.gram[(i, j)] += weight * a * b;
+            }
+        }
+        normal.cost += weight * size * size;
+    }
+
+    /// The weights of the size beside the coefficients of a model; nothing of what is held.
+    pub(super) fn size_row(&self, model: &Model) -> Vec<f64> {
+        let mut row = Vec::new();
+        for term in model.terms() {
+            for k in 0..term.coefficients.len() {
+                let own = self.size.iter().find(|(of, _)| *of == key(term, k));
+                let free = !term.held.contains(k);
+                row.push(own.filter(|_| free).map_or(0.0, |own| own.1));
+            }
+        }
+        row
+    }
+
+    /// How far each coefficient of a model is from zero as a rule, whether or not the weak priors
+    /// hold.
+    pub(super) fn usual(&self, model: &Model) -> Vec<Option<f64>> {
+        let all = Self {
+            weak: true,
+            aligned: true,
+            targets_mm: self.targets_mm,
+            ..Self::default()
+        };
+        let terms = model.terms().iter().flat_map(|term| {
+            let own = 0..term.coefficients.len();
+            own.map(move |k| (term, k))
+        });
+        terms
+            .map(|(term, k)| all.sigma(model, term, k).filter(|_| !term.held.contains(k)))
+            .collect()
     }
 
     /// Those that a fit has missed by far.
@@ -124,7 +183,7 @@ pub(super) fn of_one_target(term: &Term) -> bool {
     term.effect.about().setting == Setting::Target && term.setting > 0.0
 }
 
-fn key(term: &Term, coefficient: usize) -> (&'static str, usize, u64, usize) {
+pub(super) fn key(term: &Term, coefficient: usize) -> Key {
     let id = term.effect.about().id;
     (id, term.joint, term.setting.to_bits(), coefficient)
 }

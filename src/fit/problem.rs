@@ -4,6 +4,7 @@
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
+use crate::observations::{self, Layer};
 use crate::sessions::{Session, Sigma};
 
 use super::noise::Noise;
@@ -35,6 +36,9 @@ pub struct Problem<'a> {
     pub priors: Priors,
     /// Whether anybody still wants the answer.
     pub watch: Watch<'a>,
+    /// What was measured, where it is more than plain points: then its rows are fitted, in units of
+    /// its `unit_mm`, and the axes of the samples have no say.
+    pub observed: Option<Layer<'a>>,
 }
 
 /// Asked before every pass over the samples whether to go on.
@@ -118,6 +122,31 @@ impl<'a> Problem<'a> {
             noise: None,
             priors: Priors::default(),
             watch: Watch::default(),
+            observed: None,
+        }
+    }
+
+    /// The same with every kind of measurement that the session has. Of plain points it is
+    /// [`new`](Self::new).
+    pub fn observing(session: &'a Session, values: JointValues) -> Self {
+        let mut problem = Self::new(session, values);
+        if observations::is_plain(session) {
+            return problem;
+        }
+        let layer = Layer::new(session, values);
+        problem.usable = layer.samples_with(&vec![true; layer.items.len()]);
+        problem.fit = layer.samples_with(&layer.fit);
+        problem.used = problem.fit.clone();
+        problem.axis_weights = [1.0; 3];
+        problem.observed = Some(layer);
+        problem
+    }
+
+    /// Number of rows that a fit follows.
+    pub fn rows(&self) -> usize {
+        match &self.observed {
+            Some(layer) => layer.used_rows(),
+            None => self.samples() * self.axes(),
         }
     }
 
@@ -189,7 +218,7 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// Whether a sample cannot be used, and why.
+/// Whether a sample cannot be used, and why; as a point, of whose coordinates none may be missing.
 pub fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
     let samples = &session.samples;
     let x = samples.x_mm[sample];

@@ -106,9 +106,10 @@ pub fn identify_regional(
         gap,
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
         outliers: outliers(&after, suspected.iter().copied()),
-        left_out: left_out(session),
+        left_out: left_out(&problem),
         noise_mm: None,
         noise: None,
+        kinds: Vec::new(),
         quality: Quality {
             stopped: "solved directly",
             converged: true,

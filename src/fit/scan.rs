@@ -27,7 +27,7 @@ pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) 
     let is_scanned = |t: &Term| {
         !matches!(
             t.effect.about().setting,
-            Setting::None | Setting::Setup | Setting::Target
+            Setting::None | Setting::Setup | Setting::Target | Setting::Place
         )
     };
     let (scanned, plain): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(is_scanned);
@@ -47,7 +47,7 @@ pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) 
 /// The settings that a scan tries.
 pub fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
     match term.effect.about().setting {
-        Setting::None | Setting::Setup | Setting::Target => vec![term.setting],
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![term.setting],
         Setting::Order { from, to } => (from..=to).map(f64::from).collect(),
         Setting::Fade => fades(problem, term.joint),
         Setting::Time => times(problem),

@@ -17,6 +17,7 @@ use crate::effects::block::Block;
 use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
+use crate::observations::places::{self, PlaceKind};
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
@@ -277,7 +278,8 @@ pub fn solve(problem: &Problem, start: &Model) -> Solution {
         beside: vec![0.0; problem.beside.len()],
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
-    if blocks.len() <= 2 * COARSE_BLOCKS || start.count() == 0 {
+    let few = blocks.len() <= 2 * COARSE_BLOCKS || problem.observed.is_some();
+    if few || start.count() == 0 {
         return descend(problem, start, &blocks).0;
     }
     let spaced = |k: usize| blocks[k * blocks.len() / COARSE_BLOCKS];
@@ -382,6 +384,15 @@ fn polish(problem: &Problem, near: &State, blocks: &[usize], passes: usize) -> S
 fn sum(problem: &Problem, state: &State, blocks: &[usize], sums: Sums) -> Normal {
     let columns = state.count();
     let mut normal = Normal::new(columns);
+    if let Some(layer) = &problem.observed {
+        layer.visit(&state.model, true, |rows| {
+            rows.keep(&layer.used);
+            normal.add_rows(rows, sums);
+        });
+        normal.complete();
+        problem.priors.add(&state.model, &mut normal);
+        return normal;
+    }
     let mut whitening = Whitening::new(problem.noise.as_ref(), columns);
     let starts = blocks.iter().copied();
     state
@@ -464,16 +475,21 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
     for term in model.terms() {
         let (about, own) = (term.effect.about(), first);
         first += term.coefficients.len();
-        if !super::base_model::belongs(about.id) {
+        let place = PlaceKind::of(term);
+        if !super::base_model::belongs(about.id) && place.is_none() {
             continue;
         }
         for k in 0..term.coefficients.len() {
+            // A place may be as far off as it likes; only a turn is not linear.
+            if place.is_some_and(|kind| !places::turns(kind, k)) {
+                continue;
+            }
             let turns = match about.id {
                 "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
                 "measuring-frame" => k < 3,
                 "link-geometry" => k >= 2,
                 "tool-orientation" => true,
-                _ => false,
+                _ => place.is_some(),
             };
             let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
             let size = step[own + k].abs();

@@ -90,6 +90,7 @@ pub fn estimates(
                 joint: about.per_joint.then_some(term.joint + 1),
                 setup: label(Setting::Setup),
                 target: label(Setting::Target),
+                place: label(Setting::Place),
                 name: parameter.name,
                 value,
                 ci95: match (parameter.name, ci95) {

@@ -25,6 +25,7 @@ pub(super) fn coefficient_names(model: &Model) -> Vec<String> {
         let about = term.effect.about();
         let place = match (about.setting, &term.label) {
             (Setting::Setup, Some(name)) => format!("{} of setup {name}", about.id),
+            (Setting::Place, Some(name)) => format!("{} {name}", about.id),
             (Setting::Target, Some(name)) => format!("{} of target {name}", about.id),
             _ => name_on_joint(term.effect, term.joint, &model.robot),
         };

@@ -166,6 +166,7 @@ impl Given {
             left_out: Vec::new(),
             noise_mm: None,
             noise: None,
+            kinds: Vec::new(),
             quality: Quality {
                 stopped: "read from a file",
                 converged: true,

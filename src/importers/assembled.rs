@@ -7,10 +7,10 @@ use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
 use crate::importers::session::Job;
 use crate::kinematics::JointKind;
-use crate::sessions::assemble;
+use crate::sessions::assemble::{self, Declared};
 use crate::sessions::columns::{Heading, Layout, Quantity, REMARKS, Unit};
 use crate::sessions::table::{Cells, Table};
-use crate::sessions::{Instrument, Session, Target, validation};
+use crate::sessions::{Instrument, References, Session, Target, validation};
 
 impl Job<'_> {
     /// A measured position of an axis becomes the point to which the nominal robot would carry the
@@ -123,7 +123,12 @@ impl Job<'_> {
             place.in_field(names[column].as_str())
         };
         let mut findings = Vec::new();
-        let samples = assemble::samples(table, &targets, &locate, &place, &mut findings);
+        let references = References::default();
+        let declared = Declared {
+            targets: &targets,
+            references: &references,
+        };
+        let samples = assemble::samples(table, declared, &locate, &place, &mut findings);
         let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
         let mut session = Session {
             name: self.settings.name.clone(),

@@ -123,6 +123,13 @@ pub(crate) fn session_heading(quantity: Quantity, unit: Option<Unit>) -> String 
         Quantity::Y => format!("y{suffix}"),
         Quantity::Z => format!("z{suffix}"),
         Quantity::Orientation(part) => format!("q{}", ["w", "x", "y", "z"][part]),
+        Quantity::Distance => format!("distance{suffix}"),
+        Quantity::Azimuth => format!("azimuth{suffix}"),
+        Quantity::Elevation => format!("elevation{suffix}"),
+        Quantity::Anchor => "anchor".to_owned(),
+        Quantity::Station => "station".to_owned(),
+        Quantity::Plane => "plane".to_owned(),
+        Quantity::Socket => "socket".to_owned(),
         Quantity::Target => "target".to_owned(),
         Quantity::Direction(joint) => format!("dir{}", joint + 1),
         Quantity::Speed(joint) if suffix.is_empty() => format!("speed{}", joint + 1),
@@ -146,7 +153,9 @@ impl AngleFactor {
 /// What a heading says.
 pub(crate) fn understand(heading: &str) -> Role {
     let plain = heading.trim().trim_matches('"').to_lowercase();
-    if let Heading::Known(quantity, unit) = Heading::read(&plain) {
+    if let Heading::Known(quantity, unit) = Heading::read(&plain)
+        && !quantity.needs_a_reference()
+    {
         return known(quantity, Some(unit));
     }
     let (words, unit) = words_and_unit(&plain);

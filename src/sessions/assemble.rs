@@ -7,6 +7,8 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
 use crate::sessions::number::quoted;
+use crate::sessions::observed::{self, NamedColumn};
+use crate::sessions::references::References;
 use crate::sessions::table::{Cells, Names, Table};
 
 /// Complaints about one column that are worth printing.
@@ -15,10 +17,17 @@ const MOST_COMPLAINTS: usize = 10;
 /// Where a cell is: column, then row, both counted from 0.
 pub(crate) type Locate<'a> = &'a dyn Fn(usize, usize) -> Place;
 
+/// What the session declares and samples name.
+#[derive(Clone, Copy)]
+pub(crate) struct Declared<'a> {
+    pub(crate) targets: &'a [Target],
+    pub(crate) references: &'a References,
+}
+
 /// Makes samples of the rows of a text file, and says of each on which line it stands.
 pub(crate) fn rows(
     mut table: Table,
-    targets: &[Target],
+    declared: Declared<'_>,
     file: &Place,
     findings: &mut Vec<Diagnostic>,
 ) -> Samples {
@@ -32,7 +41,7 @@ pub(crate) fn rows(
         let place = place.at_column(column as u64 + 1);
         place.in_field(names[column].as_str())
     };
-    let mut samples = samples(table, targets, &locate, file, findings);
+    let mut samples = samples(table, declared, &locate, file, findings);
     samples.line = lines;
     samples
 }
@@ -40,7 +49,7 @@ pub(crate) fn rows(
 /// Makes samples of a table. They are usable only if `findings` got no error.
 pub(crate) fn samples(
     table: Table,
-    targets: &[Target],
+    declared: Declared<'_>,
     locate: Locate<'_>,
     whole: &Place,
     findings: &mut Vec<Diagnostic>,
@@ -64,12 +73,8 @@ pub(crate) fn samples(
         ..Samples::default()
     };
     let mut orientation: [Option<Vec<f64>>; 4] = Default::default();
-    let columns = table
-        .layout
-        .headings
-        .iter()
-        .zip(table.names)
-        .zip(table.columns);
+    let headings = table.layout.headings;
+    let columns = headings.iter().zip(table.names).zip(table.columns);
     for (index, ((heading, name), cells)) in columns.enumerate() {
         let mut column = Column {
             index,
@@ -97,11 +102,14 @@ pub(crate) fn samples(
                     Quantity::Load => samples.load_kg = Some(values),
                     Quantity::Temperature => samples.temperature_c = Some(values),
                     Quantity::Time => samples.time_s = Some(values),
-                    Quantity::Target | Quantity::Setup | Quantity::Use => {}
+                    Quantity::Distance => samples.observed.distance_mm = Some(values),
+                    Quantity::Azimuth => samples.observed.azimuth = Some(values),
+                    Quantity::Elevation => samples.observed.elevation = Some(values),
+                    _ => {}
                 }
             }
             (Heading::Known(Quantity::Target, _), Cells::Names(cells)) => {
-                samples.target = Some(column.targets(&cells, targets));
+                samples.target = Some(column.targets(&cells, declared.targets));
             }
             (Heading::Known(Quantity::Setup, _), Cells::Names(Names { list, index, .. })) => {
                 samples.setups = Some(Setups { names: list, index });
@@ -109,9 +117,28 @@ pub(crate) fn samples(
             (Heading::Known(Quantity::Use, _), Cells::Names(cells)) => {
                 samples.held_out = Some(column.held_out(&cells));
             }
+            (Heading::Known(quantity, _), Cells::Names(cells)) => {
+                column.references(*quantity, &cells, declared.references, &mut samples);
+            }
             _ => {}
         }
     }
+    let heading = |name: &str| {
+        let quantity = match name {
+            "distance" => Quantity::Distance,
+            "azimuth" => Quantity::Azimuth,
+            _ => Quantity::Elevation,
+        };
+        let is = |h: &Heading| matches!(h, Heading::Known(q, _) if *q == quantity);
+        headings.iter().position(is)
+    };
+    observed::complete(
+        &mut samples.observed,
+        declared.references,
+        &heading,
+        locate,
+        findings,
+    );
     // Columns that are missing although they are required were reported with the headings.
     for column in samples
         .q
@@ -222,6 +249,25 @@ impl Column<'_> {
         (0..cells.index.len())
             .map(|row| known[of(row)].unwrap_or(0))
             .collect()
+    }
+
+    /// A column that names what measurements other than points refer to.
+    fn references(
+        self,
+        quantity: Quantity,
+        cells: &Names,
+        references: &References,
+        samples: &mut Samples,
+    ) {
+        let observed = &mut samples.observed;
+        let (column, into) = match quantity {
+            Quantity::Anchor => (NamedColumn::anchors(references), &mut observed.anchor),
+            Quantity::Station => (NamedColumn::stations(references), &mut observed.station),
+            Quantity::Plane => (NamedColumn::planes(references), &mut observed.plane),
+            Quantity::Socket => (NamedColumn::sockets(references), &mut observed.socket),
+            _ => return,
+        };
+        *into = Some(column.read(cells, self.index, self.locate, self.findings));
     }
 
     fn held_out(self, cells: &Names) -> Vec<bool> {

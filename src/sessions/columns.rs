@@ -19,6 +19,13 @@ pub(crate) enum Quantity {
     Z,
     /// Component of the measured orientation: w, x, y, z.
     Orientation(usize),
+    Distance,
+    Azimuth,
+    Elevation,
+    Anchor,
+    Station,
+    Plane,
+    Socket,
     Target,
     Direction(usize),
     Speed(usize),
@@ -27,6 +34,22 @@ pub(crate) enum Quantity {
     Time,
     Setup,
     Use,
+}
+
+impl Quantity {
+    /// Whether it means something only beside what a session declares: an anchor, a station …
+    pub(crate) fn needs_a_reference(self) -> bool {
+        matches!(
+            self,
+            Self::Distance
+                | Self::Azimuth
+                | Self::Elevation
+                | Self::Anchor
+                | Self::Station
+                | Self::Plane
+                | Self::Socket
+        )
+    }
 }
 
 /// What kind of cells a column has.
@@ -84,7 +107,16 @@ impl Heading {
     pub(crate) fn cells(&self) -> CellKind {
         match self {
             Self::Unknown { .. } => CellKind::Text,
-            Self::Known(Quantity::Target | Quantity::Setup | Quantity::Use, _) => CellKind::Name,
+            Self::Known(
+                Quantity::Target
+                | Quantity::Setup
+                | Quantity::Use
+                | Quantity::Anchor
+                | Quantity::Station
+                | Quantity::Plane
+                | Quantity::Socket,
+                _,
+            ) => CellKind::Name,
             Self::Known(..) => CellKind::Number,
         }
     }
@@ -107,6 +139,10 @@ fn known(heading: &str) -> Option<(Quantity, Unit)> {
         "qy" => Quantity::Orientation(2),
         "qz" => Quantity::Orientation(3),
         "target" => Quantity::Target,
+        "anchor" => Quantity::Anchor,
+        "station" => Quantity::Station,
+        "plane" => Quantity::Plane,
+        "socket" => Quantity::Socket,
         "load_kg" => Quantity::Load,
         "temperature_c" => Quantity::Temperature,
         "time_s" => Quantity::Time,
@@ -134,6 +170,9 @@ fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
         "x" => Quantity::X,
         "y" => Quantity::Y,
         "z" => Quantity::Z,
+        "distance" => Quantity::Distance,
+        "azimuth" => Quantity::Azimuth,
+        "elevation" => Quantity::Elevation,
         _ => {
             let joint = name.strip_prefix('q')?;
             match joint.strip_suffix("_read") {
@@ -142,8 +181,14 @@ fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
             }
         }
     };
-    let position = matches!(quantity, Quantity::X | Quantity::Y | Quantity::Z);
-    (!position || matches!(unit, Unit::Length(_))).then_some((quantity, unit))
+    let fits = match quantity {
+        Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance => {
+            matches!(unit, Unit::Length(_))
+        }
+        Quantity::Azimuth | Quantity::Elevation => matches!(unit, Unit::Angle(_)),
+        _ => true,
+    };
+    fits.then_some((quantity, unit))
 }
 
 /// The joint's index from its number in a heading: `1` is the first; `01` and `0` are no numbers.
@@ -166,7 +211,8 @@ fn hint(heading: &str) -> Option<String> {
     }
     let name = plain.split(['_', '[', '(']).next().unwrap_or_default();
     let meant = match name {
-        "x" | "y" | "z" => format!("{name}_mm, {name}_m, {name}_um or {name}_in"),
+        "x" | "y" | "z" | "distance" => format!("{name}_mm, {name}_m, {name}_um or {name}_in"),
+        "azimuth" | "elevation" => format!("{name}_deg or {name}_rad"),
         "load" => "load_kg".to_owned(),
         "temperature" | "temp" => "temperature_c".to_owned(),
         "time" | "t" => "time_s".to_owned(),
@@ -307,8 +353,24 @@ fn require_columns(
             );
         }
     }
+    let direction = [Quantity::Azimuth, Quantity::Elevation].map(has);
+    if direction[0] != direction[1] {
+        missing(
+            "one of the two columns of a measured direction".to_owned(),
+            "both azimuth_deg and elevation_deg or none".to_owned(),
+        );
+    }
+    // Any kind of measurement will do; a session that has none is told of points.
+    let other = [
+        Quantity::Distance,
+        Quantity::Azimuth,
+        Quantity::Plane,
+        Quantity::Socket,
+        Quantity::Orientation(0),
+    ];
+    let has_other = other.into_iter().any(has);
     for (quantity, name) in [(Quantity::X, "x"), (Quantity::Y, "y")] {
-        if !has(quantity) {
+        if !has(quantity) && !has_other {
             missing(
                 format!("no column for the measured {name}"),
                 format!("{name}_mm"),

@@ -9,6 +9,7 @@ use nalgebra::Point3;
 
 use crate::kinematics::Robot;
 use crate::sessions::lines::Lines;
+use crate::sessions::references::{ObservedColumns, References};
 
 /// A reflector that the instrument sees, fixed in the tool frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,29 @@ pub struct Instrument {
     pub sigma_mm: Option<Sigma>,
     /// How well the targets' own places in the tool frame are known, mm; `None`: not at all.
     pub targets_sigma_mm: Option<f64>,
+    /// What a tracker's points come from, where it is known: then it replaces `sigma_mm`.
+    pub tracker: Option<Tracker>,
+    /// Noise of a measured orientation about each axis, rad.
+    pub sigma_orientation: Option<f64>,
+    /// Noise of a measured distance, mm.
+    pub sigma_distance_mm: Option<f64>,
+    /// Noise of a measured direction, rad.
+    pub sigma_direction: Option<f64>,
+    /// Noise of a touch, mm.
+    pub sigma_touch_mm: Option<f64>,
+    /// What measurements other than points refer to.
+    pub references: References,
+}
+
+/// A laser tracker: its noise is a length along the beam and an angle across it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tracker {
+    /// Noise of the range, mm.
+    pub sigma_range_mm: f64,
+    /// Noise of each angle, rad.
+    pub sigma_angle: f64,
+    /// Where the tracker stands in the measuring frame, mm.
+    pub position_mm: Point3<f64>,
 }
 
 /// How well the targets' own places are known where nobody says, mm.
@@ -48,6 +72,12 @@ impl Default for Instrument {
             name: String::new(),
             sigma_mm: None,
             targets_sigma_mm: Some(TARGETS_SIGMA_MM),
+            tracker: None,
+            sigma_orientation: None,
+            sigma_distance_mm: None,
+            sigma_direction: None,
+            sigma_touch_mm: None,
+            references: References::default(),
         }
     }
 }
@@ -98,6 +128,8 @@ pub struct Samples {
     pub z_mm: Option<Vec<f64>>,
     /// Measured orientation as w, x, y, z columns.
     pub orientation_wxyz: Option<[Vec<f64>; 4]>,
+    /// Measurements other than points: distances, directions, touches, sockets.
+    pub observed: ObservedColumns,
     /// Index into the session's targets; `None`: all samples see the first.
     pub target: Option<Vec<u32>>,
     /// Side from which each joint came: +1 moving positive, −1, 0 unknown.
@@ -125,6 +157,11 @@ impl Samples {
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.x_mm.len()
+    }
+
+    /// Number of coordinates that a point of this session has: two in a planar one.
+    pub fn axes(&self) -> usize {
+        if self.z_mm.is_some() { 3 } else { 2 }
     }
 
     /// Whether there is no sample at all (a valid session has one).

@@ -12,8 +12,10 @@ use std::path::{Path, PathBuf};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::JointKind;
 use crate::progress::{Progress, unwatched};
+use crate::sessions::assemble::{self, Declared};
 use crate::sessions::domain::{Samples, Session, Target};
-use crate::sessions::{assemble, csv, files};
+use crate::sessions::references::References;
+use crate::sessions::{csv, files};
 
 /// As many bytes before the place that was read to are remembered.
 const REMEMBERED: usize = 4096;
@@ -35,6 +37,7 @@ pub struct Growing {
     path: PathBuf,
     kinds: Vec<JointKind>,
     targets: Vec<Target>,
+    references: References,
     /// The line of headings, with its line feed.
     heading: Vec<u8>,
     /// Everything before this was read.
@@ -52,6 +55,7 @@ impl Growing {
             path: samples.to_path_buf(),
             kinds: session.robot.joints.iter().map(|j| j.kind).collect(),
             targets: session.targets.clone(),
+            references: session.instrument.references.clone(),
             heading: Vec::new(),
             read_to: 0,
             last: Vec::new(),
@@ -162,7 +166,11 @@ impl Growing {
         })?;
         let further = if grown { self.lines - 1 } else { 0 };
         let samples = table.filter(|table| table.rows() > 0).map(|table| {
-            let mut samples = assemble::rows(table, &self.targets, &file, &mut findings);
+            let declared = Declared {
+                targets: &self.targets,
+                references: &self.references,
+            };
+            let mut samples = assemble::rows(table, declared, &file, &mut findings);
             samples.line = samples.line.moved_down(further);
             samples
         });

@@ -9,6 +9,7 @@
 use sha2::{Digest, Sha256};
 
 use crate::sessions::domain::{Samples, Session};
+use crate::sessions::references::ObservedColumns;
 
 /// The hash of a session's robot, targets and samples: 64 hexadecimal digits.
 pub fn hash_of_samples(session: &Session) -> String {
@@ -66,6 +67,8 @@ fn samples(canonical: &mut Canonical, samples: &Samples) {
     for part in samples.orientation_wxyz.iter().flatten() {
         canonical.numbers("orientation", part);
     }
+    // What older sessions do not have leaves no trace in their hashes.
+    observed(canonical, &samples.observed);
     canonical.column("load", samples.load_kg.as_deref());
     canonical.column("temperature", samples.temperature_c.as_deref());
     canonical.column("time", samples.time_s.as_deref());
@@ -82,6 +85,29 @@ fn samples(canonical: &mut Canonical, samples: &Samples) {
             .collect()
     });
     canonical.indices("held out", held_out.as_deref());
+}
+
+fn observed(canonical: &mut Canonical, observed: &ObservedColumns) {
+    for (name, column) in [
+        ("distance", &observed.distance_mm),
+        ("azimuth", &observed.azimuth),
+        ("elevation", &observed.elevation),
+    ] {
+        if let Some(column) = column {
+            canonical.numbers(name, column);
+        }
+    }
+    for (name, column) in [
+        ("anchor", &observed.anchor),
+        ("station", &observed.station),
+        ("plane", &observed.plane),
+        ("socket", &observed.socket),
+    ] {
+        if let Some(column) = column {
+            let index = column.iter().map(|i| i.map_or(0, |i| i + 1));
+            canonical.indices(name, Some(&index.collect::<Vec<u32>>()));
+        }
+    }
 }
 
 /// Feeds the hash in an unambiguous form: name, length, values.

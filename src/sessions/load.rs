@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::{JointKind, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
+use crate::sessions::assemble::Declared;
 use crate::sessions::domain::{Samples, Session};
 use crate::sessions::format_v1::inline;
 use crate::sessions::format_v1::read::{self, SamplesAt};
@@ -178,7 +179,10 @@ fn read_session(
                 let locate = inline.locator(&source);
                 assemble::samples(
                     inline.table,
-                    &head.targets,
+                    Declared {
+                        targets: &head.targets,
+                        references: &head.instrument.references,
+                    },
                     &locate,
                     &whole,
                     &mut fields.findings,
@@ -193,7 +197,10 @@ fn read_session(
                 beside,
                 &Wanted {
                     kinds: kinds.as_deref(),
-                    targets: &head.targets,
+                    declared: Declared {
+                        targets: &head.targets,
+                        references: &head.instrument.references,
+                    },
                     part: part.part(parsed, 0.95),
                 },
                 &mut fields,
@@ -233,7 +240,7 @@ fn read_session(
 /// What the document says of the samples beside it, and which part of the work it is to read them.
 struct Wanted<'a> {
     kinds: Option<&'a [JointKind]>,
-    targets: &'a [crate::sessions::Target],
+    declared: Declared<'a>,
     part: Part<'a>,
 }
 
@@ -284,7 +291,7 @@ fn samples_from(
         findings.push(Diagnostic::error(file.clone(), error.to_string(), expected));
         None
     })?;
-    Some(assemble::rows(table, wanted.targets, file, findings))
+    Some(assemble::rows(table, wanted.declared, file, findings))
 }
 
 /// Lets notes and warnings pass; an error refuses everything.

@@ -23,6 +23,8 @@ mod lines;
 mod load;
 mod mend;
 pub(crate) mod number;
+mod observed;
+mod references;
 pub mod regions;
 mod rows;
 mod save;
@@ -32,7 +34,10 @@ pub(crate) mod validation;
 #[cfg(test)]
 mod watched;
 
-pub use domain::{Instrument, Region, Samples, Session, Setups, Sigma, Target, UnknownColumn};
+pub(crate) use domain::has_missing;
+pub use domain::{
+    Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
+};
 pub use files::read_document as read_whole;
 pub use growing::{Growing, Growth};
 pub use hash::hash_of_samples;
@@ -41,6 +46,9 @@ pub use load::{
     Loaded, LoadedRobot, load, load_robot, load_watched, parse, parse_robot, parse_with_csv,
 };
 pub use mend::Mend;
+pub use references::{
+    Anchor, Azimuth, ObservedColumns, Plane, Pointing, References, Socket, SocketDistance, Station,
+};
 pub use save::{
     Replacing, commanded_heading, samples_path, save, save_watched, write_csv, write_inline,
     write_robot,

@@ -3,6 +3,7 @@
 
 use super::domain::{Samples, Setups, UnknownColumn};
 use super::lines::Lines;
+use super::references::ObservedColumns;
 
 impl Samples {
     /// Takes samples away; `rows` count from 0, in any order. Rows that are not there are passed
@@ -25,6 +26,23 @@ impl Samples {
             columns.iter_mut().flatten().for_each(keep);
         }
         self.orientation_wxyz.iter_mut().flatten().for_each(keep);
+        let observed = &mut self.observed;
+        for column in [
+            &mut observed.distance_mm,
+            &mut observed.azimuth,
+            &mut observed.elevation,
+        ] {
+            column.iter_mut().for_each(keep);
+        }
+        for column in [
+            &mut observed.anchor,
+            &mut observed.station,
+            &mut observed.plane,
+            &mut observed.socket,
+        ] {
+            let keep = |column: &mut Vec<Option<u32>>| retain(column, &kept);
+            column.iter_mut().for_each(keep);
+        }
         for column in [&mut self.load_kg, &mut self.temperature_c, &mut self.time_s] {
             column.iter_mut().for_each(keep);
         }
@@ -95,6 +113,7 @@ impl Samples {
                 Some(target)
             }
         };
+        append_observed(&mut self.observed, more.observed, before, added);
         self.setups = together(self.setups.take(), more.setups, before, added);
         self.held_out = match (self.held_out.take(), more.held_out) {
             (None, None) => None,
@@ -141,6 +160,31 @@ fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, 
             Some(column)
         }
     };
+}
+
+fn append_observed(here: &mut ObservedColumns, more: ObservedColumns, before: usize, added: usize) {
+    for (column, more) in [
+        (&mut here.distance_mm, more.distance_mm),
+        (&mut here.azimuth, more.azimuth),
+        (&mut here.elevation, more.elevation),
+    ] {
+        extend(column, more, before, added);
+    }
+    for (column, more) in [
+        (&mut here.anchor, more.anchor),
+        (&mut here.station, more.station),
+        (&mut here.plane, more.plane),
+        (&mut here.socket, more.socket),
+    ] {
+        *column = match (column.take(), more) {
+            (None, None) => None,
+            (here, there) => {
+                let mut column = here.unwrap_or_else(|| vec![None; before]);
+                column.extend(there.unwrap_or_else(|| vec![None; added]));
+                Some(column)
+            }
+        };
+    }
 }
 
 /// Setups by their names: the same name is the same frame.

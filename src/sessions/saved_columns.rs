@@ -6,6 +6,7 @@ use serde::ser::{SerializeSeq, Serializer};
 use crate::kinematics::JointKind;
 use crate::sessions::domain::{Session, Setups, Target};
 use crate::sessions::format_v1::degrees::degrees;
+use crate::sessions::references::References;
 
 /// From an inner to an outer unit.
 type Conversion = fn(f64) -> f64;
@@ -28,7 +29,12 @@ pub(crate) enum Values<'a> {
     Setups(&'a Setups),
     HeldOut(&'a [bool]),
     Text(&'a [String]),
+    /// Indices into what the session declares; nothing is an empty cell.
+    References(&'a [Option<u32>], &'a References, NameOf),
 }
+
+/// The name of what stands at an index.
+type NameOf = fn(&References, usize) -> &str;
 
 impl<'a> Values<'a> {
     /// Numbers whose outer unit is the inner one.
@@ -53,6 +59,9 @@ impl<'a> Values<'a> {
             Self::HeldOut(held_out) if held_out[row] => "held-out",
             Self::HeldOut(_) => "fit",
             Self::Text(cells) => &cells[row],
+            Self::References(index, all, name) => {
+                index[row].map_or("", |index| name(all, index as usize))
+            }
         }
     }
 
@@ -63,6 +72,7 @@ impl<'a> Values<'a> {
             Self::Setups(setups) => setups.index.len(),
             Self::HeldOut(held_out) => held_out.len(),
             Self::Text(cells) => cells.len(),
+            Self::References(index, ..) => index.len(),
         }
     }
 }
@@ -87,6 +97,34 @@ struct Columns<'a>(Vec<Column<'a>>);
 impl<'a> Columns<'a> {
     fn add(&mut self, name: String, values: Values<'a>) {
         self.0.push(Column { name, values });
+    }
+}
+
+/// Columns of measurements other than points.
+fn observed<'a>(session: &'a Session, columns: &mut Columns<'a>) {
+    let own = &session.samples.observed;
+    let all = &session.instrument.references;
+    let plain: Conversion = |value| value;
+    let numbers: [(&str, _, Conversion); 3] = [
+        ("distance_mm", &own.distance_mm, plain),
+        ("azimuth_deg", &own.azimuth, degrees),
+        ("elevation_deg", &own.elevation, degrees),
+    ];
+    for (name, values, outside) in numbers {
+        if let Some(values) = values {
+            columns.add(name.to_owned(), Values::Numbers { values, outside });
+        }
+    }
+    let names: [(&str, _, NameOf); 4] = [
+        ("anchor", &own.anchor, |all, i| &all.anchors[i].name),
+        ("station", &own.station, |all, i| &all.stations[i].name),
+        ("plane", &own.plane, |all, i| &all.planes[i].name),
+        ("socket", &own.socket, |all, i| &all.sockets[i].name),
+    ];
+    for (name, index, name_of) in names {
+        if let Some(index) = index {
+            columns.add(name.to_owned(), Values::References(index, all, name_of));
+        }
     }
 }
 
@@ -118,8 +156,13 @@ pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
             );
         }
     }
-    columns.add("x_mm".to_owned(), Values::plain(&samples.x_mm));
-    columns.add("y_mm".to_owned(), Values::plain(&samples.y_mm));
+    // A session of other measurements has no points at all.
+    let points = [&samples.x_mm, &samples.y_mm];
+    let measured = points.iter().any(|c| c.iter().any(|v| !v.is_nan()));
+    if measured || samples.observed.is_empty() {
+        columns.add("x_mm".to_owned(), Values::plain(&samples.x_mm));
+        columns.add("y_mm".to_owned(), Values::plain(&samples.y_mm));
+    }
     if let Some(z_mm) = &samples.z_mm {
         columns.add("z_mm".to_owned(), Values::plain(z_mm));
     }
@@ -128,6 +171,7 @@ pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
             columns.add(name.to_owned(), Values::plain(values));
         }
     }
+    observed(session, &mut columns);
     if let Some(target) = &samples.target {
         columns.add(
             "target".to_owned(),

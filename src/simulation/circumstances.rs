@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::motion::side;
 use super::scenario::{Circumstances, Scenario, Stop, Temperature};
-use crate::sessions::{Lines, Samples};
+use crate::sessions::{Lines, ObservedColumns, Samples};
 
 /// The samples of these stops, their points still at zero.
 pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> Samples {
@@ -66,6 +66,7 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
         y_mm: vec![0.0; n],
         z_mm: None,
         orientation_wxyz: None,
+        observed: ObservedColumns::default(),
         target: (targets > 1).then_some(target),
         dir: given(dir, from_a_side),
         speed: given(speed, !c.speeds.is_empty()),

@@ -16,7 +16,15 @@ pub(crate) fn term(
     let members = fields.object(node, path, "an object with effect and parameters")?;
     let id = fields.required_text(members, node.at, path, "effect")?;
     let last = if id == UNEXPLAINED { "curve" } else { "exact" };
-    let known = ["effect", "joint", "setup", "target", "parameters", last];
+    let known = [
+        "effect",
+        "joint",
+        "setup",
+        "target",
+        "place",
+        "parameters",
+        last,
+    ];
     fields.unknown_keys(members, path, &known);
     if find(&id).is_none() {
         let found = format!("no effect is called '{id}'");
@@ -50,7 +58,8 @@ pub(crate) fn term(
         None => Some(readable),
         Some(node) => exact_term(fields, node, &path.key("exact"), readable),
     }?;
-    let label = optional(members, "setup").or_else(|| optional(members, "target"));
+    let mut labels = ["setup", "target", "place"].into_iter();
+    let label = labels.find_map(|key| optional(members, key));
     if let Some(node) = label {
         let name = fields.text(node, &path.key("setup"))?;
         term.label = Some(name.into());

@@ -57,6 +57,8 @@ struct TermTwin<'a> {
     setup: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     target: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<&'a str>,
     parameters: ParametersTwin,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<CurveTwin<'a>>,
@@ -188,6 +190,7 @@ impl<'a> TermTwin<'a> {
             joint: about.per_joint.then_some(term.joint + 1),
             setup: label(Setting::Setup),
             target: label(Setting::Target),
+            place: label(Setting::Place),
             parameters: ParametersTwin(parameters),
             curve: term.curve().map(CurveTwin::of),
             exact: term.curve.is_none().then_some(ExactTwin {

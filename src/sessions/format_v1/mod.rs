@@ -13,6 +13,7 @@ pub(crate) mod inline;
 pub(crate) mod layout;
 pub(crate) mod number;
 pub(crate) mod read;
+pub(crate) mod references;
 pub(crate) mod robot;
 mod robot_source;
 pub(crate) mod write;

@@ -4,11 +4,12 @@ use std::path::Path as FilePath;
 
 use nalgebra::Point3;
 
-use super::{DEFAULT_TARGET, FORMAT, robot};
+use super::{DEFAULT_TARGET, FORMAT, references, robot};
 use crate::kinematics::Robot;
-use crate::sessions::domain::{Instrument, Region, Sigma, TARGETS_SIGMA_MM, Target};
+use crate::sessions::domain::{Instrument, Region, Sigma, TARGETS_SIGMA_MM, Target, Tracker};
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::sessions::number::quoted;
+use crate::sessions::references::References;
 use crate::units::rad_from_deg;
 
 /// Where the samples are.
@@ -55,7 +56,8 @@ pub(crate) fn head(fields: &mut Fields<'_>, root: Node, folder: Option<&FilePath
         return None;
     };
     format_tag(fields, &members, at)?;
-    fields.unknown_keys(&members, path, &KNOWN);
+    let known = [&KNOWN[..], &references::KEYS].concat();
+    fields.unknown_keys(&members, path, &known);
     // Taken out of the tree: a million samples are not copied.
     let samples = members.iter().position(|member| member.key == "samples");
     let samples = samples.map(|index| members.remove(index));
@@ -75,9 +77,10 @@ pub(crate) fn head(fields: &mut Fields<'_>, root: Node, folder: Option<&FilePath
     let targets = optional(&members, "targets")
         .and_then(|node| targets(fields, node, &path.key("targets")))
         .unwrap_or_else(default_targets);
-    let instrument = optional(&members, "instrument")
+    let mut instrument = optional(&members, "instrument")
         .and_then(|node| instrument(fields, node, &path.key("instrument")))
         .unwrap_or_default();
+    instrument.references = references::references(fields, &members, path);
     let tolerance_mm = optional(&members, "tolerance_mm").and_then(|node| {
         positive(
             fields,
@@ -197,7 +200,7 @@ pub(crate) fn instrument(
 ) -> Option<Instrument> {
     const SIGMA: &str = "a positive number, or an array of 3 positive numbers";
     let members = fields.object(node, path, "an object with name and sigma_mm")?;
-    fields.unknown_keys(members, path, &["name", "sigma_mm", "targets_sigma_mm"]);
+    fields.unknown_keys(members, path, &INSTRUMENT);
     let name = fields
         .required_text(members, node.at, path, "name")
         .unwrap_or_default();
@@ -230,10 +233,70 @@ pub(crate) fn instrument(
             "a length above 0 mm, or null",
         ),
     };
+    let mut sigma = |key: &str, inner: f64| {
+        let node = optional(members, key)?;
+        let expected = "a number above 0, or null";
+        positive(fields, node, &path.key(key), expected).map(|sigma| sigma * inner)
+    };
+    let (range, angle) = (
+        sigma("sigma_range_mm", 1.0),
+        sigma("sigma_angle_urad", 1e-6),
+    );
     Some(Instrument {
+        sigma_orientation: sigma("sigma_mrad", 1e-3),
+        sigma_distance_mm: sigma("sigma_distance_mm", 1.0),
+        sigma_direction: sigma("sigma_direction_urad", 1e-6),
+        sigma_touch_mm: sigma("sigma_touch_mm", 1.0),
+        tracker: tracker(fields, members, node.at, path, range.zip(angle)),
         name,
         sigma_mm,
         targets_sigma_mm,
+        references: References::default(),
+    })
+}
+
+const INSTRUMENT: [&str; 10] = [
+    "name",
+    "sigma_mm",
+    "targets_sigma_mm",
+    "sigma_range_mm",
+    "sigma_angle_urad",
+    "position_mm",
+    "sigma_mrad",
+    "sigma_distance_mm",
+    "sigma_direction_urad",
+    "sigma_touch_mm",
+];
+
+/// What a tracker says of itself: all of its three keys or none.
+fn tracker(
+    fields: &mut Fields<'_>,
+    members: &[Member],
+    at: usize,
+    path: &Path<'_>,
+    sigma: Option<(f64, f64)>,
+) -> Option<Tracker> {
+    let keys = ["sigma_range_mm", "sigma_angle_urad", "position_mm"];
+    let given: Vec<&str> = keys
+        .into_iter()
+        .filter(|key| optional(members, key).is_some())
+        .collect();
+    if given.is_empty() {
+        return None;
+    }
+    if given.len() < keys.len() {
+        let expected = "all of sigma_range_mm, sigma_angle_urad and position_mm, or none";
+        fields.error(at, path, format!("only {}", given.join(" and ")), expected);
+        return None;
+    }
+    let expected = "an array of 3 numbers: where the tracker stands, mm";
+    let node = optional(members, "position_mm")?;
+    let position = fields.numbers::<3>(node, &path.key("position_mm"), expected)?;
+    let (sigma_range_mm, sigma_angle) = sigma?;
+    Some(Tracker {
+        sigma_range_mm,
+        sigma_angle,
+        position_mm: Point3::from(position),
     })
 }
 

@@ -10,8 +10,9 @@ use serde::{Deserialize, Serialize};
 use super::FORMAT;
 use super::degrees::degrees;
 use super::read::default_targets;
+use super::references::ReferencesTwin;
 use crate::kinematics::{Joint, JointKind, Robot};
-use crate::sessions::domain::{Region, Session, Sigma, TARGETS_SIGMA_MM, Target};
+use crate::sessions::domain::{Instrument, Region, Session, Sigma, TARGETS_SIGMA_MM, Target};
 
 #[derive(Debug, Serialize)]
 pub(crate) struct SessionTwin<'a, S> {
@@ -24,6 +25,8 @@ pub(crate) struct SessionTwin<'a, S> {
     targets: Option<TargetsTwin<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     instrument: Option<InstrumentTwin<'a>>,
+    #[serde(flatten)]
+    references: ReferencesTwin,
     #[serde(skip_serializing_if = "Option::is_none")]
     tolerance_mm: Option<f64>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -92,6 +95,20 @@ struct InstrumentTwin<'a> {
     /// Only where it is not the usual one; null where the places are not known.
     #[serde(skip_serializing_if = "Option::is_none")]
     targets_sigma_mm: Option<TargetsSigmaTwin>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_range_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_angle_urad: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    position_mm: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_mrad: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_distance_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_direction_urad: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sigma_touch_mm: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -124,8 +141,12 @@ impl<'a, S> SessionTwin<'a, S> {
         let instrument = &session.instrument;
         let targets_sigma_mm = instrument.targets_sigma_mm;
         let unusual = (targets_sigma_mm != Some(TARGETS_SIGMA_MM)).then_some(targets_sigma_mm);
-        let has_instrument =
-            !instrument.name.is_empty() || instrument.sigma_mm.is_some() || unusual.is_some();
+        let plain = Instrument {
+            references: instrument.references.clone(),
+            ..Instrument::default()
+        };
+        let has_instrument = *instrument != plain;
+        let tracker = instrument.tracker;
         Self {
             format: FORMAT,
             name: &session.name,
@@ -140,13 +161,39 @@ impl<'a, S> SessionTwin<'a, S> {
                     Sigma::PerAxis(sigma) => SigmaTwin::PerAxis(sigma),
                 }),
                 targets_sigma_mm: unusual.map(TargetsSigmaTwin),
+                sigma_range_mm: tracker.map(|t| t.sigma_range_mm),
+                sigma_angle_urad: tracker.map(|t| micro(t.sigma_angle)),
+                position_mm: tracker.map(|t| t.position_mm.coords.into()),
+                sigma_mrad: instrument.sigma_orientation.map(milli),
+                sigma_distance_mm: instrument.sigma_distance_mm,
+                sigma_direction_urad: instrument.sigma_direction.map(micro),
+                sigma_touch_mm: instrument.sigma_touch_mm,
             }),
+            references: ReferencesTwin::of(&instrument.references),
             tolerance_mm: session.tolerance_mm,
             regions: session.regions.iter().map(RegionTwin::of).collect(),
             compensated_by: session.compensated_by.as_deref(),
             samples,
         }
     }
+}
+
+/// Thousandths, as many of them as read back as the same number where there are such.
+fn milli(value: f64) -> f64 {
+    as_written(value, 1e3, 1e-3)
+}
+
+/// Millionths, likewise.
+fn micro(value: f64) -> f64 {
+    as_written(value, 1e6, 1e-6)
+}
+
+/// The outer number that the reader, who multiplies by `inner`, makes this value of.
+fn as_written(value: f64, outer: f64, inner: f64) -> f64 {
+    let near = value * outer;
+    let candidates = [near, near.next_down(), near.next_up(), value / inner];
+    let same = candidates.into_iter().find(|c| c * inner == value);
+    same.unwrap_or(near)
 }
 
 impl RobotTwin {

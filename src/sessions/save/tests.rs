@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range};
 use crate::sessions::domain::{Instrument, Region, Samples, Setups, Sigma, Target, UnknownColumn};
-use crate::sessions::{Lines, load, parse};
+use crate::sessions::{Lines, ObservedColumns, load, parse};
 use crate::units::rad_from_deg;
 
 /// A number as files hold it, or a missing one.
@@ -63,6 +63,7 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                 q: vec![q1, q2],
                 q_read: vec![q1_read, None],
                 orientation_wxyz: None,
+                observed: ObservedColumns::default(),
                 target,
                 dir: vec![None, dir],
                 speed: vec![None, speed2],
@@ -149,6 +150,7 @@ fn any_session() -> impl Strategy<Value = Session> {
                     name: "tracker".to_owned(),
                     sigma_mm: Some(Sigma::PerAxis([0.01, 0.02, 0.03])),
                     targets_sigma_mm: None,
+                    ..Instrument::default()
                 },
                 tolerance_mm: Some(0.2),
                 regions: vec![Region {

@@ -1,0 +1,219 @@
+//! What a fit leaves of each kind of measurement: its noise, what stands apart, its errors.
+
+use crate::fit::gap::Deviations;
+use crate::fit::outliers::suspected;
+use crate::lanes::LANES;
+use crate::model::Model;
+
+use super::{KINDS, Layer, Looks};
+
+/// Errors of one kind of measurement, in the unit that people read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// Number of measurements, suspected outliers included.
+    pub count: usize,
+    /// Root mean square of the nominal robot, without suspected outliers.
+    pub before_rms: f64,
+    /// The same of the model.
+    pub after_rms: f64,
+    /// Largest of the nominal robot.
+    pub before_max: f64,
+    /// Largest of the model.
+    pub after_max: f64,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KindFigures {
+    /// The kind.
+    pub kind: &'static str,
+    /// Unit of the numbers: mm or mrad.
+    pub unit: &'static str,
+    /// Of what was fitted.
+    pub fitted: Option<Errors>,
+    /// Of what the session holds out.
+    pub held_out: Option<Errors>,
+    /// Number of suspected outliers.
+    pub outliers: usize,
+    /// σ as the session states it.
+    pub stated_sigma: Option<f64>,
+    /// Root mean square over the rows of what was fitted: what σ seems to be.
+    pub found_sigma: Option<f64>,
+}
+
+/// One row after the other of every item: whitened residuals and lengths.
+struct Left {
+    /// In units of the noise.
+    rows: Vec<[f64; 3]>,
+    /// Inner units.
+    length: Vec<f64>,
+    /// As mm.
+    length_mm: Vec<f64>,
+    /// Along x, y, z.
+    along: Vec<[f64; 3]>,
+}
+
+fn left(layer: &Layer, model: &Model) -> Left {
+    let n = layer.items.len();
+    let mut left = Left {
+        rows: vec![[0.0; 3]; n],
+        length: vec![f64::NAN; n],
+        length_mm: vec![f64::NAN; n],
+        along: vec![[f64::NAN; 3]; n],
+    };
+    layer.visit(model, false, |block| {
+        for (lane, item) in block.items.iter().enumerate() {
+            let Some(item) = *item else { continue };
+            debug_assert!(lane < LANES);
+            left.rows[item] = [0, 1, 2].map(|row| block.left[row][lane] / layer.unit_mm);
+            left.along[item] = [0, 1, 2].map(|axis| block.along[axis][lane]);
+            left.length[item] = block.length[lane];
+            left.length_mm[item] = block.length_mm[lane];
+        }
+    });
+    left
+}
+
+/// Samples from which on a kind's own noise is found again.
+const FEWEST: usize = 4;
+/// A noise that changes by no more than this, as a logarithm, has settled.
+const SETTLED: f64 = 0.02;
+
+/// Looks at what a model leaves: outliers of each kind beside its own bulk, and the noise of kinds
+/// whose σ nobody states. `rank` is the number of coefficients that the rows carry. Returns whether
+/// anything that matters has changed.
+pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
+    let left = left(layer, model);
+    let mut marked = vec![false; layer.items.len()];
+    for kind in 0..KINDS.len() {
+        for rows in 1..=3 {
+            let own: Vec<usize> = (0..layer.items.len())
+                .filter(|i| layer.items[*i].kind == kind && layer.items[*i].rows == rows)
+                .collect();
+            let axes: Vec<Vec<f64>> = (0..rows)
+                .map(|row| own.iter().map(|i| left.rows[*i][row]).collect())
+                .collect();
+            let axes: Vec<&[f64]> = axes.iter().map(Vec::as_slice).collect();
+            let counts: Vec<bool> = own.iter().map(|i| layer.fit[*i]).collect();
+            let apart = suspected(&axes, &counts, &vec![1.0; rows], false);
+            for (item, apart) in own.into_iter().zip(apart) {
+                marked[item] = apart;
+            }
+        }
+    }
+    let kept = layer
+        .fit
+        .iter()
+        .zip(&marked)
+        .map(|(fit, apart)| *fit && !apart);
+    let used: Vec<bool> = kept.collect();
+    let mut changed = used != layer.used;
+    layer.used = used;
+    layer.suspected = marked;
+    let all = layer.used_rows();
+    let freedom = all.saturating_sub(rank).max(1) as f64 / all.max(1) as f64;
+    for kind in 0..KINDS.len() {
+        let stated = KINDS[kind].sigma(&layer.session.instrument);
+        if stated.is_some() {
+            continue;
+        }
+        let Some(found) = spread(layer, kind, &left) else {
+            continue;
+        };
+        // What nobody states is never taken for better than rounding.
+        let now = (layer.sigma[kind] * found / freedom.sqrt())
+            .max(1e-3 * KINDS[kind].about().usual_sigma);
+        changed |= (now / layer.sigma[kind]).ln().abs() > SETTLED;
+        layer.sigma[kind] = now;
+    }
+    changed
+}
+
+/// Root mean square over the whitened rows of the items of a kind that count.
+fn spread(layer: &Layer, kind: usize, left: &Left) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0);
+    for (i, item) in layer.items.iter().enumerate() {
+        if item.kind == kind && layer.used[i] {
+            sum += left.rows[i].iter().map(|v| v * v).sum::<f64>();
+            count += item.rows;
+        }
+    }
+    (count >= FEWEST).then(|| (sum / count as f64).sqrt())
+}
+
+/// Deviations of every sample: along the axes of a point, and a length in mm; where a sample was
+/// measured in several ways, in the one that looks at where the target is. NaN without any.
+pub fn deviations(layer: &Layer, model: &Model) -> Deviations {
+    let left = left(layer, model);
+    let n = layer.session.samples.len();
+    let mut deviations = Deviations {
+        axes_mm: std::array::from_fn(|_| vec![f64::NAN; n]),
+        length_mm: vec![f64::NAN; n],
+    };
+    let mut of_point = vec![false; n];
+    for (i, item) in layer.items.iter().enumerate() {
+        let looks = KINDS[item.kind].about().looks;
+        let first = deviations.length_mm[item.sample].is_nan();
+        let better = looks == Looks::AtPoint && !of_point[item.sample];
+        if first || better {
+            deviations.length_mm[item.sample] = left.length_mm[i];
+            for axis in 0..3 {
+                deviations.axes_mm[axis][item.sample] = left.along[i][axis];
+            }
+            of_point[item.sample] = looks == Looks::AtPoint;
+        }
+    }
+    deviations
+}
+
+/// The figures of every kind that was measured; `before` is the nominal robot.
+pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures> {
+    let (then, now) = (left(layer, before), left(layer, after));
+    let mut all = Vec::new();
+    for (kind, own) in KINDS.iter().enumerate() {
+        let (unit, factor) = own.about().unit.read();
+        let items: Vec<usize> = (0..layer.items.len())
+            .filter(|i| layer.items[*i].kind == kind)
+            .collect();
+        if items.is_empty() {
+            continue;
+        }
+        let errors = |fit: bool| {
+            let own: Vec<usize> = items
+                .iter()
+                .copied()
+                .filter(|i| layer.fit[*i] == fit)
+                .collect();
+            let clean: Vec<usize> = own
+                .iter()
+                .copied()
+                .filter(|i| !layer.suspected[*i])
+                .collect();
+            let counted = if clean.is_empty() { &own } else { &clean };
+            let rms = |left: &Left| {
+                let sum: f64 = counted.iter().map(|i| left.length[*i].powi(2)).sum();
+                (sum / counted.len() as f64).sqrt() * factor
+            };
+            let max =
+                |left: &Left| own.iter().map(|i| left.length[*i]).fold(0.0, f64::max) * factor;
+            (!own.is_empty()).then(|| Errors {
+                count: own.len(),
+                before_rms: rms(&then),
+                after_rms: rms(&now),
+                before_max: max(&then),
+                after_max: max(&now),
+            })
+        };
+        let stated = own.sigma(&layer.session.instrument);
+        all.push(KindFigures {
+            kind: own.about().name,
+            unit,
+            fitted: errors(true),
+            held_out: errors(false),
+            outliers: items.iter().filter(|i| layer.suspected[**i]).count(),
+            stated_sigma: stated.map(|s| s * factor),
+            found_sigma: spread(layer, kind, &now).map(|s| s * layer.sigma[kind] * factor),
+        });
+    }
+    all
+}

@@ -1,0 +1,66 @@
+//! A distance from an anchor: a ballbar, a draw-wire, an interferometer. One row.
+//!
+//! ```text
+//! m = |p − a| + offset
+//! ```
+
+use crate::lanes::{dot, minus, scaled};
+use crate::observations::places::{Place, PlaceKind};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::sessions::{Instrument, Session};
+
+/// See the module.
+pub(crate) struct Distance;
+
+static ABOUT: AboutKind = AboutKind {
+    name: "distance",
+    one: "a distance",
+    looks: Looks::AtPoint,
+    unit: Unit::Millimetre,
+    sigma_key: "sigma_distance_mm",
+    usual_sigma: 0.02,
+    shows_length: true,
+};
+
+fn distance(session: &Session, sample: usize) -> f64 {
+    let column = session.samples.observed.distance_mm.as_ref();
+    column.map_or(f64::NAN, |column| column[sample])
+}
+
+impl Kind for Distance {
+    fn about(&self) -> &'static AboutKind {
+        &ABOUT
+    }
+
+    fn measured(&self, session: &Session, sample: usize) -> bool {
+        !distance(session, sample).is_nan() && self.place(session, sample).is_some()
+    }
+
+    fn place(&self, session: &Session, sample: usize) -> Option<Place> {
+        let index = session.samples.observed.anchor.as_ref()?[sample]? as usize;
+        let kind = PlaceKind::Anchor;
+        Some(Place { kind, index })
+    }
+
+    fn sigma(&self, instrument: &Instrument) -> Option<f64> {
+        instrument.sigma_distance_mm
+    }
+
+    fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual {
+        let [x, y, z, offset] = [0, 1, 2, 3].map(|k| seen.place[k]);
+        let arm = minus(seen.point, [x, y, z]);
+        let length = dot(arm, arm).sqrt();
+        // On the anchor itself every direction is as good as another.
+        let along = if length > 1e-12 {
+            scaled(arm, 1.0 / length)
+        } else {
+            [0.0, 0.0, 1.0]
+        };
+        let mut residual = Residual::new(1);
+        residual.left[0] = distance(session, sample) - length - offset;
+        residual.by_point[0] = along;
+        residual.by_place[0][..3].copy_from_slice(&scaled(along, -1.0));
+        residual.by_place[0][3] = 1.0;
+        residual
+    }
+}

@@ -1,0 +1,76 @@
+//! The orientation of the tool: three rows, the rotation vector from the predicted to the measured
+//! orientation in the measuring frame.
+//!
+//! ```text
+//! r = log(R_measured Rᵀ),   ∂r/∂ω = −J_r⁻¹(r),   J_r⁻¹ = 1 + ½[r] + c [r]²
+//! ```
+//!
+//! for a small turn ω of the tool about the measuring frame's axes (Barfoot, *State Estimation for
+//! Robotics*, 2017, §7.1.5).
+
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion};
+
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::sessions::{Instrument, Session};
+
+/// See the module.
+pub(crate) struct Orientation;
+
+static ABOUT: AboutKind = AboutKind {
+    name: "orientation",
+    one: "an orientation",
+    looks: Looks::AtAttitude,
+    unit: Unit::Radian,
+    sigma_key: "sigma_mrad",
+    usual_sigma: 5e-4,
+    shows_length: false,
+};
+
+/// The measured orientation of a sample.
+pub(crate) fn measured(session: &Session, sample: usize) -> Option<UnitQuaternion<f64>> {
+    let [w, x, y, z] = session.samples.orientation_wxyz.as_ref()?;
+    let q = Quaternion::new(w[sample], x[sample], y[sample], z[sample]);
+    let norm = q.norm();
+    (norm.is_finite() && norm > 1e-9).then(|| UnitQuaternion::from_quaternion(q))
+}
+
+impl Kind for Orientation {
+    fn about(&self) -> &'static AboutKind {
+        &ABOUT
+    }
+
+    fn measured(&self, session: &Session, sample: usize) -> bool {
+        measured(session, sample).is_some()
+    }
+
+    fn sigma(&self, instrument: &Instrument) -> Option<f64> {
+        instrument.sigma_orientation
+    }
+
+    fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual {
+        let mut residual = Residual::new(3);
+        let rows = seen.attitude;
+        let predicted = Matrix3::from_fn(|row, column| rows[row][column]);
+        let predicted = Rotation3::from_matrix_unchecked(predicted);
+        let measured = measured(session, sample).unwrap_or_default();
+        let left = (measured.to_rotation_matrix() * predicted.inverse()).scaled_axis();
+        let angle = left.norm();
+        // (1/θ² − (1 + cos θ)/(2 θ sin θ)), by its series near zero; beyond a right angle nothing is
+        // near, and a rough derivative is enough to get there.
+        let factor = if angle < 1e-2 {
+            1.0 / 12.0 + angle * angle / 720.0
+        } else {
+            let theta = angle.min(2.5);
+            1.0 / (theta * theta) - (1.0 + theta.cos()) / (2.0 * theta * theta.sin())
+        };
+        let skew = left.cross_matrix();
+        let inverse = Matrix3::identity() + skew * 0.5 + skew * skew * factor;
+        for row in 0..3 {
+            residual.left[row] = left[row];
+            for k in 0..3 {
+                residual.by_turn[row][k] = inverse[(row, k)];
+            }
+        }
+        residual
+    }
+}

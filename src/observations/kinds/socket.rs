@@ -1,0 +1,54 @@
+//! A socket: the target sits in the same place in all samples of that name. Three rows; no instrument
+//! is needed at all. What is measured is that nothing is left of p − s.
+
+use crate::lanes::minus;
+use crate::observations::places::{Place, PlaceKind};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::sessions::{Instrument, Session, Sigma};
+
+/// See the module.
+pub(crate) struct Socket;
+
+static ABOUT: AboutKind = AboutKind {
+    name: "socket",
+    one: "a target in a socket",
+    looks: Looks::AtPoint,
+    unit: Unit::Millimetre,
+    sigma_key: "sigma_mm",
+    usual_sigma: 0.05,
+    shows_length: false,
+};
+
+impl Kind for Socket {
+    fn about(&self) -> &'static AboutKind {
+        &ABOUT
+    }
+
+    fn measured(&self, session: &Session, sample: usize) -> bool {
+        self.place(session, sample).is_some()
+    }
+
+    fn place(&self, session: &Session, sample: usize) -> Option<Place> {
+        let index = session.samples.observed.socket.as_ref()?[sample]? as usize;
+        let kind = PlaceKind::Socket;
+        Some(Place { kind, index })
+    }
+
+    fn sigma(&self, instrument: &Instrument) -> Option<f64> {
+        instrument.sigma_mm.map(|sigma| match sigma {
+            Sigma::Overall(sigma) => sigma,
+            Sigma::PerAxis(each) => (each.iter().map(|s| s * s).sum::<f64>() / 3.0).sqrt(),
+        })
+    }
+
+    fn residual(&self, _: &Session, _: usize, seen: &Seen) -> Residual {
+        let mut residual = Residual::new(3);
+        let socket = [seen.place[0], seen.place[1], seen.place[2]];
+        residual.left = minus(socket, seen.point);
+        for k in 0..3 {
+            residual.by_point[k][k] = 1.0;
+            residual.by_place[k][k] = -1.0;
+        }
+        residual
+    }
+}

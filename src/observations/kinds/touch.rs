@@ -1,0 +1,58 @@
+//! A touch: the target lies in a plane. One row: a touch probe, a line laser on flats. The radius of a
+//! probe's ball belongs to the plane's distance.
+//!
+//! ```text
+//! n·p = d,   n = v/|v|
+//! ```
+
+use crate::lanes::{add_scaled, dot, scaled};
+use crate::observations::places::{Place, PlaceKind, unit_normal};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::sessions::{Instrument, Session};
+
+/// See the module.
+pub(crate) struct Touch;
+
+static ABOUT: AboutKind = AboutKind {
+    name: "touch",
+    one: "a touch",
+    looks: Looks::AtPoint,
+    unit: Unit::Millimetre,
+    sigma_key: "sigma_touch_mm",
+    usual_sigma: 0.02,
+    shows_length: false,
+};
+
+impl Kind for Touch {
+    fn about(&self) -> &'static AboutKind {
+        &ABOUT
+    }
+
+    fn measured(&self, session: &Session, sample: usize) -> bool {
+        self.place(session, sample).is_some()
+    }
+
+    fn place(&self, session: &Session, sample: usize) -> Option<Place> {
+        let index = session.samples.observed.plane.as_ref()?[sample]? as usize;
+        let kind = PlaceKind::Plane;
+        Some(Place { kind, index })
+    }
+
+    fn sigma(&self, instrument: &Instrument) -> Option<f64> {
+        instrument.sigma_touch_mm
+    }
+
+    fn residual(&self, _: &Session, _: usize, seen: &Seen) -> Residual {
+        let (normal, length) = unit_normal(seen.place);
+        let normal: [f64; 3] = normal.into_inner().into();
+        let height = dot(normal, seen.point);
+        let mut residual = Residual::new(1);
+        residual.left[0] = seen.place[3] - height;
+        residual.by_point[0] = normal;
+        // ∂n/∂v = (1 − n nᵀ)/|v|
+        let flat = add_scaled(seen.point, normal, -height);
+        residual.by_place[0][..3].copy_from_slice(&scaled(flat, 1.0 / length));
+        residual.by_place[0][3] = -1.0;
+        residual
+    }
+}

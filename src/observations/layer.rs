@@ -1,0 +1,481 @@
+//! The observations of a session beside a model: rows of residuals and derivatives.
+//!
+//! An [`Item`] is one observation of one sample; a sample with a pose has two, its point and its
+//! orientation. Items flow through the model in two streams of blocks. In the first each lane is the
+//! target of an item; in the second four lanes are the tool's origin and a point along each of its
+//! axes, from which its orientation and their derivatives follow:
+//!
+//! ```text
+//! R = [x y z],   ω_k = ½ Σ_j e_j × ∂e_j/∂c_k
+//! ```
+//!
+//! Rows are in units of their noise times that of the layer (`unit_mm`), so that what is a number of
+//! mm to an estimator of points is one here too.
+
+use nalgebra::Point3;
+
+use crate::effects::block::Block;
+use crate::effects::{Held, Inputs, JointValues};
+use crate::lanes::{LANES, Lanes, Lanes3, cross, dot, minus, scaled};
+use crate::model::Model;
+use crate::sessions::Session;
+
+use super::places::{MOST, Place, PlaceKind, stated};
+use super::{KINDS, Kind, Looks, Residual, Seen};
+
+/// One observation of one sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Item {
+    /// Its kind, an index into [`KINDS`].
+    pub kind: usize,
+    /// The sample.
+    pub sample: usize,
+    /// Number of rows.
+    pub rows: usize,
+}
+
+/// Items that flow through the model together.
+#[derive(Debug, Clone)]
+struct Stream {
+    /// Indices of the items, in the order of the lanes.
+    items: Vec<usize>,
+    inputs: Inputs<'static>,
+}
+
+/// See the module.
+#[derive(Debug, Clone)]
+pub struct Layer<'a> {
+    /// The session.
+    pub session: &'a Session,
+    /// Every observation of a sample whose joint values are complete, sample by sample.
+    pub items: Vec<Item>,
+    /// Which of them are there to be fitted.
+    pub fit: Vec<bool>,
+    /// Which of them count: those to be fitted without suspected outliers.
+    pub used: Vec<bool>,
+    /// Which are suspected, held-out ones among them.
+    pub suspected: Vec<bool>,
+    /// Noise of each kind, inner units.
+    pub sigma: Vec<f64>,
+    /// What a row of a residual of one σ is, mm.
+    pub unit_mm: f64,
+    points: Stream,
+    attitudes: Stream,
+}
+
+/// Distance of the points that show the tool's orientation from its origin, mm.
+const ARM_MM: f64 = 100.0;
+/// Lanes of one orientation.
+const POINTS: usize = 4;
+
+/// σ of a known distance between two sockets, mm: what a calliper gives.
+const SOCKET_DISTANCE_MM: f64 = 0.02;
+
+/// Rows of up to [`LANES`] observations.
+pub struct RowBlock {
+    /// For each lane its item; `None` for what is no measurement of a sample.
+    pub items: Vec<Option<usize>>,
+    /// Measured − predicted, in units of the noise times the layer's.
+    pub left: Lanes3,
+    /// Derivatives of what is predicted, one for each coefficient of the model.
+    pub columns: Vec<Lanes3>,
+    /// Which rows there are.
+    pub rows: [[bool; LANES]; 3],
+    /// The length of what is left in inner units of the kind: mm or rad.
+    pub length: Lanes,
+    /// The same as mm: an angle times the distance across which it is seen.
+    pub length_mm: Lanes,
+    /// What is left along x, y, z, mm, for points with all of their coordinates; else NaN.
+    pub along: Lanes3,
+}
+
+/// Where a model has the coefficients of every place.
+struct Placing {
+    own: Vec<(Place, [f64; MOST], Option<usize>, Held)>,
+}
+
+impl Placing {
+    fn of(model: &Model, session: &Session, items: &[Item]) -> Self {
+        let references = &session.instrument.references;
+        let mut places: Vec<Place> = items
+            .iter()
+            .filter_map(|item| KINDS[item.kind].place(session, item.sample))
+            .collect();
+        let all = 0..references.sockets.len();
+        let kind = PlaceKind::Socket;
+        places.extend(all.map(|index| Place { kind, index }));
+        places.sort_unstable();
+        places.dedup();
+        let own = places.into_iter().map(|place| {
+            let mut first = 0;
+            for term in model.terms() {
+                let here = PlaceKind::of(term) == Some(place.kind);
+                if here && term.setting == place.index as f64 {
+                    let mut values = [0.0; MOST];
+                    values[..term.coefficients.len()].copy_from_slice(&term.coefficients);
+                    return (place, values, Some(first), term.held);
+                }
+                first += term.coefficients.len();
+            }
+            let known = stated(references, place).map(|v| v.unwrap_or(0.0));
+            (place, known, None, Held::default())
+        });
+        Self { own: own.collect() }
+    }
+
+    fn get(&self, place: Place) -> Option<(&[f64; MOST], Option<usize>, Held)> {
+        let at = self.own.binary_search_by(|own| own.0.cmp(&place)).ok()?;
+        let (_, values, first, held) = &self.own[at];
+        Some((values, *first, *held))
+    }
+}
+
+impl<'a> Layer<'a> {
+    /// The observations of a session. Joint values are those that `values` names.
+    pub fn new(session: &'a Session, values: JointValues) -> Self {
+        let inputs = Inputs::new(session, values);
+        let held_out = session.samples.held_out.as_deref();
+        let complete = |i: usize| session.samples.q.iter().all(|q| !q[i].is_nan());
+        let mut items = Vec::new();
+        for sample in (0..session.samples.len()).filter(|i| complete(*i)) {
+            for (kind, own) in KINDS.iter().enumerate() {
+                if own.measured(session, sample) {
+                    let rows = rows_of(*own, session, sample);
+                    items.push(Item { kind, sample, rows });
+                }
+            }
+        }
+        let kept = |item: &Item| !held_out.is_some_and(|h| h[item.sample]);
+        let fit: Vec<bool> = items.iter().map(kept).collect();
+        let instrument = &session.instrument;
+        let sigma: Vec<f64> = KINDS
+            .iter()
+            .map(|kind| kind.sigma(instrument).unwrap_or(kind.about().usual_sigma))
+            .collect();
+        let points = stream(session, &inputs, &items, Looks::AtPoint);
+        let attitudes = stream(session, &inputs, &items, Looks::AtAttitude);
+        Self {
+            session,
+            unit_mm: sigma[0],
+            suspected: vec![false; fit.len()],
+            used: fit.clone(),
+            fit,
+            sigma,
+            points,
+            attitudes,
+            items,
+        }
+    }
+
+    /// Whether there is anything to fit.
+    pub fn is_empty(&self) -> bool {
+        !self.fit.contains(&true)
+    }
+
+    /// Whether any orientation of the tool was measured, or where it points.
+    pub fn shows_attitude(&self) -> bool {
+        !self.attitudes.items.is_empty()
+    }
+
+    /// Number of rows of the items that `counts` picks.
+    pub fn rows(&self, counts: &[bool]) -> usize {
+        let counting = self.items.iter().zip(counts).filter(|(_, counts)| **counts);
+        counting.map(|(item, _)| item.rows).sum()
+    }
+
+    /// Number of rows that a fit follows: of the items that count, and of known distances.
+    pub fn used_rows(&self) -> usize {
+        self.rows(&self.used) + self.session.instrument.references.socket_distances.len()
+    }
+
+    /// The items of each sample that are marked.
+    pub fn samples_with(&self, marked: &[bool]) -> Vec<bool> {
+        let mut samples = vec![false; self.session.samples.len()];
+        for (item, marked) in self.items.iter().zip(marked) {
+            samples[item.sample] |= marked;
+        }
+        samples
+    }
+
+    /// Sends every item through a model. `differentiate` asks for the columns.
+    pub fn visit(&self, model: &Model, differentiate: bool, mut see: impl FnMut(&mut RowBlock)) {
+        let placing = Placing::of(model, self.session, &self.items);
+        let mut rows = RowBlock::new(if differentiate {
+            model.coefficient_count()
+        } else {
+            0
+        });
+        model.visit(&self.points.inputs, differentiate, |start, block| {
+            rows.clear();
+            for lane in 0..block.len {
+                let item = self.points.items[start + lane];
+                let seen = |axis: usize| block.point[axis][lane];
+                let point = [seen(0), seen(1), seen(2)];
+                let moves = |k: usize| {
+                    let column = &block.columns[k];
+                    [column[0][lane], column[1][lane], column[2][lane]]
+                };
+                self.put(&mut rows, item, &placing, (point, UPRIGHT), &moves);
+            }
+            see(&mut rows);
+        });
+        model.visit(&self.attitudes.inputs, differentiate, |start, block| {
+            rows.clear();
+            for own in 0..block.len / POINTS {
+                let item = self.attitudes.items[start / POINTS + own];
+                let first = own * POINTS;
+                let (attitude, edges) = attitude(block, first);
+                let moves = |k: usize| turn(&block.columns[k], first, &edges);
+                self.put(&mut rows, item, &placing, ([0.0; 3], attitude), &moves);
+            }
+            see(&mut rows);
+        });
+        self.known_distances(&placing, &mut rows);
+        if !rows.items.is_empty() {
+            see(&mut rows);
+        }
+    }
+
+    /// The targets of all items that look at one, where a model has them, and how each coefficient
+    /// moves them, mm.
+    pub fn visit_points(&self, model: &Model, mut see: impl FnMut([f64; 3], &[[f64; 3]])) {
+        let mut columns = vec![[0.0; 3]; model.coefficient_count()];
+        model.visit(&self.points.inputs, true, |_, block| {
+            for lane in 0..block.len {
+                for (to, column) in columns.iter_mut().zip(&block.columns) {
+                    *to = [column[0][lane], column[1][lane], column[2][lane]];
+                }
+                let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
+                see(point, &columns);
+            }
+        });
+    }
+
+    /// What a model says of every item: where its target is, and how the tool is turned.
+    pub fn seen(&self, model: &Model) -> Vec<([f64; 3], [[f64; 3]; 3])> {
+        let mut seen = vec![([0.0; 3], UPRIGHT); self.items.len()];
+        model.visit(&self.points.inputs, false, |start, block| {
+            for lane in 0..block.len {
+                let item = self.points.items[start + lane];
+                seen[item].0 = [0, 1, 2].map(|axis| block.point[axis][lane]);
+            }
+        });
+        model.visit(&self.attitudes.inputs, false, |start, block| {
+            for own in 0..block.len / POINTS {
+                let item = self.attitudes.items[start / POINTS + own];
+                seen[item].1 = attitude(block, own * POINTS).0;
+            }
+        });
+        seen
+    }
+
+    /// The rows of one item. `moves` says how the point, or the tool's orientation, moves with a
+    /// coefficient.
+    fn put(
+        &self,
+        rows: &mut RowBlock,
+        item: usize,
+        placing: &Placing,
+        (point, attitude): ([f64; 3], [[f64; 3]; 3]),
+        moves: &dyn Fn(usize) -> [f64; 3],
+    ) {
+        const NOWHERE: [f64; MOST] = [0.0; MOST];
+        let Item { kind, sample, .. } = self.items[item];
+        let own = KINDS[kind];
+        let at = own.place(self.session, sample);
+        let at = at.and_then(|place| placing.get(place));
+        let seen = Seen {
+            point,
+            attitude,
+            place: at.map_or(&NOWHERE, |at| at.0),
+        };
+        let raw = own.residual(self.session, sample, &seen);
+        let weighed = own.weighed(self.session, sample, self.sigma[kind], &raw);
+        let lane = rows.items.len();
+        rows.items.push(Some(item));
+        rows.length[lane] = raw.length();
+        rows.length_mm[lane] = raw.length() * own.lever_mm(&seen);
+        let whole = kind == 0 && raw.rows == self.session.samples.axes();
+        for axis in 0..3 {
+            let zero_beyond = if axis < raw.rows { raw.left[axis] } else { 0.0 };
+            rows.along[axis][lane] = if whole { zero_beyond } else { f64::NAN };
+        }
+        let by_moves = match own.about().looks {
+            Looks::AtPoint => &weighed.by_point,
+            Looks::AtAttitude => &weighed.by_turn,
+        };
+        for row in 0..weighed.rows {
+            rows.rows[row][lane] = true;
+            rows.left[row][lane] = weighed.left[row] * self.unit_mm;
+        }
+        for k in 0..rows.columns.len() {
+            let moved = moves(k);
+            for row in 0..weighed.rows {
+                rows.columns[k][row][lane] = dot(by_moves[row], moved) * self.unit_mm;
+            }
+        }
+        if let Some((_, Some(first), held)) = at {
+            rows.add_place(lane, first, held, &weighed, self.unit_mm);
+        }
+    }
+
+    /// What is known of the distances between sockets.
+    fn known_distances(&self, placing: &Placing, rows: &mut RowBlock) {
+        rows.clear();
+        let all = &self.session.instrument.references.socket_distances;
+        let weight = self.unit_mm / SOCKET_DISTANCE_MM;
+        for known in all.iter().take(LANES) {
+            let socket = |index: usize| {
+                let kind = PlaceKind::Socket;
+                placing.get(Place { kind, index })
+            };
+            let (Some(a), Some(b)) = (socket(known.between[0]), socket(known.between[1])) else {
+                continue;
+            };
+            let arm = minus([b.0[0], b.0[1], b.0[2]], [a.0[0], a.0[1], a.0[2]]);
+            let length = dot(arm, arm).sqrt().max(1e-12);
+            let lane = rows.items.len();
+            rows.items.push(None);
+            rows.rows[0][lane] = true;
+            rows.left[0][lane] = (known.distance_mm - length) * weight;
+            for ((_, first, held), sign) in [(a, -1.0), (b, 1.0)] {
+                let mut own = Residual::new(1);
+                own.by_place[0][..3].copy_from_slice(&scaled(arm, sign / length));
+                if let (Some(first), false) = (first, rows.columns.is_empty()) {
+                    rows.add_place(lane, first, held, &own, weight);
+                }
+            }
+        }
+    }
+}
+
+/// A kind's number of rows in a sample.
+fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
+    let seen = Seen {
+        point: [1.0; 3],
+        attitude: UPRIGHT,
+        place: &[1.0; MOST],
+    };
+    kind.residual(session, sample, &seen).rows
+}
+
+const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The inputs of the items that look at one thing.
+fn stream(session: &Session, inputs: &Inputs, items: &[Item], looks: Looks) -> Stream {
+    let own: Vec<usize> = (0..items.len())
+        .filter(|i| KINDS[items[*i].kind].about().looks == looks)
+        .collect();
+    let samples = own.iter().map(|i| items[*i].sample);
+    if looks == Looks::AtPoint {
+        let samples: Vec<usize> = samples.collect();
+        return Stream {
+            items: own,
+            inputs: inputs.select(&samples),
+        };
+    }
+    let samples: Vec<usize> = samples
+        .flat_map(|sample| std::iter::repeat_n(sample, POINTS))
+        .collect();
+    let mut inputs = inputs.select(&samples);
+    // Points of the tool's own: no target's error is theirs.
+    let targets = u32::try_from(inputs.reflectors_at_home.len()).unwrap_or(u32::MAX);
+    let tool = &session.robot.base_from_tool;
+    let along = [
+        [0.0; 3],
+        [ARM_MM, 0.0, 0.0],
+        [0.0, ARM_MM, 0.0],
+        [0.0, 0.0, ARM_MM],
+    ];
+    let at_home = along.map(|p| <[f64; 3]>::from((tool * Point3::from(p)).coords));
+    inputs.reflectors_at_home.extend(at_home);
+    let of_tool = (0..POINTS).zip(targets..).map(|(_, index)| index);
+    let of_tool: Vec<u32> = of_tool.collect();
+    inputs.target = Some(of_tool.repeat(own.len()).into());
+    Stream { items: own, inputs }
+}
+
+/// The tool's orientation by rows, and the edges from its origin to the points along its axes, of
+/// unit length at home.
+fn attitude(block: &Block, first: usize) -> ([[f64; 3]; 3], [[f64; 3]; 3]) {
+    let point = |lane: usize| [0, 1, 2].map(|axis| block.point[axis][first + lane]);
+    let origin = point(0);
+    let edges = [1, 2, 3].map(|lane| scaled(minus(point(lane), origin), 1.0 / ARM_MM));
+    // A warm or mis-scaled machine changes lengths as well: only the turn counts.
+    let unit = |v: [f64; 3]| scaled(v, 1.0 / dot(v, v).sqrt().max(f64::MIN_POSITIVE));
+    let x = unit(edges[0]);
+    let y = unit(minus(edges[1], scaled(x, dot(x, edges[1]))));
+    let z = cross(x, y);
+    let rows = std::array::from_fn(|k| [x[k], y[k], z[k]]);
+    (rows, edges)
+}
+
+/// The turn of the tool with one coefficient.
+fn turn(column: &Lanes3, first: usize, edges: &[[f64; 3]; 3]) -> [f64; 3] {
+    let moved = |lane: usize| [0, 1, 2].map(|axis| column[axis][first + lane]);
+    let origin = moved(0);
+    let mut turn = [0.0; 3];
+    for (lane, edge) in edges.iter().enumerate() {
+        let change = scaled(minus(moved(lane + 1), origin), 0.5 / ARM_MM);
+        let part = cross(*edge, change);
+        for k in 0..3 {
+            turn[k] += part[k];
+        }
+    }
+    turn
+}
+
+impl RowBlock {
+    fn new(coefficients: usize) -> Self {
+        Self {
+            items: Vec::with_capacity(LANES),
+            left: [[0.0; LANES]; 3],
+            columns: vec![[[0.0; LANES]; 3]; coefficients],
+            rows: [[false; LANES]; 3],
+            length: [0.0; LANES],
+            length_mm: [0.0; LANES],
+            along: [[f64::NAN; LANES]; 3],
+        }
+    }
+
+    fn clear(&mut self) {
+        self.items.clear();
+        self.left = [[0.0; LANES]; 3];
+        self.rows = [[false; LANES]; 3];
+        self.columns.fill([[0.0; LANES]; 3]);
+    }
+
+    /// Adds what a place's own coefficients do to the rows of a lane.
+    fn add_place(&mut self, lane: usize, first: usize, held: Held, residual: &Residual, unit: f64) {
+        if self.columns.is_empty() {
+            return;
+        }
+        for k in (0..MOST).filter(|k| !held.contains(*k)) {
+            let Some(column) = self.columns.get_mut(first + k) else {
+                break;
+            };
+            for row in 0..residual.rows {
+                let by = residual.by_place[row][k];
+                if by != 0.0 {
+                    column[row][lane] += by * unit;
+                }
+            }
+        }
+    }
+
+    /// Takes away the lanes that do not count; a known distance always does.
+    pub fn keep(&mut self, used: &[bool]) {
+        for (lane, item) in self.items.iter().enumerate() {
+            if item.is_none_or(|item| used[item]) {
+                continue;
+            }
+            for axis in 0..3 {
+                self.rows[axis][lane] = false;
+                self.left[axis][lane] = 0.0;
+                for column in &mut self.columns {
+                    column[axis][lane] = 0.0;
+                }
+            }
+        }
+    }
+}

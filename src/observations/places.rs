@@ -1,0 +1,287 @@
+//! Places that measurements refer to and that nobody knows: anchors, stations, planes, sockets.
+//!
+//! They are no effects of the robot and change nothing that it does, so they are in no catalogue.
+//! They are terms of a model all the same, so that what was found of them is fitted, held, reported
+//! and saved like everything else. A part that the session states is held at what it states.
+//!
+//! ```text
+//! anchor   x, y, z mm, offset mm          station  rotation vector rad, x, y, z mm
+//! plane    normal (its largest component is kept), distance mm      socket   x, y, z mm
+//! ```
+
+use nalgebra::{Point3, Unit, Vector3};
+
+use crate::effects::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use crate::effects::block::Block;
+use crate::effects::{Effect, Placed, Survey, Term};
+use crate::sessions::{Anchor, Plane, References, Socket, Station};
+
+/// What kind of place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum PlaceKind {
+    /// A fixed point from which distances are measured, and what the instrument adds.
+    Anchor,
+    /// Where an instrument of directions stands, and how it is turned.
+    Station,
+    /// A flat.
+    Plane,
+    /// A point in which a target sits.
+    Socket,
+}
+
+/// One place of a session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// What kind of place.
+    pub kind: PlaceKind,
+    /// Its index among those of its kind.
+    pub index: usize,
+}
+
+/// Most coefficients that a place has.
+pub const MOST: usize = 6;
+
+/// An anchor whose position or offset is not known.
+pub struct UnknownAnchor;
+/// A station whose position or attitude is not known.
+pub struct UnknownStation;
+/// A plane that is not known.
+pub struct UnknownPlane;
+/// A socket whose position is not known.
+pub struct UnknownSocket;
+
+const fn length(name: &'static str) -> Quantity {
+    Quantity { name, inner: 1.0 }
+}
+
+const fn turn(name: &'static str) -> Quantity {
+    Quantity {
+        name,
+        inner: MILLIRADIAN,
+    }
+}
+
+const fn about(id: &'static str, title: &'static str, form: Form, equation: &'static str) -> About {
+    About {
+        id,
+        title,
+        stage: Stage::World,
+        per_joint: false,
+        form,
+        setting: Setting::Place,
+        equation,
+        source: "what the measurements refer to",
+        cause: "the session does not say where it is",
+        over: Over::Angle,
+        never_negative: false,
+        implausible_above: None,
+        usual_size: "any",
+        confused_with: "the base of the robot, where nothing else says where that stands",
+        check: "measure it with another instrument",
+    }
+}
+
+static ANCHOR: About = about(
+    "anchor",
+    "Anchor",
+    Form::Plain(&[
+        length("x_mm"),
+        length("y_mm"),
+        length("z_mm"),
+        length("offset_mm"),
+    ]),
+    "distance = |p − a| + offset",
+);
+static STATION: About = about(
+    "station",
+    "Station",
+    Form::Plain(&[
+        turn("about_x_mrad"),
+        turn("about_y_mrad"),
+        turn("about_z_mrad"),
+        length("x_mm"),
+        length("y_mm"),
+        length("z_mm"),
+    ]),
+    "direction = R(ω)ᵀ (p − s)",
+);
+static PLANE: About = about(
+    "plane",
+    "Plane",
+    Form::Plain(&[
+        length("normal_x"),
+        length("normal_y"),
+        length("normal_z"),
+        length("distance_mm"),
+    ]),
+    "n·p = d",
+);
+static SOCKET: About = about(
+    "socket",
+    "Socket",
+    Form::Plain(&[length("x_mm"), length("y_mm"), length("z_mm")]),
+    "p = s",
+);
+
+macro_rules! place_effect {
+    ($type:ident, $about:ident) => {
+        impl Effect for $type {
+            fn about(&self) -> &'static About {
+                &$about
+            }
+
+            fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
+                Some("it is a place that measurements refer to, not a part of the robot".to_owned())
+            }
+
+            /// The robot does what it does wherever it is measured from.
+            fn act(&self, _: &Placed, _: &mut Block) {}
+        }
+    };
+}
+
+place_effect!(UnknownAnchor, ANCHOR);
+place_effect!(UnknownStation, STATION);
+place_effect!(UnknownPlane, PLANE);
+place_effect!(UnknownSocket, SOCKET);
+
+impl PlaceKind {
+    const ALL: [Self; 4] = [Self::Anchor, Self::Station, Self::Plane, Self::Socket];
+
+    /// As a term of a model.
+    pub fn effect(self) -> &'static dyn Effect {
+        match self {
+            Self::Anchor => &UnknownAnchor,
+            Self::Station => &UnknownStation,
+            Self::Plane => &UnknownPlane,
+            Self::Socket => &UnknownSocket,
+        }
+    }
+
+    /// The kind of place that a term is; `None` for an effect of the robot.
+    pub fn of(term: &Term) -> Option<Self> {
+        let id = term.effect.about().id;
+        let mut all = Self::ALL.into_iter();
+        all.find(|kind| kind.effect().about().id == id)
+    }
+}
+
+/// Whether an effect of this name is a place.
+pub fn is_place(id: &str) -> bool {
+    let mut all = PlaceKind::ALL.into_iter();
+    all.any(|kind| kind.effect().about().id == id)
+}
+
+/// Whether this coefficient of a place is a turn, or a part of a normal.
+pub fn turns(kind: PlaceKind, coefficient: usize) -> bool {
+    match kind {
+        PlaceKind::Anchor | PlaceKind::Socket => false,
+        PlaceKind::Station | PlaceKind::Plane => coefficient < 3,
+    }
+}
+
+/// What a session says of a place, coefficient by coefficient; `None` where it does not.
+pub fn stated(references: &References, place: Place) -> [Option<f64>; MOST] {
+    let mut all = [None; MOST];
+    let mut put = |first: usize, values: &[f64]| {
+        for (to, value) in all[first..].iter_mut().zip(values) {
+            *to = Some(*value);
+        }
+    };
+    let point = |p: &Point3<f64>| <[f64; 3]>::from(p.coords);
+    match place.kind {
+        PlaceKind::Anchor => {
+            let Anchor {
+                position_mm,
+                offset_mm,
+                ..
+            } = &references.anchors[place.index];
+            if let Some(position) = position_mm {
+                put(0, &point(position));
+            }
+            if let Some(offset) = offset_mm {
+                put(3, &[*offset]);
+            }
+        }
+        PlaceKind::Station => {
+            let Station {
+                position_mm,
+                attitude,
+                ..
+            } = &references.stations[place.index];
+            if let Some(attitude) = attitude {
+                put(0, attitude.scaled_axis().as_slice());
+            }
+            if let Some(position) = position_mm {
+                put(3, &point(position));
+            }
+        }
+        PlaceKind::Plane => {
+            let Plane { known, .. } = &references.planes[place.index];
+            if let Some((normal, distance)) = known {
+                put(0, normal.as_slice());
+                put(3, &[*distance]);
+            }
+        }
+        PlaceKind::Socket => {
+            let Socket { position_mm, .. } = &references.sockets[place.index];
+            if let Some(position) = position_mm {
+                put(0, &point(position));
+            }
+        }
+    }
+    all
+}
+
+/// Name of a place in the session.
+pub fn name(references: &References, place: Place) -> &str {
+    match place.kind {
+        PlaceKind::Anchor => &references.anchors[place.index].name,
+        PlaceKind::Station => &references.stations[place.index].name,
+        PlaceKind::Plane => &references.planes[place.index].name,
+        PlaceKind::Socket => &references.sockets[place.index].name,
+    }
+}
+
+/// The term of a place that is not wholly known, from where it is as far as anybody can tell.
+/// `attitude_only` is for a station from which nothing but directions of the tool are seen.
+pub fn term(
+    references: &References,
+    place: Place,
+    start: &[f64; MOST],
+    attitude_only: bool,
+) -> Term {
+    let mut term = Term::absent(place.kind.effect(), 0, place.index as f64);
+    let known = stated(references, place);
+    for k in 0..term.coefficients.len() {
+        term.coefficients[k] = known[k].unwrap_or(start[k]);
+        if known[k].is_some() {
+            term.held = term.held.with(k);
+        }
+    }
+    if attitude_only {
+        for k in 3..term.coefficients.len() {
+            term.coefficients[k] = 0.0;
+            term.held = term.held.with(k);
+        }
+    }
+    if place.kind == PlaceKind::Plane && known[0].is_none() {
+        // A normal has two degrees of freedom: its largest component stays 1 or −1.
+        let own = &mut term.coefficients;
+        let largest = (0..3).fold(0, |a, b| if own[b].abs() > own[a].abs() { b } else { a });
+        let size = own[largest].abs().max(f64::MIN_POSITIVE);
+        for normal in &mut own[..3] {
+            *normal /= size;
+        }
+        term.held = term.held.with(largest);
+    }
+    term.label = Some(name(references, place).into());
+    term
+}
+
+/// A normal as a place's coefficients have it, which need not be of unit length.
+pub(super) fn unit_normal(coefficients: &[f64]) -> (Unit<Vector3<f64>>, f64) {
+    let v = Vector3::new(coefficients[0], coefficients[1], coefficients[2]);
+    let length = v.norm().max(f64::MIN_POSITIVE);
+    (Unit::new_unchecked(v / length), length)
+}

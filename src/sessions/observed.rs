@@ -1,0 +1,154 @@
+//! Columns of measurements other than points, from cells to indices and inner units, and which
+//! rows lack what they need: a distance needs its anchor, a direction both of its angles.
+
+use crate::diagnostic::Diagnostic;
+use crate::sessions::assemble::Locate;
+use crate::sessions::number::quoted;
+use crate::sessions::references::{ObservedColumns, References};
+use crate::sessions::table::Names;
+
+/// Complaints about one column that are worth printing.
+const MOST_COMPLAINTS: usize = 10;
+
+/// A column of names that are declared in the session.
+pub(crate) struct NamedColumn<'a> {
+    /// What a name stands for, with its article: "an anchor".
+    pub(crate) what: &'static str,
+    /// The names that the session declares.
+    pub(crate) declared: Vec<&'a str>,
+}
+
+impl<'a> NamedColumn<'a> {
+    pub(crate) fn anchors(references: &'a References) -> Self {
+        Self {
+            what: "an anchor",
+            declared: references.anchors.iter().map(|a| &*a.name).collect(),
+        }
+    }
+
+    pub(crate) fn stations(references: &'a References) -> Self {
+        Self {
+            what: "a station",
+            declared: references.stations.iter().map(|s| &*s.name).collect(),
+        }
+    }
+
+    pub(crate) fn planes(references: &'a References) -> Self {
+        Self {
+            what: "a plane",
+            declared: references.planes.iter().map(|p| &*p.name).collect(),
+        }
+    }
+
+    pub(crate) fn sockets(references: &'a References) -> Self {
+        Self {
+            what: "a socket",
+            declared: references.sockets.iter().map(|s| &*s.name).collect(),
+        }
+    }
+
+    /// Indices of what the cells of column `index` name; an empty cell names nothing.
+    pub(crate) fn read(
+        &self,
+        cells: &Names,
+        index: usize,
+        locate: Locate<'_>,
+        findings: &mut Vec<Diagnostic>,
+    ) -> Vec<Option<u32>> {
+        let place = |name: &String| {
+            let found = self.declared.iter().zip(0..).find(|(own, _)| *own == name);
+            found.map(|(_, index)| index)
+        };
+        let known: Vec<Option<u32>> = cells.list.iter().map(place).collect();
+        let of = |row: usize| cells.index[row] as usize;
+        let wrong = (0..cells.index.len())
+            .filter(|row| known[of(*row)].is_none() && !cells.list[of(*row)].is_empty());
+        let expected = match self.declared.len() {
+            0 => format!("{} of the session, which declares none", self.what),
+            _ => format!("{} of the session: {}", self.what, self.declared.join(", ")),
+        };
+        for row in wrong.take(MOST_COMPLAINTS) {
+            let name = quoted(&cells.list[of(row)]);
+            let found = format!("{name} is not declared");
+            findings.push(Diagnostic::error(locate(index, row), found, &expected));
+        }
+        let rows = 0..cells.index.len();
+        rows.map(|row| known[of(row)]).collect()
+    }
+}
+
+/// Completes what only one thing can be meant by, and complains of rows that lack something.
+/// `column` says where the column of a heading stands.
+pub(crate) fn complete(
+    observed: &mut ObservedColumns,
+    references: &References,
+    column: &dyn Fn(&str) -> Option<usize>,
+    locate: Locate<'_>,
+    findings: &mut Vec<Diagnostic>,
+) {
+    let mut complain = |name: &str, rows: &[usize], found: &str, expected: String| {
+        for row in rows.iter().take(MOST_COMPLAINTS) {
+            let place = locate(column(name).unwrap_or(0), *row);
+            findings.push(Diagnostic::error(place, found, &expected));
+        }
+    };
+    if let Some(distance) = &observed.distance_mm {
+        let rows = distance.len();
+        let anchor = observed.anchor.get_or_insert_with(|| vec![None; rows]);
+        if references.anchors.len() == 1 {
+            anchor.fill(Some(0));
+        }
+        let lacking: Vec<usize> = (0..rows)
+            .filter(|i| !distance[*i].is_nan() && anchor[*i].is_none())
+            .collect();
+        let names = NamedColumn::anchors(references).declared.join(", ");
+        let expected = format!("one of the anchors of the session in the column anchor: {names}");
+        complain(
+            "distance",
+            &lacking,
+            "a distance without its anchor",
+            expected,
+        );
+        let negative: Vec<usize> = (0..rows).filter(|i| distance[*i] < 0.0).collect();
+        let expected = "a distance of 0 mm or more".to_owned();
+        complain("distance", &negative, "a negative distance", expected);
+    }
+    if let (Some(azimuth), Some(elevation)) = (&observed.azimuth, &observed.elevation) {
+        let rows = azimuth.len();
+        let half: Vec<usize> = (0..rows)
+            .filter(|i| azimuth[*i].is_nan() != elevation[*i].is_nan())
+            .collect();
+        let expected = "both angles of a direction, or neither".to_owned();
+        complain("azimuth", &half, "one angle of two", expected);
+        let steep: Vec<usize> = (0..rows)
+            .filter(|i| elevation[*i].abs() > std::f64::consts::FRAC_PI_2 + 1e-9)
+            .collect();
+        let expected = "an elevation from -90° to 90°".to_owned();
+        complain(
+            "elevation",
+            &steep,
+            "an elevation beyond the zenith",
+            expected,
+        );
+        let station = observed.station.get_or_insert_with(|| vec![None; rows]);
+        if references.stations.len() == 1 {
+            station.fill(Some(0));
+        }
+        if references.pointing.is_none() {
+            let lacking: Vec<usize> = (0..rows)
+                .filter(|i| !azimuth[*i].is_nan() && station[*i].is_none())
+                .collect();
+            let names = NamedColumn::stations(references).declared.join(", ");
+            let expected = format!(
+                "one of the stations of the session in the column station: {names}; or the key \
+                 pointing, where the tool itself points"
+            );
+            complain(
+                "azimuth",
+                &lacking,
+                "a direction without its station",
+                expected,
+            );
+        }
+    }
+}

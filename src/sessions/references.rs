@@ -1,0 +1,150 @@
+//! What measurements other than points refer to: anchors of distances, stations of directions,
+//! planes that are touched, sockets that a target is put into, the axis that points.
+//!
+//! All places are in the measuring frame, mm. What nobody knows is `None` and is fitted.
+
+use nalgebra::{Point3, Unit, UnitQuaternion, Vector3};
+
+/// A fixed point from which distances are measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Anchor {
+    /// Its name in the file.
+    pub name: String,
+    /// Where it is, mm; `None`: unknown.
+    pub position_mm: Option<Point3<f64>>,
+    /// What the instrument shows beyond the distance, mm; `None`: unknown.
+    pub offset_mm: Option<f64>,
+}
+
+/// Which way azimuths count, seen from the station's +z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Azimuth {
+    /// From x towards y.
+    #[default]
+    Counterclockwise,
+    /// From x away from y, as theodolites count.
+    Clockwise,
+}
+
+impl Azimuth {
+    /// The word in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Counterclockwise => "counterclockwise",
+            Self::Clockwise => "clockwise",
+        }
+    }
+
+    /// +1 or −1: an azimuth in the counterclockwise sense is this times the one that is shown.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Counterclockwise => 1.0,
+            Self::Clockwise => -1.0,
+        }
+    }
+}
+
+/// An instrument that measures directions: a theodolite, a camera, a telescope's mount.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Station {
+    /// Its name in the file.
+    pub name: String,
+    /// Where it stands, mm; `None`: unknown.
+    pub position_mm: Option<Point3<f64>>,
+    /// Its attitude: turns the station's axes into the measuring frame's; `None`: unknown.
+    pub attitude: Option<UnitQuaternion<f64>>,
+    /// Which way azimuths count.
+    pub azimuth: Azimuth,
+}
+
+/// A flat that is touched: all points p with n·p = d.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plane {
+    /// Its name in the file.
+    pub name: String,
+    /// Normal and distance from the origin along it, mm; `None`: unknown.
+    pub known: Option<(Unit<Vector3<f64>>, f64)>,
+}
+
+/// A cup that holds a target in one place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Socket {
+    /// Its name in the file.
+    pub name: String,
+    /// Where it is, mm; `None`: unknown.
+    pub position_mm: Option<Point3<f64>>,
+}
+
+/// A known distance between two sockets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SocketDistance {
+    /// Indices of the sockets.
+    pub between: [usize; 2],
+    /// The distance, mm.
+    pub distance_mm: f64,
+}
+
+/// What points where the azimuths and elevations say, without regard to where it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pointing {
+    /// The direction in the tool frame.
+    pub axis: Unit<Vector3<f64>>,
+    /// Indices of the stations whose angles are those of the axis; `None`: of every row.
+    pub stations: Option<Vec<usize>>,
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct References {
+    /// Anchors of distances.
+    pub anchors: Vec<Anchor>,
+    /// Stations of directions.
+    pub stations: Vec<Station>,
+    /// Planes that are touched.
+    pub planes: Vec<Plane>,
+    /// Sockets.
+    pub sockets: Vec<Socket>,
+    /// Known distances between sockets.
+    pub socket_distances: Vec<SocketDistance>,
+    /// What points, where something does.
+    pub pointing: Option<Pointing>,
+}
+
+/// The columns of measurements other than points, one value for each sample. A missing number is
+/// NaN and a missing name `None`; a column that the file does not have is `None`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ObservedColumns {
+    /// Measured distance, mm.
+    pub distance_mm: Option<Vec<f64>>,
+    /// Index into the anchors.
+    pub anchor: Option<Vec<Option<u32>>>,
+    /// Measured azimuth, rad.
+    pub azimuth: Option<Vec<f64>>,
+    /// Measured elevation, rad.
+    pub elevation: Option<Vec<f64>>,
+    /// Index into the stations.
+    pub station: Option<Vec<Option<u32>>>,
+    /// Index into the planes: the target touches it.
+    pub plane: Option<Vec<Option<u32>>>,
+    /// Index into the sockets: the target sits in it.
+    pub socket: Option<Vec<Option<u32>>>,
+}
+
+impl ObservedColumns {
+    /// Whether no sample has anything here.
+    pub fn is_empty(&self) -> bool {
+        let numbers = [&self.distance_mm, &self.azimuth, &self.elevation];
+        let names = [&self.plane, &self.socket];
+        let number = |c: &&Option<Vec<f64>>| c.iter().flatten().any(|v| !v.is_nan());
+        let name = |c: &&Option<Vec<Option<u32>>>| c.iter().flatten().any(Option::is_some);
+        !numbers.iter().any(number) && !names.iter().any(name)
+    }
+
+    /// Whether a sample has something here that can be used.
+    pub fn has(&self, sample: usize) -> bool {
+        let number = |c: &Option<Vec<f64>>| c.as_ref().is_some_and(|v| !v[sample].is_nan());
+        let name = |c: &Option<Vec<Option<u32>>>| c.as_ref().is_some_and(|v| v[sample].is_some());
+        let direction = number(&self.azimuth) && number(&self.elevation);
+        number(&self.distance_mm) || direction || name(&self.plane) || name(&self.socket)
+    }
+}
