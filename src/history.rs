@@ -19,15 +19,13 @@ use serde::Deserialize;
 
 use crate::compensation::verify;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::effects::{Setting, find};
-use crate::fit::problem::JointValues;
+use crate::effects::{JointValues, Setting, find};
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::fit::{Estimate, Identification};
 use crate::model::Calibration;
 use crate::model::format_v1::load_model;
 use crate::pipeline::{Method, identify};
-use crate::sessions::hash::hash_of_samples;
-use crate::sessions::{Session, files, load};
+use crate::sessions::{Session, files, hash_of_samples, load};
 
 /// Everything that a folder tells.
 #[derive(Debug, Clone, PartialEq)]

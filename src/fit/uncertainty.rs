@@ -25,7 +25,7 @@ pub fn half_width_factor(degrees_of_freedom: usize) -> f64 {
 
 /// The factor by which a standard error becomes half of a 95 % interval where the number of samples
 /// behind it is not known: a model keeps its covariance only.
-pub const NORMAL_95: f64 = 1.96;
+pub const NORMAL_95: f64 = 1.959964;
 
 /// The estimates of all parameters that a calibration holds, with intervals by its covariance and
 /// `factor`; without a covariance there are none.

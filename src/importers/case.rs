@@ -228,7 +228,8 @@ impl<'a> Case<'a> {
 
     /// Gives every quantity its unit, or asks for it.
     fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
-        let position = |q| matches!(q, Quantity::X | Quantity::Y | Quantity::Z);
+        let position =
+            |q| matches!(q, Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance);
         let named = grid.unit_in_preamble();
         let mut spread: f64 = 0.0;
         let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
@@ -280,7 +281,8 @@ impl<'a> Case<'a> {
                 Some(_) => {}
                 None => {
                     let says = format!(
-                        "the unit of x, y, z is not said: {}",
+                        "the unit of {} is not said: {}",
+                        lengths_in_words(roles),
                         units::hint(spread, self.reading.reach_mm)
                     );
                     self.ask(About::Unit, says, &["mm", "m", "in"]);
@@ -316,6 +318,16 @@ impl<'a> Case<'a> {
         );
         self.ask(About::Columns, says, &[]);
         false
+    }
+}
+
+/// The lengths that a table has.
+fn lengths_in_words(roles: &[Role]) -> &'static str {
+    let has = |quantity| roles.iter().any(|role| role.quantity() == Some(quantity));
+    if has(Quantity::Distance) && !has(Quantity::X) {
+        "the distances"
+    } else {
+        "x, y, z"
     }
 }
 
@@ -365,7 +377,10 @@ impl<'a> CellReader<'a> {
         let empty = |role: &Role| match role {
             Role::Left => None,
             Role::Point | Role::Group | Role::Kept => Some(Cells::Text(Vec::new())),
-            Role::Known(Quantity::Target | Quantity::Setup | Quantity::Use, _) => {
+            Role::Known(
+                Quantity::Target | Quantity::Setup | Quantity::Use | Quantity::Anchor,
+                _,
+            ) => {
                 Some(Cells::Names(Names::default()))
             }
             Role::Known(..) | Role::Time(_) | Role::Axis(_) => Some(Cells::Numbers(Vec::new())),

@@ -370,12 +370,9 @@ impl Job<'_> {
 
     /// The rows of each stop and target that are averaged.
     fn groups(&self, stops: &[Stop], in_stop: &[Option<usize>], measured: &Columns) -> Vec<Group> {
-        let (x, y, z) = (
-            measured.numbers(Quantity::X),
-            measured.numbers(Quantity::Y),
-            measured.numbers(Quantity::Z),
-        );
-        let coordinates: Vec<&Vec<f64>> = [&x, &y, &z].into_iter().flatten().collect();
+        let quantities = [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Distance];
+        let values = quantities.map(|quantity| measured.numbers(quantity));
+        let coordinates: Vec<&Vec<f64>> = values.iter().flatten().collect();
         let is_there = |row: usize| coordinates.iter().all(|values| values[row].is_finite());
         let target = |row: usize| self.targets.get(row).copied().unwrap_or(0);
         let mut order: Vec<usize> = (0..in_stop.len())

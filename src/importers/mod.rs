@@ -21,6 +21,7 @@ mod clock_text;
 mod columns;
 mod commanded;
 mod decimals;
+mod distances;
 mod formats;
 mod grid;
 mod headings;

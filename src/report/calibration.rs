@@ -1,6 +1,5 @@
 //! The report of a model file: what it holds, and what only a session can show.
 
-use crate::fit::Estimate;
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
@@ -15,8 +14,6 @@ use super::parts::{
 };
 use super::plots::waterfall;
 
-/// Half of a 95 % interval in standard errors, for many degrees of freedom.
-const NORMAL: f64 = 1.959964;
 
 impl Report {
     /// The report of a model file.

@@ -27,6 +27,7 @@ register! {
     tum,
     mcap,
     board,
+    ballbar,
 }
 
 /// A format that instruments write.

@@ -21,7 +21,7 @@ pub(crate) static IMPORTER: Importer = Importer {
     asks: Asks::TABLE,
     options: &[],
     known_by: KnownBy::Reading {
-        turn: 4,
+        turn: 5,
         suits: |trial| trial.is_sound,
     },
     read,
