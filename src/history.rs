@@ -162,15 +162,15 @@ pub fn history(folder: &Path) -> Result<History, Rejected> {
         let Ok(bytes) = files::read_document(&path) else {
             continue;
         };
-        let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
-        let Ok(Tag { format }) = serde_json::from_slice(start) else {
-            continue;
-        };
-        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let entry = match format.split('/').next() {
-            Some("truepose-session") => of_session(&path, &file),
-            Some("truepose-model") => of_model(&path, &file),
-            _ => continue,
+        let file = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let entry = match source_of(&bytes) {
+            Some(Source::Session) => of_session(&path, &file),
+            Some(Source::Model) => of_model(&path, &file),
+            None => continue,
         };
         match entry {
             Ok(entry) => read.push(entry),
@@ -180,7 +180,10 @@ pub fn history(folder: &Path) -> Result<History, Rejected> {
     if read.is_empty() {
         let found = match &not_read[..] {
             [] => "no session and no model".to_owned(),
-            [first, ..] => format!("no session and no model that can be read: {}", first.because),
+            [first, ..] => format!(
+                "no session and no model that can be read: {}",
+                first.because
+            ),
         };
         let expected = "a folder with truepose-session/1 or truepose-model/1 documents (*.json)";
         let place = Place::file(folder);
@@ -190,11 +193,30 @@ pub fn history(folder: &Path) -> Result<History, Rejected> {
     for entry in read {
         robots.entry(entry.robot.clone()).or_default().push(entry);
     }
-    let robots = robots.into_iter().map(|(robot, read)| compared(robot, read));
+    let robots = robots
+        .into_iter()
+        .map(|(robot, read)| compared(robot, read));
     Ok(History {
         robots: robots.collect(),
         not_read,
     })
+}
+
+/// What a document is by its key `format`; of a damaged one, what it was meant to be.
+fn source_of(bytes: &[u8]) -> Option<Source> {
+    const SESSION: &str = "truepose-session/";
+    const MODEL: &str = "truepose-model/";
+    let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let is = |name: &str| match serde_json::from_slice::<Tag>(start) {
+        Ok(Tag { format }) => format.starts_with(name),
+        Err(error) if error.is_data() => false,
+        Err(_) => memchr::memmem::find(start, name.as_bytes()).is_some(),
+    };
+    if is(SESSION) {
+        Some(Source::Session)
+    } else {
+        is(MODEL).then_some(Source::Model)
+    }
 }
 
 /// The JSON files of a folder by name.
@@ -206,7 +228,9 @@ fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
     let mut paths = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(wrong)? {
         let path = entry.map_err(wrong)?.path();
-        let is_json = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("json"));
+        let is_json = path
+            .extension()
+            .is_some_and(|end| end.eq_ignore_ascii_case("json"));
         if is_json && path.is_file() {
             paths.push(path);
         }
@@ -297,7 +321,9 @@ fn compared(robot: String, mut read: Vec<Read>) -> RobotHistory {
     }
     for at in 0..read.len() {
         let source = read[at].entry.source;
-        let before = read[..at].iter().rposition(|other| other.entry.source == source);
+        let before = read[..at]
+            .iter()
+            .rposition(|other| other.entry.source == source);
         if let Some(before) = before {
             read[at].entry.changes = changes(&read[before].entry, &read[at].entry);
         }
@@ -320,28 +346,35 @@ fn changes(before: &Entry, now: &Entry) -> Vec<Change> {
         find(estimate.effect).is_some_and(|effect| effect.about().setting == Setting::Setup)
     };
     let key = |e: &Estimate| (e.effect, e.joint, e.setup.clone(), e.target.clone(), e.name);
-    let each = now.parameters.iter().enumerate().filter_map(|(parameter, estimate)| {
-        if of_set_up(estimate) {
-            return None;
-        }
-        let was = before.parameters.iter().find(|other| key(other) == key(estimate))?;
-        let plain = estimate.value - was.value;
-        let difference = if estimate.name.starts_with("phase") {
-            // A phase of 359° is next to one of 1°.
-            (plain + 180.0).rem_euclid(360.0) - 180.0
-        } else {
-            plain
-        };
-        let half = |e: &Estimate| e.ci95.map(|[from, to]| 0.5 * (to - from));
-        let half = half(was).zip(half(estimate)).map(|(a, b)| a.hypot(b));
-        Some(Change {
-            parameter,
-            since: before.file.clone(),
-            from: was.value,
-            difference,
-            ci95: half.map(|half| [difference - half, difference + half]),
-        })
-    });
+    let each = now
+        .parameters
+        .iter()
+        .enumerate()
+        .filter_map(|(parameter, estimate)| {
+            if of_set_up(estimate) {
+                return None;
+            }
+            let was = before
+                .parameters
+                .iter()
+                .find(|other| key(other) == key(estimate))?;
+            let plain = estimate.value - was.value;
+            let difference = if estimate.name.starts_with("phase") {
+                // A phase of 359° is next to one of 1°.
+                (plain + 180.0).rem_euclid(360.0) - 180.0
+            } else {
+                plain
+            };
+            let half = |e: &Estimate| e.ci95.map(|[from, to]| 0.5 * (to - from));
+            let half = half(was).zip(half(estimate)).map(|(a, b)| a.hypot(b));
+            Some(Change {
+                parameter,
+                since: before.file.clone(),
+                from: was.value,
+                difference,
+                ci95: half.map(|half| [difference - half, difference + half]),
+            })
+        });
     each.collect()
 }
 
@@ -367,7 +400,9 @@ fn by_name(a: &str, b: &str) -> Ordering {
         _ => a.1.cmp(&b.1),
     });
     let lengths = first.len().cmp(&second.len());
-    each.fold(Ordering::Equal, Ordering::then).then(lengths).then_with(|| a.cmp(b))
+    each.fold(Ordering::Equal, Ordering::then)
+        .then(lengths)
+        .then_with(|| a.cmp(b))
 }
 
 #[cfg(test)]
@@ -376,9 +411,25 @@ mod tests {
 
     #[test]
     fn names_are_ordered_as_people_count() {
-        let mut names = ["run 10", "run 9", "2026-11-02", "2026-2-28", "run", "a", "run 09"];
+        let mut names = [
+            "run 10",
+            "run 9",
+            "2026-11-02",
+            "2026-2-28",
+            "run",
+            "a",
+            "run 09",
+        ];
         names.sort_by(|a, b| by_name(a, b));
-        let wanted = ["2026-2-28", "2026-11-02", "a", "run", "run 09", "run 9", "run 10"];
+        let wanted = [
+            "2026-2-28",
+            "2026-11-02",
+            "a",
+            "run",
+            "run 09",
+            "run 9",
+            "run 10",
+        ];
         assert_eq!(names, wanted);
     }
 
@@ -414,6 +465,9 @@ mod tests {
         assert!(!near[0].is_significant(), "0.45 < √(0.3² + 0.4²)");
         assert!((near[1].difference - 2.0).abs() < 1e-9, "{near:?}");
         assert!(of(&a, &entry(1.55, Some(0.4), 0.0))[0].is_significant());
-        assert!(!of(&a, &entry(9.0, None, 0.0))[0].is_significant(), "not determined");
+        assert!(
+            !of(&a, &entry(9.0, None, 0.0))[0].is_significant(),
+            "not determined"
+        );
     }
 }

@@ -17,13 +17,17 @@ const LONGEST_LINE: usize = 1 << 20;
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
     /// The first line holds numbers, and nobody said what they are.
-    #[error("line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm")]
+    #[error(
+        "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm"
+    )]
     NoHeadings {
         /// The first line.
         found: String,
     },
     /// The headings that were given are more or fewer than the cells.
-    #[error("line {line} of the stream: {cells} cells; expected {headings}, as many as --columns has")]
+    #[error(
+        "line {line} of the stream: {cells} cells; expected {headings}, as many as --columns has"
+    )]
     Width {
         /// Counted from 1.
         line: u64,
@@ -80,7 +84,9 @@ enum Separator {
 
 impl Separator {
     fn of(line: &str) -> Self {
-        let signs = [';', '\t', ','].into_iter().find(|sign| line.contains(*sign));
+        let signs = [';', '\t', ',']
+            .into_iter()
+            .find(|sign| line.contains(*sign));
         signs.map_or(Self::Spaces, Self::Sign)
     }
 
@@ -187,7 +193,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         if !self.pending.trim_ascii().is_empty() {
             let cut = String::from_utf8_lossy(&self.pending).into_owned();
             let line = self.lines + 1;
-            let says = format!("line {line} of the stream has no end: left out: {}", quoted(&cut));
+            let says = format!(
+                "line {line} of the stream has no end: left out: {}",
+                quoted(&cut)
+            );
             self.complaints.push(says);
         }
         self.pending.clear();
@@ -231,7 +240,10 @@ impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
         }
         if cells.len() != form.headings.len() {
             let (found, wanted) = (cells.len(), form.headings.len());
-            self.complain(number, &format!("has {found} cells, not {wanted}: {}", quoted(line)));
+            self.complain(
+                number,
+                &format!("has {found} cells, not {wanted}: {}", quoted(line)),
+            );
             return Ok(());
         }
         self.record(&cells, text);
@@ -309,7 +321,9 @@ mod tests {
         let mut taken = pieces.iter().map(|piece| recorder.take(piece, u64::MAX));
         let wrong = taken.find_map(Result::err);
         recorder.end_of_stream();
-        let text = recorder.out().map_or("", |out| std::str::from_utf8(out).unwrap());
+        let text = recorder
+            .out()
+            .map_or("", |out| std::str::from_utf8(out).unwrap());
         (text.to_owned(), recorder.complaints(), wrong)
     }
 
@@ -332,7 +346,11 @@ mod tests {
         assert_eq!(text, "time_s,x_mm,y_mm\n1,2,3\n6,7,8\n");
         assert!(wrong.is_none());
         let says = complaints.join("\n");
-        for part in ["line 2 of the stream has 2 cells, not 3", "line 3 of the stream is not UTF-8", "line 5 of the stream has no end"] {
+        for part in [
+            "line 2 of the stream has 2 cells, not 3",
+            "line 3 of the stream is not UTF-8",
+            "line 5 of the stream has no end",
+        ] {
             assert!(says.contains(part), "{says}");
         }
     }
@@ -343,7 +361,14 @@ mod tests {
         assert!(text.is_empty() && matches!(wrong, Some(RecordError::NoHeadings { .. })));
         let (text, _, wrong) = recorded(&[b"1,2,3\n"], &["x_mm", "y_mm"]);
         assert!(text.is_empty());
-        assert!(matches!(wrong, Some(RecordError::Width { line: 1, cells: 3, headings: 2 })));
+        assert!(matches!(
+            wrong,
+            Some(RecordError::Width {
+                line: 1,
+                cells: 3,
+                headings: 2
+            })
+        ));
         let endless = vec![b'1'; LONGEST_LINE + 1];
         let (_, _, wrong) = recorded(&[&endless], &[]);
         assert!(matches!(wrong, Some(RecordError::LongLine { line: 1 })));

@@ -419,12 +419,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
         .unwrap()
         .replace("0.300000", "0.3oo000");
     assert!(motive(&bad).contains("line 9, column 8: '0.3oo000'; expected a number"));
-    let iso = |text: &str| {
-        refusal(
-            text.as_bytes(),
-            &Settings::new(reading("iso230"), &robot),
-        )
-    };
+    let iso = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("iso230"), &robot));
     assert!(iso("Target [mm],Run 1 +\n0,0\n1,1\n").contains("a length for a joint that turns"));
     assert!(iso("Target,Run 1 +\n0,0\n1,1\n").contains("--angle-unit deg or rad"));
     assert!(iso("Target [deg],Run 1 + [deg]\n0,5\n90,1\n").contains("of the travel away"));
@@ -495,7 +490,7 @@ fn an_inspection_shows_what_was_found_and_what_is_asked() {
     ] {
         assert_eq!(
             inspect(&bytes(file), &Reading::default()).kind,
-            Some(kind),
+            find(kind),
             "{file}"
         );
     }

@@ -112,17 +112,27 @@ fn a_recording_of_ros_2_becomes_a_sample_for_each_stop() {
     let instrument = frame(&truth["instrument_in_base"]);
     let off = distances(&done.session, &robot, &instrument);
     assert!(largest(&off) < 0.05, "0.02 mm of noise, averaged: {off:?}");
-    assert_clock(&done, truth["offset_s"]["arm-ros2"].as_f64().unwrap(), 0.002);
+    assert_clock(
+        &done,
+        truth["offset_s"]["arm-ros2"].as_f64().unwrap(),
+        0.002,
+    );
     // The orientation came along: that of the tool frame in the instrument's.
     let [w, x, y, z] = samples.orientation_wxyz.as_ref().unwrap();
     for i in 0..samples.len() {
         let q: Vec<f64> = samples.q.iter().map(|q| q[i]).collect();
-        let tip = [Vector3::zeros(), Vector3::x(), Vector3::y()].map(|v| {
-            instrument.inverse() * robot.point_in_base(&q, &Point3::from(v))
-        });
-        let turn = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w[i], x[i], y[i], z[i]));
-        assert!((turn * Vector3::x() - (tip[1] - tip[0])).norm() < 1e-5, "{i}");
-        assert!((turn * Vector3::y() - (tip[2] - tip[0])).norm() < 1e-5, "{i}");
+        let tip = [Vector3::zeros(), Vector3::x(), Vector3::y()]
+            .map(|v| instrument.inverse() * robot.point_in_base(&q, &Point3::from(v)));
+        let turn =
+            UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w[i], x[i], y[i], z[i]));
+        assert!(
+            (turn * Vector3::x() - (tip[1] - tip[0])).norm() < 1e-5,
+            "{i}"
+        );
+        assert!(
+            (turn * Vector3::y() - (tip[2] - tip[0])).norm() < 1e-5,
+            "{i}"
+        );
     }
     // The side that each joint came from, in spite of encoders that wander.
     let dir = samples.dir[1].as_ref().unwrap();
@@ -149,8 +159,15 @@ fn a_robot_that_never_stops_is_matched_point_by_point() {
     let (robot, truth) = (robot(), truth());
     let settings = Settings::new(reading("mcap", &[]), &robot);
     let done = imported(&bytes("arm-json.mcap"), &settings);
-    assert!(done.session.samples.len() > 130, "but for what lies outside");
-    assert_clock(&done, truth["offset_s"]["arm-json"].as_f64().unwrap(), 0.002);
+    assert!(
+        done.session.samples.len() > 130,
+        "but for what lies outside"
+    );
+    assert_clock(
+        &done,
+        truth["offset_s"]["arm-json"].as_f64().unwrap(),
+        0.002,
+    );
     let off = distances(&done.session, &robot, &frame(&truth["instrument_in_base"]));
     // Straight lines between joint values 40 ms apart, at half a metre a second.
     assert!(largest(&off) < 0.3, "{}", largest(&off));
@@ -187,7 +204,10 @@ fn a_robot_that_stands_still_is_refused() {
     let robot = robot();
     let settings = Settings::new(reading("mcap", &[]), &robot);
     let wrong = refusal(&bytes("arm-standing.mcap"), &settings);
-    assert!(wrong.contains("never moved") && wrong.contains("--clock-offset"), "{wrong}");
+    assert!(
+        wrong.contains("never moved") && wrong.contains("--clock-offset"),
+        "{wrong}"
+    );
 }
 
 #[test]
@@ -199,14 +219,25 @@ fn topics_and_joints_are_chosen_by_name_and_wrong_names_are_answered() {
         settings.motion = Motion::Stops;
         import(&recording, &settings)
     };
-    let same = with(&[("topic-measured", "tracker/pose"), ("joint-names", "shoulder, upper,elbow")]);
+    let same = with(&[
+        ("topic-measured", "tracker/pose"),
+        ("joint-names", "shoulder, upper,elbow"),
+    ]);
     assert_eq!(same.unwrap().session.samples.len(), 14);
     for (name, value, says) in [
-        ("topic-measured", "/lost", "--topic-measured: no topic '/lost'"),
+        (
+            "topic-measured",
+            "/lost",
+            "--topic-measured: no topic '/lost'",
+        ),
         ("topic-measured", "/lost", "one of '/tracker/pose'"),
         ("topic-joints", "/rosout", "one of '/joint_states'"),
         ("joint-names", "a,b,c", "no joint 'a' in '/joint_states'"),
-        ("joint-names", "upper,upper,elbow", "a joint that comes twice"),
+        (
+            "joint-names",
+            "upper,upper,elbow",
+            "a joint that comes twice",
+        ),
         ("joint-names", "upper", "1 joints for a robot that has 3"),
         ("frame-child", "tool", "a topic with transforms"),
     ] {
@@ -214,8 +245,12 @@ fn topics_and_joints_are_chosen_by_name_and_wrong_names_are_answered() {
         assert!(wrong.contains(says), "{wrong}");
     }
     // Another robot's joints: their order in a message says nothing.
-    let text = String::from_utf8(bytes("arm.json")).unwrap().replace("upper", "a2");
-    let other = truepose::sessions::parse_robot(text.as_bytes()).unwrap().robot;
+    let text = String::from_utf8(bytes("arm.json"))
+        .unwrap()
+        .replace("upper", "a2");
+    let other = truepose::sessions::parse_robot(text.as_bytes())
+        .unwrap()
+        .robot;
     let asked = refusal(&recording, &Settings::new(reading("mcap", &[]), &other));
     assert!(
         asked.contains("--joint-names") && asked.contains("elbow, gripper, shoulder, upper"),
@@ -226,7 +261,9 @@ fn topics_and_joints_are_chosen_by_name_and_wrong_names_are_answered() {
 /// The place where some bytes stand.
 fn find_bytes(bytes: &[u8], wanted: &[u8]) -> usize {
     let mut windows = bytes.windows(wanted.len());
-    windows.position(|window| window == wanted).expect("they are there")
+    windows
+        .position(|window| window == wanted)
+        .expect("they are there")
 }
 
 #[test]
@@ -253,17 +290,35 @@ fn broken_recordings_are_refused_with_the_byte_and_what_was_expected() {
     let shoulder = find_bytes(&whole, b"shoulder\0");
     let cases: Vec<(Vec<u8>, &str)> = vec![
         (Vec::new(), "byte 0: no MCAP file"),
-        (b"q1_deg,x_mm,y_mm\n0,1,2\n".to_vec(), "byte 0: no MCAP file"),
+        (
+            b"q1_deg,x_mm,y_mm\n0,1,2\n".to_vec(),
+            "byte 0: no MCAP file",
+        ),
         (whole[..8].to_vec(), "byte 8: the recording is cut off"),
         (whole[..150].to_vec(), "the recording is cut off"),
-        (changed(joints, b"sensor_msgs/msg/JointStave"), "nothing says where joint 1 was sent"),
-        (changed(tf, b"tf2_msgs/msg/TXMessage"), "no topic with measured poses"),
+        (
+            changed(joints, b"sensor_msgs/msg/JointStave"),
+            "nothing says where joint 1 was sent",
+        ),
+        (
+            changed(tf, b"tf2_msgs/msg/TXMessage"),
+            "no topic with measured poses",
+        ),
         (changed(cdr, b"cdx"), "encoded as 'cdx', not as cdr or json"),
-        (changed(shoulder - 4, &[255; 4]), "message 1 of '/joint_states': 4294967295 elements"),
-        (changed(shoulder - 28, &[0, 9]), "the representation 00 09, no plain CDR"),
+        (
+            changed(shoulder - 4, &[255; 4]),
+            "message 1 of '/joint_states': 4294967295 elements",
+        ),
+        (
+            changed(shoulder - 28, &[0, 9]),
+            "the representation 00 09, no plain CDR",
+        ),
         (packed(name, b'x'), "a chunk with the compression 'xstd'"),
         (packed(name + 100, zstd[name + 100] ^ 255), "chunk"),
-        (packed(name - 8, zstd[name - 8] ^ 1), "a chunk whose checksum does not agree"),
+        (
+            packed(name - 8, zstd[name - 8] ^ 1),
+            "a chunk whose checksum does not agree",
+        ),
         (packed(name - 16 + 5, 1), "chunks of at most 256 MiB"),
     ];
     for (number, (bytes, says)) in cases.iter().enumerate() {
@@ -280,7 +335,11 @@ fn a_recording_that_is_cut_off_is_read_up_to_there() {
     let done = imported(&whole[..whole.len() / 2], &settings);
     let samples = done.session.samples.len();
     assert!((4..12).contains(&samples), "{samples}");
-    assert!(note(&done).contains("what stands before is read"), "{}", note(&done));
+    assert!(
+        note(&done).contains("what stands before is read"),
+        "{}",
+        note(&done)
+    );
 }
 
 #[test]
@@ -304,7 +363,8 @@ fn assert_poses(session: &Session, robot: &Robot, frame: &Isometry3<f64>) {
     let [w, x, y, z] = samples.orientation_wxyz.as_ref().unwrap();
     for i in 0..samples.len() {
         let q: Vec<f64> = samples.q.iter().map(|q| q[i]).collect();
-        let turn = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w[i], x[i], y[i], z[i]));
+        let turn =
+            UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w[i], x[i], y[i], z[i]));
         let tool = |v: Vector3<f64>| frame.inverse() * robot.point_in_base(&q, &Point3::from(v));
         for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
             let there = tool(axis) - tool(Vector3::zeros());
@@ -319,7 +379,12 @@ fn a_board_seen_by_a_camera_gives_poses_whichever_of_the_two_moves() {
     let commands = bytes("board-commands.csv");
     for (file, camera, seen_from, unit) in [
         ("board-rvec.csv", "fixed", "camera_in_base", None),
-        ("board-quaternion.csv", "on-tool", "table_in_base", Some(LengthUnit::Millimetres)),
+        (
+            "board-quaternion.csv",
+            "on-tool",
+            "table_in_base",
+            Some(LengthUnit::Millimetres),
+        ),
     ] {
         let mut settings = Settings::new(reading("board", &[]), &robot);
         settings.commands = Some(Companion {
@@ -329,7 +394,11 @@ fn a_board_seen_by_a_camera_gives_poses_whichever_of_the_two_moves() {
         settings.matching = Matching::Name;
         let asked = refusal(&bytes(file), &settings);
         assert!(asked.contains("--camera fixed or on-tool"), "{asked}");
-        assert_eq!(asked.contains("--unit mm or m or in"), unit.is_some(), "{asked}");
+        assert_eq!(
+            asked.contains("--unit mm or m or in"),
+            unit.is_some(),
+            "{asked}"
+        );
         settings.reading.options.insert("camera", camera.to_owned());
         settings.reading.unit = unit;
         let done = imported(&bytes(file), &settings);
@@ -350,13 +419,163 @@ fn board_files_that_lack_something_are_refused() {
         refusal(text.as_bytes(), &settings)
     };
     for (text, says) in [
-        ("image,rvec_x,rvec_y,rvec_z\na,0,0,0\n", "no header with tvec_x"),
+        (
+            "image,rvec_x,rvec_y,rvec_z\na,0,0,0\n",
+            "no header with tvec_x",
+        ),
         ("1,0,0,0,1,2,3\n", "no header with tvec_x"),
-        ("rvec_x,rvec_y,rvec_z,tvec_x_m,tvec_y_m,tvec_z_m\n0,0,0,1,2,x\n", "line 2, column 6"),
-        ("rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z\n0,0,0,1,2,3\n", "--unit mm or m or in"),
-        ("rvec_x,rvec_y,rvec_z,tvec_x_m,tvec_y_m,tvec_z_m\n", "no table"),
+        (
+            "rvec_x,rvec_y,rvec_z,tvec_x_m,tvec_y_m,tvec_z_m\n0,0,0,1,2,x\n",
+            "line 2, column 6",
+        ),
+        (
+            "rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z\n0,0,0,1,2,3\n",
+            "--unit mm or m or in",
+        ),
+        (
+            "rvec_x,rvec_y,rvec_z,tvec_x_m,tvec_y_m,tvec_z_m\n",
+            "no table",
+        ),
     ] {
         let wrong = wrong(text);
         assert!(wrong.contains(says), "{says}: {wrong}");
     }
+}
+
+/// The session as text: what stands in the CSV and which anchors the JSON declares.
+fn written(session: &Session) -> (Value, Vec<Vec<String>>) {
+    let folder = std::env::temp_dir().join(format!("truepose-distances-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let path = folder.join("s.json");
+    let replacing = truepose::sessions::Replacing {
+        force: true,
+        inputs: &[],
+    };
+    truepose::sessions::save(session, &path, replacing).unwrap();
+    let document = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
+    let csv = std::fs::read_to_string(folder.join("s.csv")).unwrap();
+    std::fs::remove_dir_all(&folder).unwrap();
+    let rows = csv
+        .lines()
+        .map(|line| line.split(',').map(str::to_owned).collect());
+    (document, rows.collect())
+}
+
+#[test]
+fn distances_are_read_with_their_anchor_from_any_notation() {
+    let (robot, truth) = (robot(), truth());
+    let commands = bytes("ballbar-commands.csv");
+    for (file, anchor, offset) in [
+        ("ballbar.csv", "table", Some("0")),
+        ("drawwire-de.txt", "table", None),
+    ] {
+        let mut settings = Settings::new(reading("ballbar", &[]), &robot);
+        settings.commands = Some(Companion {
+            bytes: &commands,
+            file: None,
+        });
+        if let Some(offset) = offset {
+            settings
+                .reading
+                .options
+                .insert("anchor-offset", offset.to_owned());
+        }
+        let done = imported(&bytes(file), &settings);
+        let (document, rows) = written(&done.session);
+        let declared = &document["anchors"][anchor];
+        assert!(declared["position_mm"].is_null(), "{document}");
+        assert_eq!(
+            declared["offset_mm"].as_f64(),
+            offset.map(|o| o.parse().unwrap())
+        );
+        let column = |name: &str| {
+            let heading = rows[0].iter().position(|heading| heading == name);
+            heading.unwrap_or_else(|| panic!("{name} in {:?}", rows[0]))
+        };
+        let (distance, name, time) = (column("distance_mm"), column("anchor"), column("time_s"));
+        for (k, row) in rows[1..].iter().enumerate() {
+            let wanted = truth["ballbar"]["distances_mm"][k].as_f64().unwrap();
+            assert!((row[distance].parse::<f64>().unwrap() - wanted).abs() < 1e-4);
+            assert_eq!(row[name], anchor);
+            assert!((row[time].parse::<f64>().unwrap() - 12.5 - 2.0 * k as f64).abs() < 1e-9);
+        }
+        assert_eq!(rows.len(), 16);
+    }
+    // Where the anchor is may be known: then it is no unknown.
+    let mut settings = Settings::new(reading("ballbar", &[]), &robot);
+    settings.commands = Some(Companion {
+        bytes: &commands,
+        file: None,
+    });
+    settings.reference = Some(Companion {
+        bytes: b"name,x_mm,y_mm,z_mm\ntable,300,-450,40\nother,1,2,3\n",
+        file: None,
+    });
+    let done = imported(&bytes("ballbar.csv"), &settings);
+    let (document, _) = written(&done.session);
+    assert_eq!(document["anchors"]["table"]["position_mm"][1], -450.0);
+}
+
+#[test]
+fn distances_that_lack_something_are_refused_or_asked_about() {
+    let robot = robot();
+    let with = |text: &str, options: &[(&'static str, &str)]| {
+        let mut settings = Settings::new(reading("ballbar", options), &robot);
+        settings.reading.joint = 0;
+        import(text.as_bytes(), &settings)
+    };
+    let q = "q1_deg,q2_deg,q3_deg";
+    for (text, options, says) in [
+        (
+            format!("{q},x\n0,0,0,5\n"),
+            &[][..],
+            "no column is the distance for certain",
+        ),
+        (
+            format!("{q},distance\n0,0,0,5\n"),
+            &[],
+            "the unit of the distances is not said",
+        ),
+        (
+            format!("{q},Deviation [um]\n0,0,0,5\n"),
+            &[],
+            "--nominal-length",
+        ),
+        (
+            format!("{q},Deviation [um]\n0,0,0,5\n"),
+            &[("nominal-length", "x")],
+            "a length in mm",
+        ),
+        (
+            format!("{q},distance_mm\n0,0,0,5\n"),
+            &[("anchor-offset", "inf")],
+            "a length in mm",
+        ),
+        (
+            format!("{q},distance_mm\n0,0,0,1e400\n"),
+            &[],
+            "line 2, column 4",
+        ),
+        (
+            "distance_mm\n5\n".to_owned(),
+            &[],
+            "nothing says where joint 1 was sent",
+        ),
+    ] {
+        let wrong = with(&text, options).unwrap_err().to_string();
+        assert!(wrong.contains(says), "{says}: {wrong}");
+    }
+    let text = format!("{q},Deviation [um],anchor\n0,0,0,5,B\n1,0,0,,C\n");
+    let options = [("nominal-length", "300"), ("anchor-offset", "-0.5")];
+    let session = with(&text, &options).unwrap().session;
+    let (document, rows) = written(&session);
+    let at = rows[0]
+        .iter()
+        .position(|heading| heading == "distance_mm")
+        .unwrap();
+    assert_eq!(rows[1][at], "300.005");
+    assert_eq!(rows[2][at], "", "a reading that is missing stays missing");
+    assert_eq!(document["anchors"]["C"]["offset_mm"], -0.5);
+    let found = inspect(&bytes("ballbar.csv"), &Reading::default());
+    assert_eq!(found.kind, find("ballbar"));
 }

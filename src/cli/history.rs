@@ -200,7 +200,9 @@ fn in_words(told: &Told) -> String {
 }
 
 fn entry_in_words(entry: &Entry) -> String {
-    let samples = entry.samples.map_or_else(String::new, |n| format!(", {n} samples"));
+    let samples = entry
+        .samples
+        .map_or_else(String::new, |n| format!(", {n} samples"));
     let mut text = format!(
         "  {} ({}{samples}): RMS error {:.4} mm nominal, {:.4} mm after identification",
         entry.file,
@@ -215,13 +217,24 @@ fn entry_in_words(entry: &Entry) -> String {
     let Some(since) = entry.changes.first().map(|change| &change.since) else {
         return text;
     };
-    let changed: Vec<&Change> = entry.changes.iter().filter(|c| c.is_significant()).collect();
+    let changed: Vec<&Change> = entry
+        .changes
+        .iter()
+        .filter(|c| c.is_significant())
+        .collect();
     let (count, of) = (changed.len(), entry.changes.len());
-    text += &format!("    changed since {since} by more than the interval: {count} of {of} parameters\n");
+    text += &format!(
+        "    changed since {since} by more than the interval: {count} of {of} parameters\n"
+    );
     for change in changed {
         let estimate = &entry.parameters[change.parameter];
-        let joint = estimate.joint.map_or_else(String::new, |joint| format!(" {joint}"));
-        let target = estimate.target.as_ref().map_or_else(String::new, |t| format!(" {t}"));
+        let joint = estimate
+            .joint
+            .map_or_else(String::new, |joint| format!(" {joint}"));
+        let target = estimate
+            .target
+            .as_ref()
+            .map_or_else(String::new, |t| format!(" {t}"));
         let half = change.ci95.map_or(f64::NAN, |[from, to]| 0.5 * (to - from));
         // As many digits as the interval carries.
         let digits = digits(half);
@@ -235,5 +248,7 @@ fn entry_in_words(entry: &Entry) -> String {
 
 /// Decimals with which two digits of an uncertainty show.
 fn digits(half: f64) -> usize {
-    (0..9).find(|&digits| half * 10_f64.powi(digits) >= 10.0).map_or(9, |d| d.unsigned_abs() as usize)
+    (0..9)
+        .find(|&digits| half * 10_f64.powi(digits) >= 10.0)
+        .map_or(9, |d| d.unsigned_abs() as usize)
 }

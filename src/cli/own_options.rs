@@ -47,15 +47,17 @@ impl FromArgMatches for OwnOptions {
 
 impl Args for OwnOptions {
     fn augment_args(command: Command) -> Command {
-        all().into_iter().fold(command, |command, (option, formats)| {
-            let help = format!("With --as {}: {}", formats.join(" or "), option.help);
-            let values: ValueParser = match option.values {
-                [] => ValueParser::string(),
-                values => PossibleValuesParser::new(values).into(),
-            };
-            let arg = Arg::new(option.name).long(option.name).help(help);
-            command.arg(arg.value_name(option.value).value_parser(values))
-        })
+        all()
+            .into_iter()
+            .fold(command, |command, (option, formats)| {
+                let help = format!("With --as {}: {}", formats.join(" or "), option.help);
+                let values: ValueParser = match option.values {
+                    [] => ValueParser::string(),
+                    values => PossibleValuesParser::new(values).into(),
+                };
+                let arg = Arg::new(option.name).long(option.name).help(help);
+                command.arg(arg.value_name(option.value).value_parser(values))
+            })
     }
 
     fn augment_args_for_update(command: Command) -> Command {

@@ -123,7 +123,8 @@ impl Source {
         let (kind, address) = source.split_once("://").ok_or_else(wrong)?;
         let port = address.rsplit_once(':').ok_or_else(wrong)?.1;
         if port.parse::<u16>().is_err() {
-            let found = format!("{source}: {port:?} is no port; {expected}, with PORT from 0 to 65535");
+            let found =
+                format!("{source}: {port:?} is no port; {expected}, with PORT from 0 to 65535");
             return Err(Failure::WrongInput(found));
         }
         match kind {
@@ -165,7 +166,11 @@ impl Source {
             let count = match read {
                 Ok(count) => count,
                 Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => return Err(Failure::Failed(anyhow::Error::new(error).context("the stream broke off"))),
+                Err(error) => {
+                    return Err(Failure::Failed(
+                        anyhow::Error::new(error).context("the stream broke off"),
+                    ));
+                }
             };
             if count == 0 && matches!(self, Self::Tcp(_)) {
                 recorder.end_of_stream();

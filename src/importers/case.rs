@@ -228,8 +228,12 @@ impl<'a> Case<'a> {
 
     /// Gives every quantity its unit, or asks for it.
     fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
-        let position =
-            |q| matches!(q, Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance);
+        let position = |q| {
+            matches!(
+                q,
+                Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance
+            )
+        };
         let named = grid.unit_in_preamble();
         let mut spread: f64 = 0.0;
         let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
@@ -380,9 +384,7 @@ impl<'a> CellReader<'a> {
             Role::Known(
                 Quantity::Target | Quantity::Setup | Quantity::Use | Quantity::Anchor,
                 _,
-            ) => {
-                Some(Cells::Names(Names::default()))
-            }
+            ) => Some(Cells::Names(Names::default())),
             Role::Known(..) | Role::Time(_) | Role::Axis(_) => Some(Cells::Numbers(Vec::new())),
         };
         Self {

@@ -243,9 +243,8 @@ impl<'a> Search<'a> {
                 (0..TABLE).map(&mut position).collect()
             })
             .collect();
-        let moves = |way: &Vec<Vector3<f64>>| {
-            way.iter().any(|at| (at - way[0]).norm() > SMALLEST_PATH_MM)
-        };
+        let moves =
+            |way: &Vec<Vector3<f64>>| way.iter().any(|at| (at - way[0]).norm() > SMALLEST_PATH_MM);
         if !table.iter().any(moves) {
             return Err(NoOffset::NothingMoves);
         }

@@ -89,7 +89,9 @@ fn read(bytes: &[u8], reading: &Reading, part: Part<'_>) -> (Inspection, Option<
     let place = reading.place();
     let mut found = Inspection::default();
     let is_binary = |importer: &&Importer| match importer.known_by {
-        KnownBy::Bytes(is) => reading.kind == Some(*importer) || reading.kind.is_none() && is(bytes),
+        KnownBy::Bytes(is) => {
+            reading.kind == Some(*importer) || reading.kind.is_none() && is(bytes)
+        }
         _ => false,
     };
     let binary = IMPORTERS.iter().copied().find(is_binary);
@@ -159,7 +161,9 @@ fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> &'static Importer 
             is_complete: read.is_some(),
         }
     };
-    let suited = asked.iter().find(|(_, importer, suits)| suits(&tried(importer)));
+    let suited = asked
+        .iter()
+        .find(|(_, importer, suits)| suits(&tried(importer)));
     // Of a table that nothing suits, a table's questions are asked.
     suited.map_or(&formats::csv::IMPORTER, |(_, importer, _)| importer)
 }

@@ -173,7 +173,9 @@ impl Path {
     pub(crate) fn mean(&self, joint: usize, time_s: &RangeInclusive<f64>) -> f64 {
         let entries = self.time_s.iter().zip(&self.q[joint]);
         let from = self.time_s.partition_point(|time| time < time_s.start());
-        let inside = entries.skip(from).take_while(|(time, _)| *time <= time_s.end());
+        let inside = entries
+            .skip(from)
+            .take_while(|(time, _)| *time <= time_s.end());
         let (count, sum) = inside.fold((0.0, 0.0), |(count, sum), (_, q)| (count + 1.0, sum + q));
         if count > 0.0 {
             return sum / count;

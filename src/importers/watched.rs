@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use nalgebra::{Point3, Vector3};
 
 use super::{Companion, Reading, Settings, import, import_watched};
-use super::{find, inspect, inspect_watched};
+use super::{IMPORTERS, inspect, inspect_watched};
 use crate::kinematics::{Axis, Joint, JointKind, Robot, pose_from_parts};
 use crate::progress::ReadError;
 use crate::progress::testing::{assert_grows, no_at, told};
@@ -43,7 +43,11 @@ fn table(heading: &str, columns: &[f64]) -> String {
 #[test]
 fn a_file_is_looked_at_with_or_without_its_kind() {
     let text = table("q1_deg,x_mm,y_mm,z_mm", &[1.0, 250.0, 0.5, 300.0]);
-    for kind in [None, find("csv"), find("tum"), find("tracker")] {
+    let text_formats = IMPORTERS
+        .iter()
+        .copied()
+        .filter(|importer| importer.asks.table);
+    for kind in text_formats.map(Some).chain([None]) {
         let reading = Reading {
             kind,
             ..Reading::default()

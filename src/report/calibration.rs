@@ -14,7 +14,6 @@ use super::parts::{
 };
 use super::plots::waterfall;
 
-
 impl Report {
     /// The report of a model file.
     pub fn of_model(calibration: &Calibration, extras: &Extras) -> Self {

@@ -223,6 +223,24 @@ def transforms(path, seed, offset_s):
         writer.finish()
 
 
+def tiny(path, compression):
+    """A few messages of a robot with one joint, for tests that damage them."""
+    with open(path, "wb") as stream:
+        writer = Writer(stream, compression=compression, use_chunking=compression != CompressionType.NONE)
+        writer.start()
+        schema = lambda name: writer.register_schema(name, "ros2msg", b"")
+        joints = writer.register_channel("/j", "cdr", schema("sensor_msgs/msg/JointState"))
+        point = writer.register_channel("/p", "json", schema("geometry_msgs/msg/PointStamped"))
+        for k in range(8):
+            ns, s = stamp(k)
+            q = 0.2 * k + 0.1 * (k % 3)
+            message = BigEndian().header(s, "").put("I", 1).text("pan").put("I", 1).put("d", q)
+            writer.add_message(joints, ns, message.put("I", 0).put("I", 0).bytes(), ns)
+            data = {"header": {"stamp": s}, "point": {"x": 0.25 * np.cos(q), "y": 0.25 * np.sin(q), "z": 0.3}}
+            writer.add_message(point, ns, json.dumps(data).encode(), ns)
+        writer.finish()
+
+
 def standing(path):
     """Nothing moves but the noise."""
     rng = np.random.default_rng(9)
@@ -311,6 +329,8 @@ def main():
     as_json(OUT / "arm-json.mcap", 2, -3.05)
     transforms(OUT / "arm-tf.mcap", 3, 0.5)
     standing(OUT / "arm-standing.mcap")
+    tiny(OUT / "tiny.mcap", CompressionType.NONE)
+    tiny(OUT / "tiny-zstd.mcap", CompressionType.ZSTD)
     truth = {"offset_s": {"arm-ros2": 0.237, "arm-json": -3.05, "arm-tf": 0.5},
              "instrument_in_base": {"rotation": FRAME_R.tolist(), "position_mm": FRAME_T.tolist()},
              "stops_rad": knots.tolist(), "board": boards(), "ballbar": ballbar()}

@@ -55,8 +55,21 @@ pub(crate) static IMPORTER: Importer = Importer {
 
 /// Words for a distance in a heading, and for what is one only together with a nominal length.
 const DISTANCE: [&str; 15] = [
-    "distance", "dist", "abstand", "distanz", "länge", "laenge", "length", "radius", "range",
-    "seillänge", "seilweg", "ballbar", "reading", "messwert", "weg",
+    "distance",
+    "dist",
+    "abstand",
+    "distanz",
+    "länge",
+    "laenge",
+    "length",
+    "radius",
+    "range",
+    "seillänge",
+    "seilweg",
+    "ballbar",
+    "reading",
+    "messwert",
+    "weg",
 ];
 const DEVIATION: [&str; 3] = ["deviation", "abweichung", "extension"];
 
@@ -78,7 +91,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
             [] => "no header, and no column that is said to be the distance".to_owned(),
             names => {
                 let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
-                format!("no column is the distance for certain among {}", names.join(", "))
+                format!(
+                    "no column is the distance for certain among {}",
+                    names.join(", ")
+                )
             }
         };
         case.ask(About::Columns, says, &[]);
@@ -92,7 +108,9 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     {
         values.iter_mut().for_each(|value| *value += length_mm);
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
-        case.note(format!("{length_mm} mm were added to every reading, as was said"));
+        case.note(format!(
+            "{length_mm} mm were added to every reading, as was said"
+        ));
     }
     Some(columns)
 }
@@ -101,7 +119,11 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
 fn nominal_length(case: &mut Case<'_>, is_deviation: bool) -> Option<f64> {
     match case.reading.options.get(NOMINAL_LENGTH) {
         Some(said) => {
-            let value = said.trim().parse().ok().filter(|value: &f64| value.is_finite());
+            let value = said
+                .trim()
+                .parse()
+                .ok()
+                .filter(|value: &f64| value.is_finite());
             if value.is_none() {
                 let found = format!("--{NOMINAL_LENGTH}: {}", quoted(said));
                 case.refuse(found, "a length in mm, such as 300.0015");
@@ -159,7 +181,11 @@ mod tests {
             ("remark", "-", false),
         ] {
             let (role, deviation) = role(heading);
-            assert_eq!((role.to_string().as_str(), deviation), (meant, is_deviation), "{heading}");
+            assert_eq!(
+                (role.to_string().as_str(), deviation),
+                (meant, is_deviation),
+                "{heading}"
+            );
         }
     }
 }

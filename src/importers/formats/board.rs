@@ -63,12 +63,15 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
     let mut parts: Vec<Part> = names.iter().map(|name| part(name)).collect();
     parts.resize(grid.width, Part::Other(Role::Kept));
-    let has = |wanted: &dyn Fn(&Part) -> bool| parts.iter().filter(|part| wanted(part)).count() == 3;
+    let has =
+        |wanted: &dyn Fn(&Part) -> bool| parts.iter().filter(|part| wanted(part)).count() == 3;
     let is_turned = has(&|part| matches!(part, Part::Turn(_)));
     let is_shifted = has(&|part| matches!(part, Part::Shift(..)));
     let orientations = (0..4).filter(|&at| {
         let quantity = Some(Quantity::Orientation(at));
-        parts.iter().any(|part| matches!(part, Part::Other(role) if role.quantity() == quantity))
+        parts
+            .iter()
+            .any(|part| matches!(part, Part::Other(role) if role.quantity() == quantity))
     });
     let by_quaternion = orientations.count() == 4;
     if !is_shifted || is_turned == by_quaternion {
@@ -107,8 +110,12 @@ fn part(heading: &str) -> Part {
     let (words, unit) = words_and_unit(&plain);
     let joined = words.concat();
     let axis = |prefixes: [&str; 3]| {
-        let rest = prefixes.iter().find_map(|prefix| joined.strip_prefix(prefix))?;
-        [["x", "0"], ["y", "1"], ["z", "2"]].iter().position(|names| names.contains(&rest))
+        let rest = prefixes
+            .iter()
+            .find_map(|prefix| joined.strip_prefix(prefix))?;
+        [["x", "0"], ["y", "1"], ["z", "2"]]
+            .iter()
+            .position(|names| names.contains(&rest))
     };
     if let Some(at) = axis(["rvec", "rotationvector", "r"]) {
         return match unit {
@@ -151,7 +158,10 @@ fn into_tool_poses(
             let of = |list: &[Vec<f64>], at: usize| list[at][row];
             let rotation = if is_turned {
                 let vector = Vector3::new(of(&turn, 0), of(&turn, 1), of(&turn, 2));
-                vector.norm().is_finite().then(|| UnitQuaternion::from_scaled_axis(vector))
+                vector
+                    .norm()
+                    .is_finite()
+                    .then(|| UnitQuaternion::from_scaled_axis(vector))
             } else {
                 let [w, x, y, z] = [0, 1, 2, 3].map(|at| of(&turn, at));
                 let quaternion = Quaternion::new(w, x, y, z);
@@ -171,20 +181,30 @@ fn into_tool_poses(
         })
         .collect();
     if unseen > 0 {
-        let found = format!("the board was not seen in {unseen} of {} images", poses.len());
+        let found = format!(
+            "the board was not seen in {unseen} of {} images",
+            poses.len()
+        );
         case.warn(found, "");
     }
     let mut put = |quantity, unit, of: &dyn Fn(&Isometry3<f64>) -> f64| {
         let values = poses.iter().map(|pose| pose.as_ref().map_or(f64::NAN, of));
         columns.put(Column::made(quantity, unit, values.collect()));
     };
-    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z].into_iter().enumerate() {
-        put(quantity, Unit::Length(1.0), &|pose| pose.translation.vector[axis]);
+    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .enumerate()
+    {
+        put(quantity, Unit::Length(1.0), &|pose| {
+            pose.translation.vector[axis]
+        });
     }
     let parts: [fn(&Quaternion<f64>) -> f64; 4] = [|q| q.w, |q| q.i, |q| q.j, |q| q.k];
     for (at, of) in parts.into_iter().enumerate() {
         let quantity = Quantity::Orientation(at);
-        put(quantity, Unit::Fixed, &|pose| of(pose.rotation.quaternion()));
+        put(quantity, Unit::Fixed, &|pose| {
+            of(pose.rotation.quaternion())
+        });
     }
     say_frame(case, columns, is_on_tool);
     Some(())
@@ -234,6 +254,9 @@ mod tests {
         ] {
             assert_eq!(part(heading), meant, "{heading}");
         }
-        assert_eq!(part("qw"), Part::Other(fixed(Quantity::Orientation(0), Unit::Fixed)));
+        assert_eq!(
+            part("qw"),
+            Part::Other(fixed(Quantity::Orientation(0), Unit::Fixed))
+        );
     }
 }

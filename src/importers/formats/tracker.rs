@@ -6,8 +6,8 @@
 
 use crate::importers::case::Case;
 use crate::importers::columns::Columns;
-use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::decimals::{Shape, shape};
+use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, understand};
 use crate::importers::settings::About;

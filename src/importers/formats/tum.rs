@@ -22,10 +22,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         ..Asks::TABLE
     },
     options: &[],
-    known_by: KnownBy::Reading {
-        turn: 1,
-        suits,
-    },
+    known_by: KnownBy::Reading { turn: 1, suits },
     read,
 };
 

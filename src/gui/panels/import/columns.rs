@@ -149,7 +149,9 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
     let found = &now.seen.inspection;
     let palette = Palette::of(ui);
     let mut changed = None;
-    let fixed = found.kind.is_some_and(|importer| importer.asks.columns == Meanings::Fixed);
+    let fixed = found
+        .kind
+        .is_some_and(|importer| importer.asks.columns == Meanings::Fixed);
     let bar = ScrollArea::horizontal().id_salt("columns");
     bar.show(ui, |ui| {
         let grid = Grid::new("columns of the file")

@@ -79,7 +79,9 @@ impl<'a> Cdr<'a> {
         let count = self.u32()? as usize;
         let left = self.body.len() - self.at.min(self.body.len());
         if count > left / smallest {
-            return Err(format!("{count} elements in the {left} bytes that are left"));
+            return Err(format!(
+                "{count} elements in the {left} bytes that are left"
+            ));
         }
         Ok(count)
     }

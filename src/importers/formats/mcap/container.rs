@@ -351,7 +351,14 @@ mod tests {
         chunk.extend((records.len() as u64).to_le_bytes());
         chunk.extend(&records);
         let footer = framed(2, &[0; 20]);
-        [&MAGIC[..], &framed(1, &[0; 8]), &framed(6, &chunk), &footer, &MAGIC].concat()
+        [
+            &MAGIC[..],
+            &framed(1, &[0; 8]),
+            &framed(6, &chunk),
+            &footer,
+            &MAGIC,
+        ]
+        .concat()
     }
 
     fn messages(bytes: &[u8]) -> (Vec<String>, Result<(), Broken>) {
@@ -361,7 +368,10 @@ mod tests {
                 topic, type_name, ..
             } = &channels[message.channel];
             let data = String::from_utf8_lossy(message.data);
-            seen.push(format!("{topic} {type_name} {} {data}", message.log_time_ns));
+            seen.push(format!(
+                "{topic} {type_name} {} {data}",
+                message.log_time_ns
+            ));
             true
         });
         (seen, read)
@@ -395,7 +405,10 @@ mod tests {
         let at = bytes.windows(4).position(|four| four == b"data").unwrap();
         bytes[at] ^= 1;
         let broken = messages(&bytes).1.unwrap_err();
-        assert!(broken.found.contains("checksum") && !broken.is_cut, "{broken:?}");
+        assert!(
+            broken.found.contains("checksum") && !broken.is_cut,
+            "{broken:?}"
+        );
         assert_eq!(broken.byte, 8 + 9 + 8, "where the chunk starts");
     }
 }

@@ -261,7 +261,11 @@ mod tests {
 
     #[test]
     fn types_are_known_whatever_the_version_of_their_name() {
-        for name in ["sensor_msgs/msg/JointState", "sensor_msgs/JointState", "JointState"] {
+        for name in [
+            "sensor_msgs/msg/JointState",
+            "sensor_msgs/JointState",
+            "JointState",
+        ] {
             assert_eq!(Type::of(name), Some(Type::JointState));
         }
         assert_eq!(Type::of("sensor_msgs/msg/JointStates"), None);
@@ -290,8 +294,18 @@ mod tests {
             (Type::PoseStamped, "ros1", &b""[..], "encoded as 'ros1'"),
             (Type::PoseStamped, "json", b"{}", "no pose and no point"),
             (Type::PoseStamped, "json", b"[", "JSON that is not"),
-            (Type::JointState, "json", br#"{"name":["a"],"position":[]}"#, "1 names and 0 positions"),
-            (Type::TfMessage, "cdr", b"\0\x01\0\0\xff\xff\0\0", "65535 elements"),
+            (
+                Type::JointState,
+                "json",
+                br#"{"name":["a"],"position":[]}"#,
+                "1 names and 0 positions",
+            ),
+            (
+                Type::TfMessage,
+                "cdr",
+                b"\0\x01\0\0\xff\xff\0\0",
+                "65535 elements",
+            ),
         ] {
             let wrong = read(type_, encoding, data).unwrap_err();
             assert!(wrong.contains(says), "{wrong}");

@@ -83,7 +83,10 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     let (joints, measured) = (joints?, measured?);
     let Some(measured) = measured else {
         let expected = format!("a topic of one of the types {}", MEASURED.types_in_words());
-        case.refuse("no topic with measured poses, points or transforms", expected);
+        case.refuse(
+            "no topic with measured poses, points or transforms",
+            expected,
+        );
         return None;
     };
     let path = match joints {
@@ -137,7 +140,10 @@ fn gathered(case: &mut Case<'_>) -> Option<Topics> {
         }
     }
     if topics.messages() == 0 {
-        case.refuse("a recording without messages", "joint states and measured poses");
+        case.refuse(
+            "a recording without messages",
+            "joint states and measured poses",
+        );
         return None;
     }
     Some(topics)
@@ -163,32 +169,51 @@ const MEASURED: Wanted = Wanted {
     option: TOPIC_MEASURED,
     what: "measured poses, points or transforms",
     types: &[
-        &[Type::PoseStamped, Type::PointStamped, Type::TransformStamped],
+        &[
+            Type::PoseStamped,
+            Type::PointStamped,
+            Type::TransformStamped,
+        ],
         &[Type::TfMessage],
     ],
 };
 
 impl Wanted {
     fn types_in_words(&self) -> String {
-        let names: Vec<&str> = self.types.iter().flat_map(|t| t.iter()).map(|t| t.name()).collect();
+        let names: Vec<&str> = self
+            .types
+            .iter()
+            .flat_map(|t| t.iter())
+            .map(|t| t.name())
+            .collect();
         names.join(", ")
     }
 }
 
 /// The topic that was said, or the only one of the types that are wanted. `None`: it is asked, or
 /// wrong; `Some(None)`: there is none.
-fn chosen<'t>(case: &mut Case<'_>, topics: &'t Topics, wanted: &Wanted) -> Option<Option<&'t Topic>> {
+fn chosen<'t>(
+    case: &mut Case<'_>,
+    topics: &'t Topics,
+    wanted: &Wanted,
+) -> Option<Option<&'t Topic>> {
     let of = |types: &[Type]| -> Vec<&'t Topic> {
         let all = topics.list.values();
         all.filter(|topic| types.contains(&topic.type_)).collect()
     };
     let suited: Vec<&Topic> = wanted.types.iter().flat_map(|types| of(types)).collect();
     if let Some(said) = case.reading.options.get(wanted.option) {
-        let is = |topic: &&&Topic| topic.name.trim_start_matches('/') == said.trim_start_matches('/');
+        let is =
+            |topic: &&&Topic| topic.name.trim_start_matches('/') == said.trim_start_matches('/');
         let found = suited.iter().find(is).copied();
         if found.is_none() {
             let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
-            let found = format!("--{}: no topic {} with {}", wanted.option, quoted(said), wanted.what);
+            let found = format!(
+                "--{}: no topic {} with {}",
+                wanted.option,
+                quoted(said),
+                wanted.what
+            );
             let expected = match &names[..] {
                 [] => format!("a topic of one of the types {}", wanted.types_in_words()),
                 names => format!("one of {}", names.join(", ")),

@@ -73,7 +73,12 @@ pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
 
 /// The recorded joints that are the robot's, from base to tool.
 fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
-    let robot: Vec<&str> = case.reading.joints.iter().map(|(name, _)| name.as_str()).collect();
+    let robot: Vec<&str> = case
+        .reading
+        .joints
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
     let recorded = listed_up_to(&topic.joint_names, SHOWN);
     if let Some(said) = case.reading.options.get(JOINT_NAMES) {
         let names: Vec<String> = said.split(',').map(|name| name.trim().to_owned()).collect();
@@ -83,7 +88,11 @@ fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
             Some(name) => format!("no joint {} in {}", quoted(name), quoted(&topic.name)),
             None if distinct.len() < names.len() => "a joint that comes twice".to_owned(),
             None if !robot.is_empty() && robot.len() != names.len() => {
-                format!("{} joints for a robot that has {}", names.len(), robot.len())
+                format!(
+                    "{} joints for a robot that has {}",
+                    names.len(),
+                    robot.len()
+                )
             }
             None => return Some(names),
         };
@@ -117,7 +126,12 @@ fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
 }
 
 impl Path {
-    fn averaged(rows: &BTreeMap<i64, Vec<f64>>, joints: usize, slides: Vec<bool>, start_ns: i64) -> Self {
+    fn averaged(
+        rows: &BTreeMap<i64, Vec<f64>>,
+        joints: usize,
+        slides: Vec<bool>,
+        start_ns: i64,
+    ) -> Self {
         let mut path = Self {
             time_ns: Vec::new(),
             q: vec![Vec::new(); joints],
@@ -138,7 +152,8 @@ impl Path {
                 }
             }
             // Relative to the start: a double cannot hold a nanosecond of these days.
-            path.time_ns.push(first.saturating_sub(start_ns) as f64 + later_ns / count);
+            path.time_ns
+                .push(first.saturating_sub(start_ns) as f64 + later_ns / count);
             for (column, sum) in path.q.iter_mut().zip(sum) {
                 column.push(sum / count);
             }
@@ -194,7 +209,10 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
         list.retain(|measured| measured.is_there());
     }
     if list.is_empty() {
-        case.refuse(format!("nothing was measured in {}", quoted(&topic.name)), "");
+        case.refuse(
+            format!("nothing was measured in {}", quoted(&topic.name)),
+            "",
+        );
         return None;
     }
     let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
@@ -208,15 +226,25 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
     ));
     let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
     let mut columns = Columns::default();
-    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z].into_iter().enumerate() {
+    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .enumerate()
+    {
         let values = of(&|m| m.position_m[axis]);
         columns.put(Column::made(quantity, Unit::Length(1000.0), values));
     }
-    if list.iter().all(|measured| measured.orientation_xyzw.is_some()) {
+    if list
+        .iter()
+        .all(|measured| measured.orientation_xyzw.is_some())
+    {
         for part in 0..4 {
             // x, y, z, w in the messages.
             let values = of(&|m| m.orientation_xyzw.map_or(f64::NAN, |q| q[(part + 3) % 4]));
-            columns.put(Column::made(Quantity::Orientation(part), Unit::Fixed, values));
+            columns.put(Column::made(
+                Quantity::Orientation(part),
+                Unit::Fixed,
+                values,
+            ));
         }
     }
     columns.list.push(time_column(of(&|m| {
@@ -224,7 +252,8 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
     })));
     if frames.len() > 1 {
         let mut names = Names::default();
-        list.iter().for_each(|measured| names.push(&measured.header.frame));
+        list.iter()
+            .for_each(|measured| names.push(&measured.header.frame));
         columns.list.push(Column {
             name: "setup".to_owned(),
             number: 0,
@@ -241,15 +270,25 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
 #[expect(clippy::option_option, reason = "asked, none, or one")]
 fn child_of(case: &mut Case<'_>, topic: &Topic) -> Option<Option<String>> {
     let children: BTreeSet<&str> = topic.measured.iter().map(|m| m.child.as_str()).collect();
-    let children: Vec<&str> = children.into_iter().filter(|child| !child.is_empty()).collect();
+    let children: Vec<&str> = children
+        .into_iter()
+        .filter(|child| !child.is_empty())
+        .collect();
     if let Some(said) = case.reading.options.get(FRAME_CHILD) {
         if children.contains(&said.as_str()) {
             return Some(Some(said.clone()));
         }
         let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
-        let found = format!("--{FRAME_CHILD}: no frame {} in {}", quoted(said), quoted(&topic.name));
+        let found = format!(
+            "--{FRAME_CHILD}: no frame {} in {}",
+            quoted(said),
+            quoted(&topic.name)
+        );
         let expected = match &names[..] {
-            [] => format!("a topic with transforms; this one has {}", topic.type_.name()),
+            [] => format!(
+                "a topic with transforms; this one has {}",
+                topic.type_.name()
+            ),
             names => format!("one of {}", listed_up_to(names, SHOWN)),
         };
         case.refuse(found, expected);

@@ -42,7 +42,13 @@ impl Topic {
     }
 
     fn take(&mut self, content: Content, log_time_ns: i64) -> Result<(), String> {
-        let time = |header_ns: i64| if header_ns == 0 { log_time_ns } else { header_ns };
+        let time = |header_ns: i64| {
+            if header_ns == 0 {
+                log_time_ns
+            } else {
+                header_ns
+            }
+        };
         match content {
             Content::Joints(joints) => {
                 let time_ns = time(joints.header.time_ns);
@@ -56,10 +62,12 @@ impl Topic {
                     self.joints.entry(name).or_default().push((time_ns, value));
                 }
             }
-            Content::Measured(list) => self.measured.extend(list.into_iter().map(|mut measured| {
-                measured.header.time_ns = time(measured.header.time_ns);
-                measured
-            })),
+            Content::Measured(list) => {
+                self.measured.extend(list.into_iter().map(|mut measured| {
+                    measured.header.time_ns = time(measured.header.time_ns);
+                    measured
+                }))
+            }
         }
         Ok(())
     }
