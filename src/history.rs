@@ -128,9 +128,11 @@ pub struct Change {
 }
 
 impl Change {
-    /// Whether the difference is larger than its interval.
+    /// Whether the difference is larger than its interval, and more than rounding.
     pub fn is_significant(&self) -> bool {
-        self.ci95.is_some_and(|[from, to]| from > 0.0 || to < 0.0)
+        // Without noise the intervals are those of rounding.
+        let is_rounding = self.difference.abs() <= 1e-9 * self.from.abs().max(1.0);
+        !is_rounding && self.ci95.is_some_and(|[from, to]| from > 0.0 || to < 0.0)
     }
 }
 

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use crate::diagnostic::Rejected;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
-use crate::importers::matching::listed;
+use crate::importers::matching::{counted, listed};
 use crate::importers::session::Job;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::number::quoted;
@@ -48,7 +48,7 @@ impl Job<'_> {
             .filter(|anchor| anchor.position_mm.is_none())
             .map(|anchor| quoted(&anchor.name))
             .collect();
-        let mut said = format!("distances from {} anchors", anchors.len());
+        let mut said = format!("distances from {}", counted(anchors.len(), "anchor"));
         if !unknown.is_empty() {
             said += &format!("; not known where, and to be fitted: {}", listed(&unknown));
         }

@@ -41,13 +41,18 @@ pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
     };
     // A row for each time at which all of them are known; what comes twice is taken once.
     let mut rows: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
-    for name in &names {
+    for (joint, name) in names.iter().enumerate() {
         for (time, value) in topic.joints.get(name).into_iter().flatten() {
-            rows.entry(*time).or_default().push(*value);
+            let row = rows
+                .entry(*time)
+                .or_insert_with(|| vec![f64::NAN; names.len()]);
+            if row[joint].is_nan() {
+                row[joint] = *value;
+            }
         }
     }
     let all = rows.len();
-    rows.retain(|_, values| values.len() == names.len() && values.iter().all(|v| v.is_finite()));
+    rows.retain(|_, values| values.iter().all(|value| value.is_finite()));
     if rows.is_empty() {
         let says = format!("no message of {} has all joints", quoted(&topic.name));
         case.refuse(says, listed_up_to(&names, SHOWN));
@@ -55,7 +60,7 @@ pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
     }
     if rows.len() < all {
         let found = format!(
-            "{} of {all} joint states are left out: a time that comes twice, or a joint without a value",
+            "{} of {all} joint states are left out: a joint has no value there",
             all - rows.len()
         );
         case.warn(found, "");
