@@ -30,6 +30,24 @@ const CSV: &[u8] = b"\xef\xbb\xbfq1_deg,x_mm,y_mm,z_m,target,dir1,speed1_rad_s,l
 -9.25,249.895665,-0.38,0.3,T1,1,0.5,,fit,a,\"quoted, \"\"twice\"\"\"\n\
 0,1e2,+5, 7 ,T2,-1,-0,3,held-out,b,\n\n90,,2,123456789012345678901234567890,T1,0,.5,6.,,b,\"two\nlines\"\n";
 
+/// Every kind of measurement and what it refers to.
+const OBSERVED: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
+{"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],
+"tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}},
+"instrument":{"name":"i","sigma_range_mm":0.01,"sigma_angle_urad":5,"position_mm":[1e3,0,0],"sigma_mrad":0.1,
+"sigma_distance_mm":0.02,"sigma_direction_urad":10,"sigma_touch_mm":0.01},
+"anchors":{"A":{"position_mm":[1,2,3],"offset_mm":null},"B":null},
+"stations":{"S":{"position_mm":null,"quaternion_wxyz":[1,0,0,0],"azimuth":"clockwise"},"T":null},
+"planes":{"P":{"normal":[0,0,1],"distance_mm":5},"Q":null},"sockets":{"K":null,"L":{"position_mm":[1,2,3]}},
+"socket_distances_mm":[["K","L",400.5]],"pointing":{"axis":[0,0,2],"stations":["T"]},
+"samples":{"columns":{"q1_deg":[0,1,2,3,4,5,6],"x_mm":[1,null,null,null,null,null,null],"y_mm":[1,2,null,null,null,null,null],
+"z_mm":[null,3,null,null,null,null,null],"qw":[1,null,null,null,null,null,null],"qx":[0,null,null,null,null,null,null],
+"qy":[0,null,null,null,null,null,null],"qz":[0,null,null,null,null,null,null],
+"distance_mm":[null,null,7,null,null,null,null],"anchor":[null,null,"A",null,null,null,null],
+"azimuth_deg":[null,null,null,8,9,null,null],"elevation_deg":[null,null,null,-8,9,null,null],
+"station":[null,null,null,"S","T",null,null],"plane":[null,null,null,null,null,"Q",null],
+"socket":[null,null,null,null,null,null,"K"]}}}"#;
+
 /// One change to a file.
 #[derive(Debug, Clone)]
 enum Change {
@@ -128,6 +146,16 @@ fn assert_promises(loaded: &Loaded) {
         assert_eq!(column.len(), rows);
         assert!(column.iter().all(|value| !value.is_infinite()));
     }
+    let (observed, all) = (&samples.observed, &session.instrument.references);
+    for (column, declared) in [
+        (&observed.anchor, all.anchors.len()),
+        (&observed.station, all.stations.len()),
+        (&observed.plane, all.planes.len()),
+        (&observed.socket, all.sockets.len()),
+    ] {
+        let column = column.iter().flatten();
+        assert!(column.flatten().all(|index| (*index as usize) < declared));
+    }
     for target in samples.target.iter().flatten() {
         assert!((*target as usize) < session.targets.len());
     }
@@ -150,6 +178,7 @@ fn assert_promises(loaded: &Loaded) {
 #[test]
 fn the_seeds_are_accepted() {
     assert_promises(&parse(DOCUMENT).unwrap());
+    assert_promises(&parse(OBSERVED).unwrap());
     let with_file = String::from_utf8_lossy(DOCUMENT).into_owned();
     let (head, _) = with_file.split_once("\"samples\"").unwrap();
     let document = format!("{head}\"samples\":{{\"file\":\"s.csv\"}}}}");
@@ -240,6 +269,19 @@ proptest! {
             assert_promises(&loaded);
         }
         let _ = parse_robot(&changed(ROBOT, &changes));
+    }
+
+    #[test]
+    fn measurements_of_any_kind_that_are_damaged_do_no_harm(
+        changes in prop::collection::vec(any_change(), 1..5),
+    ) {
+        if let Ok(loaded) = parse(&changed(OBSERVED, &changes)) {
+            assert_promises(&loaded);
+            let effects = truepose::fit::DEFAULT_EFFECTS.map(str::to_owned);
+            let values = truepose::effects::JointValues::Commanded;
+            // Whatever can be read can be fitted, or is refused in words.
+            let _ = truepose::fit::identify_exact(&loaded.session, &effects, values);
+        }
     }
 
     #[test]

@@ -11,6 +11,7 @@ use truepose::fit::{Estimate, IMPLAUSIBLE};
 use truepose::paper::{RegionalStart, regional_start};
 use truepose::pipeline::diagnose;
 use truepose::present::diagnosis_v1::Document;
+use truepose::present::kinds;
 
 use super::failure::Failure;
 use super::{geometry, output};
@@ -173,6 +174,7 @@ fn in_words(d: &Diagnosis) -> String {
             gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
         );
     }
+    text += &kinds::in_words(&d.identification.kinds);
     noise_in_words(&mut text, d);
     let arm = geometry::is_of_an_arm(&d.identified);
     if arm {

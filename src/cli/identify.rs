@@ -10,11 +10,11 @@ use truepose::fit::noise::StatedNoise;
 use truepose::fit::regions::RegionChoice;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, IMPLAUSIBLE, Identification};
 use truepose::pipeline;
+use truepose::present::kinds::{self, KindRow};
 use truepose::sessions::Session;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
-use super::kinds::{self, KindRow};
 use super::{geometry, output};
 
 /// Identify a session's robot: the exact fit, or the paper's method by regions

@@ -12,7 +12,6 @@ mod geometry;
 mod history;
 mod identify;
 mod import;
-mod kinds;
 mod output;
 mod own_options;
 mod plan;

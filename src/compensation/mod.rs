@@ -25,6 +25,7 @@
 
 pub mod conditions;
 pub mod interpolation;
+mod observed;
 pub mod inverse;
 pub mod plan;
 pub mod regional;

@@ -98,6 +98,9 @@ pub enum VerifyError {
 /// See [`VerifyError`].
 pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verification, VerifyError> {
     let mut notes = same_robot(calibration, session)?;
+    if !session.samples.observed.is_empty() {
+        return super::observed::verify(calibration, session, notes);
+    }
     let mut problem = Problem::new(session, JointValues::Commanded);
     problem.fit.clone_from(&problem.usable);
     let inputs = &problem.inputs;
@@ -294,7 +297,7 @@ fn applied_corrections(
 
 /// The model as it applies to this session: shifts and drifts of another one are left out. A setup
 /// that the model knows by name stands where the model says, another one where it fits best.
-fn model_for(
+pub(super) fn model_for(
     calibration: &Calibration,
     session: &Session,
     problem: &Problem,

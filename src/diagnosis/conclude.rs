@@ -166,7 +166,7 @@ pub(crate) fn answer(
 }
 
 /// What belongs to every calibration of a robot.
-pub(super) fn base_in_words(robot: &Robot) -> &'static str {
+pub(crate) fn base_in_words(robot: &Robot) -> &'static str {
     match robot.joints.len() {
         1 => "zero offset and link length",
         _ => "geometry: frame, zero offsets, links and tool",

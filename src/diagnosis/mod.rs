@@ -33,6 +33,7 @@ pub mod smooth;
 
 pub(crate) mod classes;
 pub(crate) mod conclude;
+mod base_alone;
 mod final_set;
 mod floor;
 mod free_curve;
@@ -148,9 +149,14 @@ pub(crate) fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
+    if !base_alone::has_enough_points(session, options) {
+        return base_alone::diagnose(session, options, watch);
+    }
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
-    conclude::answer(&mended, &prepared, &found, planner, watch)
+    let mut answer = conclude::answer(&mended, &prepared, &found, planner, watch)?;
+    answer.identification.kinds = base_alone::kinds(session, options, watch)?;
+    Ok(answer)
 }
 
 fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {

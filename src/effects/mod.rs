@@ -17,6 +17,7 @@ pub mod about;
 pub mod block;
 pub mod curve;
 pub mod inputs;
+pub mod places;
 pub mod survey;
 pub mod term;
 
@@ -48,13 +49,12 @@ mod tracking_lag;
 mod unexplained;
 mod wrist_coupling;
 
-use crate::observations::places::{UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
-
 pub use about::{About, Form, Over, Quantity, Setting, Stage};
 pub use curve::Curve;
 pub use inputs::{Inputs, JointValues};
 pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
+pub use places::{UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
 pub use survey::Survey;
 pub use term::{Held, Parameter, Placed, Term, TermError};
 pub use tool_orientation::ToolOrientation;

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use crate::kinematics::{JointKind, Range, Robot};
-use crate::observations::places::PlaceKind;
 use crate::units::wrapped_positive;
 
 use super::about::{DEGREE, Form, MILLIRADIAN, Quantity, Setting};
 use super::curve::Curve;
+use super::places::PlaceKind;
 use super::{Effect, UNEXPLAINED, find};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is

@@ -40,7 +40,7 @@ use crate::effects::{
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
-use crate::observations::places::{self, PlaceKind};
+use crate::effects::places::{self, PlaceKind};
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;
@@ -197,8 +197,8 @@ pub fn fit(problem: &mut Problem, start: &Model, weak: bool) -> Fitted {
     let mut notes = Vec::new();
     problem.priors = priors(problem, start, weak, &mut notes);
     let mut open = Vec::new();
-    let opened = observed::with_open_held(problem, start, &mut open);
-    let start = &opened;
+    let sized = observed::hold_size(problem, start, &mut open);
+    let start = &sized;
     let (mut model, mut held) = with_gauge(problem, start);
     let mut solution = solve(problem, &links_held(&model));
     solution = fit_without_outliers(problem, &with_held_of(&solution.model, &model));
@@ -372,7 +372,12 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
     let mut basis = Basis::new(rows.nrows());
     let mut terms = start.terms().to_vec();
     let mut held = Vec::new();
+    let open = observed::open(problem).base;
     for (rank, place) in places.iter().enumerate() {
+        if open && place.class == Class::Place {
+            // They carry the base, and the frame stands for them here.
+            continue;
+        }
         let column = rows.column(place.column).into_owned();
         let own = column.norm();
         let unit = if place.turns { 1e-3 } else { 1.0 };
@@ -425,6 +430,12 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
             },
         });
     }
+    let mut of_base = Vec::new();
+    let based = Model::new(start.robot.clone(), terms);
+    let mut terms = observed::with_base_held(problem, based, &mut of_base)
+        .terms()
+        .to_vec();
+    held.splice(0..0, of_base);
     terms.retain(|term| {
         let about = term.effect.about();
         let all_held = (0..term.coefficients.len()).all(|k| term.held.contains(k));

@@ -10,7 +10,7 @@ use crate::effects::{
     CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, Setting, Survey, Term, find,
 };
 use crate::model::Model;
-use crate::observations::places::PlaceKind;
+use crate::effects::places::PlaceKind;
 use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;

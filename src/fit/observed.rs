@@ -6,8 +6,9 @@ use nalgebra::DMatrix;
 use crate::effects::{Effect, Held, MeasuringFrame, Term, ToolOrientation};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
-use crate::observations::places::PlaceKind;
-use crate::observations::{Layer, RowBlock, gauge, start};
+use crate::effects::places::PlaceKind;
+use crate::observations::gauge::Open;
+use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
 
 use super::outcome::NotIdentifiable;
@@ -33,7 +34,7 @@ pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
 pub(super) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
     let nominal = Model::nominal(session.robot.clone());
     let mut terms = Vec::new();
-    if session.samples.setups.is_some() {
+    if session.samples.setups.is_some() || gauge::open(layer).base {
         terms = frames(session, layer, &nominal);
     }
     let placed = Model::new(session.robot.clone(), terms.clone());
@@ -66,86 +67,79 @@ pub(super) fn places_alone(model: &Model) -> Model {
     model.without(|term| PlaceKind::of(term).is_none())
 }
 
-/// The model with everything held that its kinds of measurement cannot show whatever the poses are,
-/// in words too; the size that none shows goes to the priors.
-pub(super) fn with_open_held(
-    problem: &mut Problem,
-    model: &Model,
-    said: &mut Vec<NotIdentifiable>,
-) -> Model {
-    let Some(layer) = &problem.observed else {
+/// What the kinds of measurement leave open whatever the poses are; nothing for plain points.
+pub(super) fn open(problem: &Problem) -> Open {
+    problem.observed.as_ref().map(gauge::open).unwrap_or_default()
+}
+
+/// Holds a size that no measurement shows by the priors, and says so.
+pub(super) fn hold_size(problem: &mut Problem, model: &Model, said: &mut Vec<NotIdentifiable>) -> Model {
+    let Some(layer) = problem.observed.as_ref().filter(|_| open(problem).size) else {
         return model.clone();
     };
-    let open = gauge::open(layer);
-    let mut model = model.clone();
-    if open.base {
-        let names = coefficient_names(&model);
-        let mut terms = model.terms().to_vec();
-        let mut first = 0;
-        for term in &mut terms {
-            let own = names[first..].iter().take(term.coefficients.len());
-            first += term.coefficients.len();
-            if !gauge::carries_base(term) {
-                continue;
-            }
-            let of_frame = term.effect.about().id == MeasuringFrame.about().id;
-            for (k, name) in own
-                .enumerate()
-                .filter(|(k, _)| !term.held.contains(*k))
-                .collect::<Vec<_>>()
-            {
-                term.coefficients[k] = 0.0;
-                term.held = term.held.with(k);
-                said.push(NotIdentifiable {
-                    combination: name.clone(),
-                    because: because_base(of_frame),
-                });
-            }
-        }
-        model = Model::new(model.robot.clone(), terms);
-    }
-    if open.size {
-        if model.robot.joints.len() == 1 {
-            model = with_length_held(&model);
-        }
-        let usual = problem.priors.usual(&model);
-        let size = gauge::size(layer, &model, &usual);
-        let of = size.as_ref().map_or(String::new(), |size| {
-            format!(
-                " (known to about {:.2} % from what is usual for links)",
-                100.0 * size.sigma
-            )
+    let model = if model.robot.joints.len() == 1 {
+        with_length_held(model)
+    } else {
+        model.clone()
+    };
+    let usual = problem.priors.usual(&model, !open(problem).base);
+    let size = gauge::size(layer, &model, &usual);
+    let of = size.as_ref().map_or(String::new(), |size| {
+        let percent = 100.0 * size.sigma;
+        format!(" (known to about {percent:.2} % from what is usual for links)")
+    });
+    said.push(NotIdentifiable {
+        combination: "overall size: all lengths of the robot and of the places together".to_owned(),
+        because: format!(
+            "directions, touches and sockets show no length: the nominal size is kept{of}; one known \
+             length sets it, a distance between two sockets or a second known station"
+        ),
+    });
+    problem.priors.size = size.map_or(Vec::new(), |size| {
+        let coefficients = model.terms().iter().flat_map(|term| {
+            let own = 0..term.coefficients.len();
+            own.map(move |k| key(term, k))
         });
-        said.push(NotIdentifiable {
-            combination: "overall size: all lengths of the robot and of the places together"
-                .to_owned(),
-            because: format!(
-                "directions, touches and sockets show no length: the nominal size is kept{of}; one \
-                 known length sets it, a distance between two sockets or a second known station"
-            ),
-        });
-        problem.priors.size = size.map_or(Vec::new(), |size| {
-            let coefficients = model.terms().iter().flat_map(|term| {
-                let own = 0..term.coefficients.len();
-                own.map(move |k| key(term, k))
-            });
-            let weighed = coefficients.zip(size.weights);
-            weighed.filter(|own| own.1 != 0.0).collect()
-        });
-    }
+        let weighed = coefficients.zip(size.weights);
+        weighed.filter(|own| own.1 != 0.0).collect()
+    });
     model
 }
 
-fn because_base(of_frame: bool) -> String {
-    if of_frame {
-        "the base is open: what was measured refers to places that are not known, and says nothing of \
-         where the robot stands among others; it is held where it is, and the places carry it"
-            .to_owned()
-    } else {
-        "it moves the robot as a whole, and the base is open: it is held at zero, and the places \
-         carry it"
-            .to_owned()
+/// The model with its frames held where the base is open, and that in words: the places carry it.
+pub(super) fn with_base_held(
+    problem: &Problem,
+    model: Model,
+    said: &mut Vec<NotIdentifiable>,
+) -> Model {
+    if !open(problem).base {
+        return model;
     }
+    let names = coefficient_names(&model);
+    let mut terms = model.terms().to_vec();
+    let mut first = 0;
+    for term in &mut terms {
+        let own = names[first..].iter().take(term.coefficients.len());
+        first += term.coefficients.len();
+        if term.effect.about().id != MeasuringFrame.about().id {
+            continue;
+        }
+        for (k, name) in own.enumerate() {
+            if term.held.contains(k) {
+                continue;
+            }
+            term.coefficients[k] = 0.0;
+            term.held = term.held.with(k);
+            said.push(NotIdentifiable {
+                combination: name.clone(),
+                because: "the base is open: what was measured refers to places that are not known, and \
+                          does not say where the robot stands; it is held where it is, and the places \
+                          carry it"
+                    .to_owned(),
+            });
+        }
+    }
+    Model::new(model.robot.clone(), terms)
 }
 
 fn with_length_held(model: &Model) -> Model {
@@ -161,7 +155,8 @@ fn with_length_held(model: &Model) -> Model {
 
 /// The size that the priors hold, as a row beside the columns of a Jacobian in mm.
 pub(super) fn add_size(problem: &Problem, model: &Model, reach_mm: f64, rows: &mut DMatrix<f64>) {
-    if problem.priors.size.is_empty() {
+    // Where the base is open the rows are those of points, which show lengths.
+    if problem.priors.size.is_empty() || open(problem).base {
         return;
     }
     let weight = reach_mm * (rows.nrows() as f64).sqrt();
@@ -173,32 +168,45 @@ pub(super) fn add_size(problem: &Problem, model: &Model, reach_mm: f64, rows: &m
     }
 }
 
-/// The Jacobian of the observations that count, or of `most` of them, three rows each.
+/// The Jacobian of the observations that count, or of about `most` of them. Where the base is open, a
+/// column of the robot is seen beside any motion of the whole: then the targets themselves stand for
+/// what unknown places measure of them, and the frame for the places.
 pub(super) fn columns(layer: &Layer, model: &Model, most: usize) -> DMatrix<f64> {
+    let open = gauge::open(layer).base;
+    let count = layer.used.iter().filter(|used| **used).count();
     let mut kept = layer.used.clone();
-    let count = kept.iter().filter(|used| **used).count();
-    if count > most {
-        let mut seen = 0;
-        for used in kept.iter_mut().filter(|used| **used) {
-            // Evenly: the k-th stays where k·most/count steps on.
-            *used = (seen + 1) * most / count > seen * most / count;
-            seen += 1;
-        }
+    let mut seen = 0;
+    for used in kept.iter_mut().filter(|used| **used) {
+        // Evenly: one stays wherever k·most/count steps on.
+        *used = count <= most || (seen + 1) * most / count > seen * most / count;
+        seen += 1;
     }
     let mut all: Vec<Vec<f64>> = vec![Vec::new(); model.coefficient_count()];
     layer.visit(model, true, |block: &mut RowBlock| {
         block.keep(&kept);
-        for lane in 0..block.items.len() {
-            for axis in 0..3 {
-                if !block.rows[axis][lane] {
-                    continue;
-                }
+        for (lane, item) in block.items.iter().enumerate() {
+            let looks = item.map(|item| KINDS[layer.items[item].kind].about().looks);
+            if open && looks != Some(Looks::AtAttitude) {
+                continue;
+            }
+            for axis in (0..3).filter(|axis| block.rows[*axis][lane]) {
                 for (own, column) in all.iter_mut().zip(&block.columns) {
                     own.push(column[axis][lane]);
                 }
             }
         }
     });
+    if open {
+        layer.visit_points(model, |item, _, columns| {
+            if kept[item] {
+                for axis in 0..3 {
+                    for (own, column) in all.iter_mut().zip(columns) {
+                        own.push(column[axis]);
+                    }
+                }
+            }
+        });
+    }
     let rows = all.first().map_or(0, Vec::len);
     DMatrix::from_fn(rows, all.len(), |row, column| all[column][row])
 }

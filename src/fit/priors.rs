@@ -140,11 +140,11 @@ impl Priors {
     }
 
     /// How far each coefficient of a model is from zero as a rule, whether or not the weak priors
-    /// hold.
-    pub(super) fn usual(&self, model: &Model) -> Vec<Option<f64>> {
+    /// hold; of a frame only where it is `aligned`.
+    pub(super) fn usual(&self, model: &Model, aligned: bool) -> Vec<Option<f64>> {
         let all = Self {
             weak: true,
-            aligned: true,
+            aligned,
             targets_mm: self.targets_mm,
             ..Self::default()
         };

@@ -4,7 +4,7 @@
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
-use crate::observations::{self, Layer};
+use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
 use super::noise::Noise;
@@ -130,7 +130,7 @@ impl<'a> Problem<'a> {
     /// [`new`](Self::new).
     pub fn observing(session: &'a Session, values: JointValues) -> Self {
         let mut problem = Self::new(session, values);
-        if observations::is_plain(session) {
+        if session.has_plain_points() {
             return problem;
         }
         let layer = Layer::new(session, values);

@@ -17,7 +17,7 @@ use crate::effects::block::Block;
 use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
-use crate::observations::places::{self, PlaceKind};
+use crate::effects::places::{self, PlaceKind};
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;

@@ -33,6 +33,8 @@ impl Lengths {
 pub(crate) struct Overview {
     /// Samples that can be used, in the order of the session.
     pub(crate) usable: Vec<u32>,
+    /// How many measurements of which kind there are, where whole points are not all.
+    pub(crate) kinds: Option<String>,
     /// How many samples are held out.
     pub(crate) held_out: usize,
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
@@ -75,6 +77,7 @@ impl Overview {
         let held_out = samples.held_out.as_deref().unwrap_or(&[]);
         let range = travel_of(&session.robot, 0, &samples.q[0]);
         Self {
+            kinds: session.kinds_in_words(),
             held_out: held_out.iter().filter(|h| **h).count(),
             travel: (range.from, range.to),
             nominal_mm,

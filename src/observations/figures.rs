@@ -35,6 +35,8 @@ pub struct KindFigures {
     pub held_out: Option<Errors>,
     /// Number of suspected outliers.
     pub outliers: usize,
+    /// Number of rows that were fitted.
+    pub rows: usize,
     /// σ as the session states it.
     pub stated_sigma: Option<f64>,
     /// Root mean square over the rows of what was fitted: what σ seems to be.
@@ -211,6 +213,7 @@ pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures>
             fitted: errors(true),
             held_out: errors(false),
             outliers: items.iter().filter(|i| layer.suspected[**i]).count(),
+            rows: items.iter().filter(|i| layer.used[**i]).map(|i| layer.items[*i].rows).sum(),
             stated_sigma: stated.map(|s| s * factor),
             found_sigma: spread(layer, kind, &now).map(|s| s * layer.sigma[kind] * factor),
         });

@@ -18,12 +18,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::Term;
 use crate::kinematics::JointKind;
 use crate::lanes::cross;
 use crate::model::Model;
 
-use super::places::{Place, PlaceKind, stated};
+use crate::effects::places::{Place, PlaceKind, stated};
 use super::{KINDS, Layer, Looks};
 
 /// What is open.
@@ -89,16 +88,6 @@ pub fn open(layer: &Layer) -> Open {
     }
 }
 
-/// Whether a coefficient says only where the base stands, once places carry that: the measuring
-/// frame, and of the first joint what moves everything.
-pub fn carries_base(term: &Term) -> bool {
-    match term.effect.about().id {
-        "measuring-frame" => true,
-        "link-geometry" | "joint-zero-offset" => term.joint == 0,
-        _ => false,
-    }
-}
-
 /// Parts of the size: the weight of each coefficient in wᵀ x, and how well the priors know it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Size {
@@ -120,7 +109,7 @@ pub fn size(layer: &Layer, model: &Model, sigma: &[Option<f64>]) -> Option<Size>
     let mut gram: DMatrix<f64> = DMatrix::zeros(all, all);
     let mut grown: DVector<f64> = DVector::zeros(all);
     let mut samples = 0_usize;
-    layer.visit_points(model, |point, columns| {
+    layer.visit_points(model, |_, point, columns| {
         samples += 1;
         let mut row = vec![[0.0; 3]; all];
         for (to, column) in row.iter_mut().zip(columns) {

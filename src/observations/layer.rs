@@ -20,7 +20,7 @@ use crate::lanes::{LANES, Lanes, Lanes3, cross, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
 
-use super::places::{MOST, Place, PlaceKind, stated};
+use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use super::{KINDS, Kind, Looks, Residual, Seen};
 
 /// One observation of one sample.
@@ -238,15 +238,15 @@ impl<'a> Layer<'a> {
 
     /// The targets of all items that look at one, where a model has them, and how each coefficient
     /// moves them, mm.
-    pub fn visit_points(&self, model: &Model, mut see: impl FnMut([f64; 3], &[[f64; 3]])) {
+    pub fn visit_points(&self, model: &Model, mut see: impl FnMut(usize, [f64; 3], &[[f64; 3]])) {
         let mut columns = vec![[0.0; 3]; model.coefficient_count()];
-        model.visit(&self.points.inputs, true, |_, block| {
+        model.visit(&self.points.inputs, true, |start, block| {
             for lane in 0..block.len {
                 for (to, column) in columns.iter_mut().zip(&block.columns) {
                     *to = [column[0][lane], column[1][lane], column[2][lane]];
                 }
                 let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
-                see(point, &columns);
+                see(self.points.items[start + lane], point, &columns);
             }
         });
     }
@@ -347,6 +347,34 @@ impl<'a> Layer<'a> {
             }
         }
     }
+}
+
+/// Where a model has the target of every sample, and how it turns the tool.
+pub fn predictions(
+    session: &Session,
+    values: JointValues,
+    model: &Model,
+) -> Vec<([f64; 3], [[f64; 3]; 3])> {
+    let inputs = Inputs::new(session, values);
+    let of = |looks: Looks| {
+        let kind = KINDS.iter().position(|kind| kind.about().looks == looks);
+        let kind = kind.unwrap_or(0);
+        let samples = 0..session.samples.len();
+        let items: Vec<Item> = samples.map(|sample| Item { kind, sample, rows: 0 }).collect();
+        stream(session, &inputs, &items, looks)
+    };
+    let mut seen = Vec::with_capacity(session.samples.len());
+    model.visit(&of(Looks::AtPoint).inputs, false, |_, block| {
+        for lane in 0..block.len {
+            seen.push(([0, 1, 2].map(|axis| block.point[axis][lane]), UPRIGHT));
+        }
+    });
+    model.visit(&of(Looks::AtAttitude).inputs, false, |start, block| {
+        for own in 0..block.len / POINTS {
+            seen[start / POINTS + own].1 = attitude(block, own * POINTS).0;
+        }
+    });
+    seen
 }
 
 /// A kind's number of rows in a sample.

@@ -12,7 +12,7 @@
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
-//! - [`places`]: anchors, stations, planes and sockets that nobody knows are fitted beside the
+//! - [`crate::effects::places`]: anchors, stations, planes and sockets that nobody knows are fitted beside the
 //!   robot, and reported like everything that is fitted.
 //! - [`layer`]: the observations of a session, block by block, as rows for the normal equations.
 //! - [`gauge`]: what no kind at hand can show: where the base stands, how large everything is.
@@ -26,13 +26,12 @@
 pub mod figures;
 pub mod gauge;
 pub mod layer;
-pub mod places;
 pub mod start;
 
 pub(crate) mod kinds;
 
 use crate::sessions::{Instrument, Session};
-use places::{MOST, Place};
+use crate::effects::places::{MOST, Place};
 
 pub use layer::{Item, Layer, RowBlock};
 
@@ -83,14 +82,10 @@ impl Unit {
 pub struct AboutKind {
     /// Its name in answers.
     pub name: &'static str,
-    /// What one of its observations is called.
-    pub one: &'static str,
     /// What it looks at.
     pub looks: Looks,
     /// The unit of its residuals.
     pub unit: Unit,
-    /// The key of its σ in the session's instrument.
-    pub sigma_key: &'static str,
     /// Noise that is assumed at first where the session states none, inner units.
     pub usual_sigma: f64,
     /// Whether its residual shows how large things are: a length in mm that is not one between two
@@ -105,7 +100,7 @@ pub struct Seen<'a> {
     pub point: [f64; 3],
     /// How the tool is turned: by rows, from the tool's axes to the measuring frame's.
     pub attitude: [[f64; 3]; 3],
-    /// The coefficients of the place that the observation refers to ([`places`]).
+    /// The coefficients of the place that the observation refers to ([`crate::effects::places`]).
     pub place: &'a [f64],
 }
 
@@ -191,6 +186,18 @@ pub trait Kind: Sync {
     /// What is left of the measurement of a sample, and how that depends on what was seen.
     fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual;
 
+    /// Writes down what an instrument would show of a sample at this place, when `noise` (inner units,
+    /// one for each row) is added. Kinds that measure nothing but that the target is there write only
+    /// its name.
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        place: Option<usize>,
+        seen: &Seen,
+        noise: [f64; 3],
+    );
+
     /// The same in units of the noise, whose size is `sigma`.
     fn weighed(
         &self,
@@ -208,26 +215,13 @@ pub trait Kind: Sync {
     }
 }
 
-/// Whether nothing but plain points of one noise was measured, all of their coordinates: what the
-/// fast path takes.
-pub fn is_plain(session: &Session) -> bool {
-    let samples = &session.samples;
-    if !samples.observed.is_empty() || session.instrument.tracker.is_some() {
-        return false;
-    }
-    let turned = samples.orientation_wxyz.as_ref();
-    if turned.is_some_and(|q| q[0].iter().any(|v| !v.is_nan())) {
-        return false;
-    }
-    let columns = [
-        Some(&samples.x_mm),
-        Some(&samples.y_mm),
-        samples.z_mm.as_ref(),
-    ];
-    let partly = |i: usize| {
-        let missing = columns.iter().flatten().filter(|c| c[i].is_nan()).count();
-        missing > 0 && missing < columns.iter().flatten().count()
-    };
-    let has = |c: &Option<&Vec<f64>>| c.is_some_and(|c| crate::sessions::has_missing(c));
-    !columns.iter().any(has) || !(0..samples.len()).any(partly)
+/// Puts the index of a place into a column of them, which is made where it is missing.
+pub(crate) fn put_name(
+    column: &mut Option<Vec<Option<u32>>>,
+    count: usize,
+    sample: usize,
+    place: Option<usize>,
+) {
+    let index = place.and_then(|index| u32::try_from(index).ok());
+    column.get_or_insert_with(|| vec![None; count])[sample] = index;
 }

@@ -12,7 +12,7 @@ use crate::model::Model;
 use crate::sessions::Session;
 
 use super::kinds::orientation::measured;
-use super::places::{self, MOST, Place, PlaceKind, stated};
+use crate::effects::places::{self, MOST, Place, PlaceKind, stated};
 use super::{KINDS, Layer, Looks, Residual, Seen};
 
 /// As many observations of a place say where it is.

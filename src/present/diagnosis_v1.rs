@@ -7,6 +7,7 @@ use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
+use super::kinds::{self, KindRow};
 use crate::diagnosis::anonymous::Where;
 use crate::diagnosis::{Diagnosis, FloorFrom, Gaps, Limit, NextPose, Sight, Verdict};
 
@@ -34,6 +35,8 @@ pub struct Document {
     outliers: Vec<Outlier>,
     next_poses: Vec<Pose>,
     noise: Noise,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    kinds: Vec<KindRow>,
     #[serde(skip_serializing_if = "Option::is_none")]
     start: Option<start::Start>,
 }
@@ -82,6 +85,8 @@ struct Identified {
     setup: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     target: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<String>,
     parameters: Vec<Parameter>,
 }
 
@@ -326,6 +331,7 @@ impl Document {
                 .collect(),
             next_poses: poses(&d.next_poses, &session.robot),
             noise: noise(&d.noise),
+            kinds: kinds::rows(&d.identification.kinds),
             start: None,
         }
     }
@@ -386,11 +392,11 @@ fn parameter(estimate: &Estimate) -> Parameter {
 fn grouped(estimates: &[Estimate]) -> Vec<Identified> {
     let mut all: Vec<Identified> = Vec::new();
     for estimate in estimates {
-        let place = (&estimate.setup, &estimate.target);
+        let place = (&estimate.setup, &estimate.target, &estimate.place);
         let same = |i: &&mut Identified| {
             i.effect == estimate.effect
                 && i.joint == estimate.joint
-                && (&i.setup, &i.target) == place
+                && (&i.setup, &i.target, &i.place) == place
         };
         match all.iter_mut().find(same) {
             Some(one) => one.parameters.push(parameter(estimate)),
@@ -399,6 +405,7 @@ fn grouped(estimates: &[Estimate]) -> Vec<Identified> {
                 joint: estimate.joint,
                 setup: estimate.setup.clone(),
                 target: estimate.target.clone(),
+                place: estimate.place.clone(),
                 parameters: vec![parameter(estimate)],
             }),
         }

@@ -1,6 +1,7 @@
 //! What is shown of an answer, without computing any of it: JSON documents and the words for a place.
 
 pub mod diagnosis_v1;
+pub mod kinds;
 pub mod plan_v1;
 
 mod place;

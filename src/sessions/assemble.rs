@@ -139,6 +139,10 @@ pub(crate) fn samples(
         locate,
         findings,
     );
+    if samples.x_mm.is_empty() && samples.y_mm.is_empty() && samples.z_mm.is_none() {
+        // Not planar: no point was measured at all.
+        samples.z_mm = Some(missing());
+    }
     // Columns that are missing although they are required were reported with the headings.
     for column in samples
         .q

@@ -177,8 +177,8 @@ impl Samples {
             .collect()
     }
 
-    /// Samples without a commanded value or a measured x or y: they are kept, but no fit can use
-    /// them.
+    /// Samples without a commanded value, or with nothing measured: they are kept, but no fit can
+    /// use them.
     pub fn incomplete(&self) -> Vec<usize> {
         let mut columns = self.q.iter().chain([&self.x_mm, &self.y_mm]);
         if !columns.any(|column| has_missing(column)) {
@@ -186,12 +186,34 @@ impl Samples {
         }
         (0..self.len())
             .filter(|&i| {
-                let commanded = self.q.iter().map(|q| q[i]);
-                commanded
-                    .chain([self.x_mm[i], self.y_mm[i]])
-                    .any(f64::is_nan)
+                let point = self.coordinates(i).iter().any(|v| !v.is_nan());
+                let measured = point || self.observed.has(i) || self.is_turned(i);
+                self.q.iter().any(|q| q[i].is_nan()) || !measured
             })
             .collect()
+    }
+
+    /// Samples of whose point some coordinates were measured and others not.
+    pub fn partly_measured(&self) -> Vec<usize> {
+        let axes = self.axes();
+        (0..self.len())
+            .filter(|&i| {
+                let own = &self.coordinates(i)[..axes];
+                own.iter().any(|v| v.is_nan()) && own.iter().any(|v| !v.is_nan())
+            })
+            .collect()
+    }
+
+    /// The coordinates of a sample; NaN where one is missing.
+    pub(crate) fn coordinates(&self, sample: usize) -> [f64; 3] {
+        let z = self.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
+        [self.x_mm[sample], self.y_mm[sample], z]
+    }
+
+    /// Whether a sample has a measured orientation.
+    pub(crate) fn is_turned(&self, sample: usize) -> bool {
+        let parts = self.orientation_wxyz.as_ref();
+        parts.is_some_and(|parts| parts.iter().all(|part| !part[sample].is_nan()))
     }
 }
 

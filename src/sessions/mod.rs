@@ -34,7 +34,6 @@ pub(crate) mod validation;
 #[cfg(test)]
 mod watched;
 
-pub(crate) use domain::has_missing;
 pub use domain::{
     Instrument, Region, Samples, Session, Setups, Sigma, Target, Tracker, UnknownColumn,
 };

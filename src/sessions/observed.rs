@@ -4,6 +4,7 @@
 use crate::diagnostic::Diagnostic;
 use crate::sessions::assemble::Locate;
 use crate::sessions::number::quoted;
+use crate::sessions::domain::{Session, has_missing};
 use crate::sessions::references::{ObservedColumns, References};
 use crate::sessions::table::Names;
 
@@ -150,5 +151,97 @@ pub(crate) fn complete(
                 expected,
             );
         }
+    }
+}
+
+/// A kind of measurement that a session has.
+pub(crate) struct Measured {
+    /// How many samples have it.
+    pub(crate) count: usize,
+    /// What one is called, and several.
+    pub(crate) called: [&'static str; 2],
+    /// The key of its noise in the session's instrument.
+    pub(crate) sigma_key: &'static str,
+    /// Whether that is stated.
+    pub(crate) stated: bool,
+}
+
+impl Session {
+    /// Whether nothing but points of one noise was measured, each with all of its coordinates or none.
+    pub fn has_plain_points(&self) -> bool {
+        let samples = &self.samples;
+        if !samples.observed.is_empty() || self.instrument.tracker.is_some() {
+            return false;
+        }
+        let turned = samples.orientation_wxyz.as_ref();
+        if turned.is_some_and(|q| q[0].iter().any(|v| !v.is_nan())) {
+            return false;
+        }
+        let columns = [&samples.x_mm, &samples.y_mm].into_iter().chain(&samples.z_mm);
+        !columns.into_iter().any(|c| has_missing(c)) || samples.partly_measured().is_empty()
+    }
+
+    /// How many measurements of each kind there are: "120 points, 40 distances". `None` where plain
+    /// points are all there is.
+    pub fn kinds_in_words(&self) -> Option<String> {
+        if self.has_plain_points() {
+            return None;
+        }
+        let kinds = self.measured_kinds().into_iter();
+        let words = kinds.map(|kind| {
+            let name = kind.called[usize::from(kind.count != 1)];
+            format!("{} {name}", kind.count)
+        });
+        Some(words.collect::<Vec<_>>().join(", "))
+    }
+
+    /// The kinds of measurement that there are.
+    pub(crate) fn measured_kinds(&self) -> Vec<Measured> {
+        let (samples, own) = (&self.samples, &self.samples.observed);
+        let instrument = &self.instrument;
+        let count = |has: &dyn Fn(usize) -> bool| (0..samples.len()).filter(|i| has(*i)).count();
+        let number = |c: &Option<Vec<f64>>| {
+            c.as_ref().map_or(0, |c| c.iter().filter(|v| !v.is_nan()).count())
+        };
+        let name = |c: &Option<Vec<Option<u32>>>| c.iter().flatten().flatten().count();
+        let sigma_mm = instrument.sigma_mm.is_some();
+        let point = |i: usize| samples.coordinates(i).iter().any(|v| !v.is_nan());
+        let kind = |count: usize, called: [&'static str; 2], sigma_key, stated| Measured {
+            count,
+            called,
+            sigma_key,
+            stated,
+        };
+        let points = count(&point);
+        let stated = sigma_mm || instrument.tracker.is_some();
+        let all = [
+            kind(points, ["point", "points"], "sigma_mm", stated),
+            kind(
+                count(&|i| samples.is_turned(i)),
+                ["orientation", "orientations"],
+                "sigma_mrad",
+                instrument.sigma_orientation.is_some(),
+            ),
+            kind(
+                number(&own.distance_mm),
+                ["distance", "distances"],
+                "sigma_distance_mm",
+                instrument.sigma_distance_mm.is_some(),
+            ),
+            kind(
+                number(&own.azimuth),
+                ["direction", "directions"],
+                "sigma_direction_urad",
+                instrument.sigma_direction.is_some(),
+            ),
+            kind(name(&own.socket), ["target in a socket", "targets in sockets"], "sigma_mm", sigma_mm),
+            kind(
+                name(&own.plane),
+                ["touch", "touches"],
+                "sigma_touch_mm",
+                instrument.sigma_touch_mm.is_some(),
+            ),
+        ];
+        all.into_iter().filter(|kind| kind.count > 0).collect()
     }
 }

@@ -158,12 +158,15 @@ pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
     }
     // A session of other measurements has no points at all.
     let points = [&samples.x_mm, &samples.y_mm];
-    let measured = points.iter().any(|c| c.iter().any(|v| !v.is_nan()));
-    if measured || samples.observed.is_empty() {
+    let points = points.into_iter().chain(&samples.z_mm);
+    let measured = points.flatten().any(|v| !v.is_nan());
+    let other = !samples.observed.is_empty() || samples.orientation_wxyz.is_some();
+    let has_points = measured || !other;
+    if has_points {
         columns.add("x_mm".to_owned(), Values::plain(&samples.x_mm));
         columns.add("y_mm".to_owned(), Values::plain(&samples.y_mm));
     }
-    if let Some(z_mm) = &samples.z_mm {
+    if let Some(z_mm) = samples.z_mm.as_ref().filter(|_| has_points) {
         columns.add("z_mm".to_owned(), Values::plain(z_mm));
     }
     if let Some(parts) = &samples.orientation_wxyz {

@@ -6,7 +6,7 @@
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::domain::{Region, Samples, Session, has_missing};
+use crate::sessions::domain::{Region, Samples, Session};
 use crate::sessions::number::quoted;
 use crate::units::deg_from_rad;
 
@@ -21,6 +21,7 @@ pub(crate) fn findings(session: &Session, file: &Place) -> Vec<Diagnostic> {
     instrument(session, file, &mut findings);
     targets(session, file, &mut findings);
     completeness(&session.samples, file, &mut findings);
+    kinds(session, file, &mut findings);
     limits(session, file, &mut findings);
     conditions(&session.samples, file, &mut findings);
     if let Some(model) = &session.compensated_by {
@@ -95,11 +96,29 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     }
 }
 
+/// Every kind that was measured, and whether its noise is stated.
 fn instrument(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
-    if session.instrument.sigma_mm.is_none() {
-        let place = file.clone().in_field("instrument.sigma_mm");
+    let mut silent: Vec<&str> = if session.has_plain_points() {
+        // A million of them are not asked what else they might be.
+        let stated = session.instrument.sigma_mm.is_some();
+        if stated { Vec::new() } else { vec!["sigma_mm"] }
+    } else {
+        let kinds = session.measured_kinds().into_iter();
+        let silent = kinds.filter(|kind| !kind.stated).map(|kind| kind.sigma_key);
+        silent.collect()
+    };
+    silent.dedup();
+    for key in silent {
+        let place = file.clone().in_field(format!("instrument.{key}"));
         let found = "the noise of the instrument is not given: it is estimated from the samples";
         findings.push(Diagnostic::note(place, found));
+    }
+}
+
+/// How many measurements of which kind there are, where points are not all.
+fn kinds(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
+    if let Some(counts) = session.kinds_in_words() {
+        findings.push(Diagnostic::note(file.clone(), format!("measured: {counts}")));
     }
 }
 
@@ -137,7 +156,7 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
     let count = samples.len();
     let incomplete = samples.incomplete();
     if incomplete.len() == count {
-        let found = "no sample has a commanded value, x and y";
+        let found = "no sample has its commanded values and anything measured";
         findings.push(Diagnostic::error(
             file.clone(),
             found,
@@ -145,27 +164,25 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
         ));
     } else if !incomplete.is_empty() {
         let found = format!(
-            "{} of {count} samples lack a commanded value, x or y and cannot be used: {}",
+            "{} of {count} samples lack a commanded value or everything measured and cannot be \
+             used: {}",
             incomplete.len(),
             which(samples, &incomplete)
         );
         findings.push(Diagnostic::warning(file.clone(), found, "").about(&incomplete));
     }
-    match &samples.z_mm {
-        None => {
-            let found = "no column for the measured z: the session is planar";
-            findings.push(Diagnostic::note(file.clone(), found));
-        }
-        Some(z) if has_missing(z) => {
-            let lacking: Vec<usize> = (0..count).filter(|&i| z[i].is_nan()).collect();
-            let found = format!(
-                "{} of {count} samples lack z: {}",
-                lacking.len(),
-                which(samples, &lacking)
-            );
-            findings.push(Diagnostic::note(file.clone(), found).about(&lacking));
-        }
-        Some(_) => {}
+    let partly = samples.partly_measured();
+    if !partly.is_empty() {
+        let found = format!(
+            "{} of {count} samples lack single coordinates; the others of them are fitted: {}",
+            partly.len(),
+            which(samples, &partly)
+        );
+        findings.push(Diagnostic::note(file.clone(), found).about(&partly));
+    }
+    if samples.z_mm.is_none() {
+        let found = "no column for the measured z: the session is planar";
+        findings.push(Diagnostic::note(file.clone(), found));
     }
     if let Some(held_out) = &samples.held_out
         && held_out.iter().all(|held_out| *held_out)
@@ -356,11 +373,18 @@ mod tests {
             "",
             "q1_deg,x_mm,y_mm,z_mm\n1,,3,4\n2,2,3,4\n3,2,,4\n,2,3,4\n",
         );
-        assert_eq!(findings.len(), 1, "{findings:?}");
+        assert_eq!(findings.len(), 3, "{findings:?}");
         assert!(
-            findings[0].contains("3 of 4 samples") && findings[0].contains("lines 2, 4, 5"),
+            findings[0].contains("1 of 4 samples lack a commanded value")
+                && findings[0].contains("line 5"),
             "{findings:?}"
         );
+        assert!(
+            findings[1].contains("2 of 4 samples lack single coordinates")
+                && findings[1].contains("lines 2, 4"),
+            "{findings:?}"
+        );
+        assert!(findings[2].contains("measured: 4 points"), "{findings:?}");
     }
 
     #[test]

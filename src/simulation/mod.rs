@@ -9,7 +9,7 @@
 //! - [`scenario`]: what a scenario is; [`format_v1`]: its file, `truepose-scenario/1`.
 //! - [`motion`]: from a sweep or a list to stops, each with the side from which it was reached.
 //! - [`circumstances`]: speeds, loads and temperatures of the stops.
-//! - [`noise`]: what the instrument adds.
+//! - [`noise`]: what the instrument adds to a point; [`measured`]: every other way to measure.
 //! - [`truth`]: what was in it.
 //!
 //! Everything random comes from one seed, in separate streams for order, conditions, noise and
@@ -18,6 +18,7 @@
 
 pub mod circumstances;
 pub mod format_v1;
+pub mod measured;
 pub mod motion;
 pub mod noise;
 pub mod scenario;
@@ -30,7 +31,8 @@ use rand_chacha::rand_core::SeedableRng;
 
 pub use format_v1::{LoadedScenario, load_scenario, parse_scenario};
 pub use scenario::{
-    Circumstances, Noise, NoiseKind, Order, Outliers, Poses, Scenario, Stop, Sweep, Temperature,
+    Circumstances, Measure, Noise, NoiseKind, Order, Outliers, Poses, Scenario, Stop, Sweep,
+    Temperature, Unknown,
 };
 pub use truth::Truth;
 
@@ -60,6 +62,7 @@ enum Stream {
     Circumstances = 2,
     Noise = 3,
     Outliers = 4,
+    Kinds = 5,
 }
 
 fn random(seed: u64, stream: Stream) -> ChaCha8Rng {
@@ -106,6 +109,9 @@ pub fn simulate(
     session.samples.x_mm = resolved.x_mm;
     session.samples.y_mm = resolved.y_mm;
     session.samples.z_mm = (!scenario.planar).then_some(resolved.z_mm);
+    if scenario.measure != [Measure::Point] || scenario.instrument.tracker.is_some() {
+        measured::measure(scenario, &model, &mut session, &outliers, seed)?;
+    }
     let truth = Truth {
         name: session.name.clone(),
         seed,

@@ -36,10 +36,72 @@ pub struct Scenario {
     pub noise: Option<Noise>,
     /// Measurements that went wrong.
     pub outliers: Option<Outliers>,
+    /// How the samples are measured, in turn; a point where nothing is said.
+    pub measure: Vec<Measure>,
+    /// What the session that is written does not say of the places its measurements refer to.
+    pub unknown: Unknown,
     /// Coordinates are rounded to multiples of this, mm.
     pub resolution_mm: Option<f64>,
     /// Seed where nobody gives another.
     pub seed: u64,
+}
+
+/// How one sample is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Where the target is.
+    Point,
+    /// That, and how the tool is turned.
+    Pose,
+    /// From the anchors in turn.
+    Distance,
+    /// From the stations in turn.
+    Bearing,
+    /// Where the tool points.
+    Pointing,
+    /// The target sits in the sockets in turn; the stops are moved there.
+    Socket,
+    /// The target lies in the planes in turn; the stops are moved there.
+    Touch,
+}
+
+impl Measure {
+    /// Every one.
+    pub const ALL: [Self; 7] = [
+        Self::Point,
+        Self::Pose,
+        Self::Distance,
+        Self::Bearing,
+        Self::Pointing,
+        Self::Socket,
+        Self::Touch,
+    ];
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Point => "point",
+            Self::Pose => "pose",
+            Self::Distance => "distance",
+            Self::Bearing => "bearing",
+            Self::Pointing => "pointing",
+            Self::Socket => "socket",
+            Self::Touch => "touch",
+        }
+    }
+}
+
+/// Which places a session is silent about although they are somewhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Unknown {
+    /// Positions and offsets of anchors.
+    pub anchors: bool,
+    /// Positions and attitudes of stations.
+    pub stations: bool,
+    /// Planes.
+    pub planes: bool,
+    /// Positions of sockets.
+    pub sockets: bool,
 }
 
 /// Where the robot goes.
@@ -175,6 +237,8 @@ impl Scenario {
             effects: Vec::new(),
             noise: None,
             outliers: None,
+            measure: vec![Measure::Point],
+            unknown: Unknown::default(),
             resolution_mm: None,
             seed: 0,
         }
@@ -335,6 +399,56 @@ impl Scenario {
             "a length above 0 mm",
         );
         wrong("targets", !self.targets.is_empty(), "at least one target");
+        self.check_measures(problems);
+    }
+
+    /// Every way to measure has what it refers to, and that is somewhere.
+    fn check_measures(&self, problems: &mut Vec<Diagnostic>) {
+        let all = &self.instrument.references;
+        let mut wrong = |at: &str, fine: bool, expected: &str| {
+            if !fine {
+                problems.push(Diagnostic::error(field(at), "not where it is", expected));
+            }
+        };
+        wrong("measure", !self.measure.is_empty(), "at least one way to measure");
+        for measure in &self.measure {
+            match measure {
+                Measure::Point | Measure::Pose => {}
+                Measure::Distance => wrong(
+                    "anchors",
+                    !all.anchors.is_empty()
+                        && all
+                            .anchors
+                            .iter()
+                            .all(|a| a.position_mm.is_some() && a.offset_mm.is_some()),
+                    "anchors with position_mm and offset_mm; \"unknown\" hides them",
+                ),
+                Measure::Bearing => wrong(
+                    "stations",
+                    !all.stations.is_empty()
+                        && all
+                            .stations
+                            .iter()
+                            .all(|s| s.position_mm.is_some() && s.attitude.is_some()),
+                    "stations with position_mm and quaternion_wxyz; \"unknown\" hides them",
+                ),
+                Measure::Pointing => wrong(
+                    "pointing",
+                    all.pointing.is_some() && all.stations.iter().all(|s| s.attitude.is_some()),
+                    "the axis that points, and stations with quaternion_wxyz or none",
+                ),
+                Measure::Socket => wrong(
+                    "sockets",
+                    !all.sockets.is_empty() && all.sockets.iter().all(|s| s.position_mm.is_some()),
+                    "sockets with position_mm; \"unknown\" hides them",
+                ),
+                Measure::Touch => wrong(
+                    "planes",
+                    !all.planes.is_empty() && all.planes.iter().all(|p| p.known.is_some()),
+                    "planes with normal and distance_mm; \"unknown\" hides them",
+                ),
+            }
+        }
     }
 
     /// Why an effect cannot show in this scenario.

@@ -94,6 +94,9 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         grouped(subject.len())
     };
     widgets::fact(ui, "samples", samples);
+    if let Some(kinds) = &subject.overview.kinds {
+        widgets::fact(ui, "measured", kinds);
+    }
     if session.targets.len() > 1 {
         widgets::fact(ui, "reflectors", session.targets.len().to_string());
     }

@@ -1,5 +1,6 @@
 //! Azimuth and elevation of a direction, and what is left of measured ones.
 
+use crate::observations::put_name;
 use crate::sessions::{Azimuth, Session};
 
 /// The measured azimuth (in the counterclockwise sense) and elevation of a sample, rad.
@@ -33,4 +34,33 @@ pub(super) fn left(measured: [f64; 2], direction: [f64; 3]) -> ([f64; 2], [[f64;
         ],
     ];
     (left, by)
+}
+
+/// Writes down the azimuth (from 0 to a full turn) and the elevation of a direction in a station's
+/// axes.
+pub(super) fn show(
+    session: &mut Session,
+    sample: usize,
+    station: Option<usize>,
+    direction: [f64; 3],
+    noise: [f64; 3],
+) {
+    let [x, y, z] = direction;
+    let elevation = z.atan2(x.hypot(y));
+    // The same angle in space, wherever it is seen.
+    let azimuth = y.atan2(x) + noise[0] / elevation.cos().max(1e-9);
+    let stations = &session.instrument.references.stations;
+    let sense = station.map_or(Azimuth::default(), |index| stations[index].azimuth);
+    let azimuth = (azimuth * sense.sign()).rem_euclid(std::f64::consts::TAU);
+    let half = std::f64::consts::FRAC_PI_2;
+    let elevation = (elevation + noise[1]).clamp(-half, half);
+    let count = session.samples.len();
+    let observed = &mut session.samples.observed;
+    for (column, value) in [
+        (&mut observed.azimuth, azimuth),
+        (&mut observed.elevation, elevation),
+    ] {
+        column.get_or_insert_with(|| vec![f64::NAN; count])[sample] = value;
+    }
+    put_name(&mut observed.station, count, sample, station);
 }

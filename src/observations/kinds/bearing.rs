@@ -8,7 +8,7 @@
 use super::angles;
 use crate::effects::measuring_frame::{left_jacobian, rotation};
 use crate::lanes::{cross, dot, minus, times};
-use crate::observations::places::{Place, PlaceKind};
+use crate::effects::places::{Place, PlaceKind};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 
@@ -17,10 +17,8 @@ pub(crate) struct Bearing;
 
 static ABOUT: AboutKind = AboutKind {
     name: "bearing",
-    one: "a bearing",
     looks: Looks::AtPoint,
     unit: Unit::Radian,
-    sigma_key: "sigma_direction_urad",
     usual_sigma: 5e-5,
     shows_length: false,
 };
@@ -79,6 +77,19 @@ impl Kind for Bearing {
     fn lever_mm(&self, seen: &Seen) -> f64 {
         let arm = minus(seen.point, [seen.place[3], seen.place[4], seen.place[5]]);
         dot(arm, arm).sqrt()
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        place: Option<usize>,
+        seen: &Seen,
+        noise: [f64; 3],
+    ) {
+        let into = transposed(rotation([seen.place[0], seen.place[1], seen.place[2]]));
+        let arm = minus(seen.point, [seen.place[3], seen.place[4], seen.place[5]]);
+        angles::show(session, sample, place, times(into, arm), noise);
     }
 
     fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual {

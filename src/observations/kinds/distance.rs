@@ -5,8 +5,8 @@
 //! ```
 
 use crate::lanes::{dot, minus, scaled};
-use crate::observations::places::{Place, PlaceKind};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::effects::places::{Place, PlaceKind};
+use crate::observations::{put_name, AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session};
 
 /// See the module.
@@ -14,10 +14,8 @@ pub(crate) struct Distance;
 
 static ABOUT: AboutKind = AboutKind {
     name: "distance",
-    one: "a distance",
     looks: Looks::AtPoint,
     unit: Unit::Millimetre,
-    sigma_key: "sigma_distance_mm",
     usual_sigma: 0.02,
     shows_length: true,
 };
@@ -44,6 +42,23 @@ impl Kind for Distance {
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {
         instrument.sigma_distance_mm
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        place: Option<usize>,
+        seen: &Seen,
+        noise: [f64; 3],
+    ) {
+        let arm = minus(seen.point, [seen.place[0], seen.place[1], seen.place[2]]);
+        let shown = dot(arm, arm).sqrt() + seen.place[3] + noise[0];
+        let count = session.samples.len();
+        let observed = &mut session.samples.observed;
+        let distances = &mut observed.distance_mm;
+        distances.get_or_insert_with(|| vec![f64::NAN; count])[sample] = shown;
+        put_name(&mut observed.anchor, count, sample, place);
     }
 
     fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual {

@@ -18,10 +18,8 @@ pub(crate) struct Orientation;
 
 static ABOUT: AboutKind = AboutKind {
     name: "orientation",
-    one: "an orientation",
     looks: Looks::AtAttitude,
     unit: Unit::Radian,
-    sigma_key: "sigma_mrad",
     usual_sigma: 5e-4,
     shows_length: false,
 };
@@ -45,6 +43,28 @@ impl Kind for Orientation {
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {
         instrument.sigma_orientation
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        _: Option<usize>,
+        seen: &Seen,
+        noise: [f64; 3],
+    ) {
+        let rows = seen.attitude;
+        let exact = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|r, c| rows[r][c]));
+        let shown = UnitQuaternion::from_scaled_axis(noise.into())
+            * UnitQuaternion::from_rotation_matrix(&exact);
+        let count = session.samples.len();
+        let parts = &mut session.samples.orientation_wxyz;
+        let parts =
+            parts.get_or_insert_with(|| std::array::from_fn(|_| vec![f64::NAN; count]));
+        let sign = if shown.w < 0.0 { -1.0 } else { 1.0 };
+        for (part, value) in parts.iter_mut().zip([shown.w, shown.i, shown.j, shown.k]) {
+            part[sample] = sign * value;
+        }
     }
 
     fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual {

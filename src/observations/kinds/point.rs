@@ -19,10 +19,8 @@ pub(crate) struct Point;
 
 static ABOUT: AboutKind = AboutKind {
     name: "point",
-    one: "a point",
     looks: Looks::AtPoint,
     unit: Unit::Millimetre,
-    sigma_key: "sigma_mm",
     usual_sigma: 0.05,
     shows_length: true,
 };
@@ -69,6 +67,22 @@ impl Kind for Point {
             residual.by_point[row][axis] = 1.0;
         }
         residual
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        _: Option<usize>,
+        seen: &Seen,
+        noise: [f64; 3],
+    ) {
+        let samples = &mut session.samples;
+        samples.x_mm[sample] = seen.point[0] + noise[0];
+        samples.y_mm[sample] = seen.point[1] + noise[1];
+        if let Some(z) = &mut samples.z_mm {
+            z[sample] = seen.point[2] + noise[2];
+        }
     }
 
     fn weighed(

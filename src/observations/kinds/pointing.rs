@@ -7,7 +7,7 @@ use super::angles;
 use super::bearing::{by_attitude, sense, station, transposed};
 use crate::effects::measuring_frame::rotation;
 use crate::lanes::{cross, dot, times};
-use crate::observations::places::{Place, PlaceKind};
+use crate::effects::places::{Place, PlaceKind};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 
@@ -16,10 +16,8 @@ pub(crate) struct Pointing;
 
 static ABOUT: AboutKind = AboutKind {
     name: "pointing",
-    one: "a pointing direction",
     looks: Looks::AtAttitude,
     unit: Unit::Radian,
-    sigma_key: "sigma_direction_urad",
     usual_sigma: 5e-5,
     shows_length: false,
 };
@@ -42,6 +40,26 @@ impl Kind for Pointing {
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {
         instrument.sigma_direction
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        place: Option<usize>,
+        seen: &Seen,
+        noise: [f64; 3],
+    ) {
+        let Some(pointing) = &session.instrument.references.pointing else {
+            return;
+        };
+        let direction = times(seen.attitude, pointing.axis.into_inner().into());
+        let omega = match place {
+            Some(_) => [seen.place[0], seen.place[1], seen.place[2]],
+            None => [0.0; 3],
+        };
+        let into = transposed(rotation(omega));
+        angles::show(session, sample, place, times(into, direction), noise);
     }
 
     fn residual(&self, session: &Session, sample: usize, seen: &Seen) -> Residual {

@@ -2,8 +2,8 @@
 //! is needed at all. What is measured is that nothing is left of p − s.
 
 use crate::lanes::minus;
-use crate::observations::places::{Place, PlaceKind};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::effects::places::{Place, PlaceKind};
+use crate::observations::{put_name, AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session, Sigma};
 
 /// See the module.
@@ -11,10 +11,8 @@ pub(crate) struct Socket;
 
 static ABOUT: AboutKind = AboutKind {
     name: "socket",
-    one: "a target in a socket",
     looks: Looks::AtPoint,
     unit: Unit::Millimetre,
-    sigma_key: "sigma_mm",
     usual_sigma: 0.05,
     shows_length: false,
 };
@@ -39,6 +37,18 @@ impl Kind for Socket {
             Sigma::Overall(sigma) => sigma,
             Sigma::PerAxis(each) => (each.iter().map(|s| s * s).sum::<f64>() / 3.0).sqrt(),
         })
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        place: Option<usize>,
+        _: &Seen,
+        _: [f64; 3],
+    ) {
+        let count = session.samples.len();
+        put_name(&mut session.samples.observed.socket, count, sample, place);
     }
 
     fn residual(&self, _: &Session, _: usize, seen: &Seen) -> Residual {

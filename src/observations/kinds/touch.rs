@@ -6,8 +6,8 @@
 //! ```
 
 use crate::lanes::{add_scaled, dot, scaled};
-use crate::observations::places::{Place, PlaceKind, unit_normal};
-use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::effects::places::{Place, PlaceKind, unit_normal};
+use crate::observations::{put_name, AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Instrument, Session};
 
 /// See the module.
@@ -15,10 +15,8 @@ pub(crate) struct Touch;
 
 static ABOUT: AboutKind = AboutKind {
     name: "touch",
-    one: "a touch",
     looks: Looks::AtPoint,
     unit: Unit::Millimetre,
-    sigma_key: "sigma_touch_mm",
     usual_sigma: 0.02,
     shows_length: false,
 };
@@ -40,6 +38,18 @@ impl Kind for Touch {
 
     fn sigma(&self, instrument: &Instrument) -> Option<f64> {
         instrument.sigma_touch_mm
+    }
+
+    fn show(
+        &self,
+        session: &mut Session,
+        sample: usize,
+        place: Option<usize>,
+        _: &Seen,
+        _: [f64; 3],
+    ) {
+        let count = session.samples.len();
+        put_name(&mut session.samples.observed.plane, count, sample, place);
     }
 
     fn residual(&self, _: &Session, _: usize, seen: &Seen) -> Residual {

@@ -2,7 +2,13 @@
 //!
 //! Beyond the keys of the contract a scenario may have `name`, `note`, `tolerance_mm` and `regions`
 //! (they go into the session), `planar` (z is not measured), `poses.random.count` and
-//! `noise.resolution_mm`. A condition may be one number instead of a list. For a sliding joint the
+//! `noise.resolution_mm`. `measure` is how the samples are measured, in turn: `["point"]` where nothing is
+//! said, or any of point, pose, distance, bearing, pointing, socket, touch. What they refer to stands
+//! in `anchors`, `stations`, `planes`, `sockets`, `socket_distances_mm` and `pointing` as in a session,
+//! with where it really is; `unknown` lists which of anchors, stations, planes, sockets the session does
+//! not say. Their noise is what the instrument states (`sigma_mrad`, `sigma_distance_mm`,
+//! `sigma_direction_urad`, `sigma_touch_mm`; of a tracker `sigma_range_mm` and `sigma_angle_urad`), that
+//! of points and sockets `noise.sigma_mm`. A condition may be one number instead of a list. For a sliding joint the
 //! numbers under `from_deg`, `to_deg`, `step_deg`, `q_deg` and `speed_deg_s` are mm; `from_mm` and
 //! so on say the same more plainly.
 
@@ -14,12 +20,12 @@ mod poses;
 use conditions::conditions;
 use poses::poses;
 
-use super::scenario::{Noise, NoiseKind, Outliers, Poses, Scenario};
+use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario, Unknown};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
 use crate::kinematics::Robot;
 use crate::model::format_v1::term;
 use crate::sessions::format_v1::read::{default_targets, instrument, positive, regions, targets};
-use crate::sessions::format_v1::robot;
+use crate::sessions::format_v1::{references, robot};
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::sessions::{files, validation};
 
@@ -132,7 +138,8 @@ fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> 
     let path = &Path::Root;
     let members = fields.object(root, path, "a scenario: an object with the key \"format\"")?;
     format_tag(fields, members, root.at)?;
-    let known: Vec<&str> = KNOWN.into_iter().chain(["seed"]).collect();
+    let more = ["seed", "measure", "unknown"];
+    let known = [&KNOWN[..], &more, &references::KEYS].concat();
     fields.unknown_keys(members, path, &known);
     let expected = "an object that describes the robot";
     let robot = fields
@@ -166,6 +173,20 @@ fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> 
     scenario.instrument = optional(members, "instrument")
         .and_then(|node| instrument(fields, node, &path.key("instrument")))
         .unwrap_or_default();
+    scenario.instrument.references = references::references(fields, members, path);
+    if let Some(node) = optional(members, "measure") {
+        scenario.measure = names(fields, node, &path.key("measure"), &Measure::ALL, Measure::name)?;
+    }
+    if let Some(node) = optional(members, "unknown") {
+        let all = ["anchors", "stations", "planes", "sockets"];
+        let hidden = names(fields, node, &path.key("unknown"), &all, |name| name)?;
+        scenario.unknown = Unknown {
+            anchors: hidden.contains(&"anchors"),
+            stations: hidden.contains(&"stations"),
+            planes: hidden.contains(&"planes"),
+            sockets: hidden.contains(&"sockets"),
+        };
+    }
     scenario.tolerance_mm = optional(members, "tolerance_mm").and_then(|node| {
         let path = &path.key("tolerance_mm");
         positive(fields, node, path, "a length above 0 mm")
@@ -192,6 +213,33 @@ fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> 
     }
     scenario.poses = poses?;
     Some(scenario)
+}
+
+/// A list of names of these.
+fn names<T: Copy>(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+    all: &[T],
+    name: fn(T) -> &'static str,
+) -> Option<Vec<T>> {
+    let known: Vec<&str> = all.iter().map(|one| name(*one)).collect();
+    let expected = format!("an array of some of {}", known.join(", "));
+    let Value::List(list) = &node.value else {
+        fields.mismatch(node, path, &expected);
+        return None;
+    };
+    let mut read = Vec::new();
+    for (index, node) in list.iter().enumerate() {
+        let one = all
+            .iter()
+            .find(|one| matches!(&node.value, Value::Text(text) if text == name(**one)));
+        match one {
+            Some(one) => read.push(*one),
+            None => fields.mismatch(node, &path.index(index), &expected),
+        }
+    }
+    (read.len() == list.len()).then_some(read)
 }
 
 fn format_tag(fields: &mut Fields<'_>, members: &[Member], at: usize) -> Option<()> {

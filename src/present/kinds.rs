@@ -1,12 +1,12 @@
-//! Errors by kind of measurement, in JSON and in words.
+//! Errors by kind of measurement: `kinds` in JSON, and in words.
 
 use serde::Serialize;
 
-use truepose::observations::figures::{Errors, KindFigures};
+use crate::observations::figures::{Errors, KindFigures};
 
 /// One kind of measurement. Numbers are in `unit`: mm or mrad.
-#[derive(Serialize)]
-pub(crate) struct KindRow {
+#[derive(Debug, Serialize)]
+pub struct KindRow {
     kind: &'static str,
     unit: &'static str,
     #[serde(flatten)]
@@ -17,7 +17,7 @@ pub(crate) struct KindRow {
     held_out: Option<ErrorsRow>,
 }
 
-#[derive(Serialize)]
+#[derive(Debug, Serialize)]
 struct ErrorsRow {
     samples: usize,
     before: f64,
@@ -39,7 +39,7 @@ impl ErrorsRow {
 }
 
 /// One row for each kind.
-pub(crate) fn rows(kinds: &[KindFigures]) -> Vec<KindRow> {
+pub fn rows(kinds: &[KindFigures]) -> Vec<KindRow> {
     let row = |own: &KindFigures| KindRow {
         kind: own.kind,
         unit: own.unit,
@@ -53,7 +53,7 @@ pub(crate) fn rows(kinds: &[KindFigures]) -> Vec<KindRow> {
 }
 
 /// A line for each kind; nothing where plain points are all there is.
-pub(crate) fn in_words(kinds: &[KindFigures]) -> String {
+pub fn in_words(kinds: &[KindFigures]) -> String {
     let mut text = String::new();
     for own in kinds {
         let unit = own.unit;

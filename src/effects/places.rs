@@ -11,9 +11,9 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use crate::effects::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
-use crate::effects::block::Block;
-use crate::effects::{Effect, Placed, Survey, Term};
+use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::block::Block;
+use super::{Effect, Placed, Survey, Term};
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What kind of place.
@@ -280,7 +280,7 @@ pub fn term(
 }
 
 /// A normal as a place's coefficients have it, which need not be of unit length.
-pub(super) fn unit_normal(coefficients: &[f64]) -> (Unit<Vector3<f64>>, f64) {
+pub(crate) fn unit_normal(coefficients: &[f64]) -> (Unit<Vector3<f64>>, f64) {
     let v = Vector3::new(coefficients[0], coefficients[1], coefficients[2]);
     let length = v.norm().max(f64::MIN_POSITIVE);
     (Unit::new_unchecked(v / length), length)

@@ -1,0 +1,94 @@
+//! A calibration beside a session of other measurements than points: distances, directions, touches,
+//! sockets. Places that the model knows by name are where it has them; others that nobody knows are
+//! located beside the robot first. What corrected commands would do is not said: nothing was measured
+//! of where the target is.
+
+use crate::effects::JointValues;
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
+use crate::model::{Calibration, Model};
+use crate::effects::places::{Place, PlaceKind, name};
+use crate::observations::{Layer, start};
+use crate::sessions::Session;
+
+use super::verification::{Verification, VerifyError, WithinTolerance, model_for};
+
+/// Compares a session that has more than points with a calibration of the same robot.
+pub(super) fn verify(
+    calibration: &Calibration,
+    session: &Session,
+    mut notes: Vec<String>,
+) -> Result<Verification, VerifyError> {
+    let mut problem = Problem::observing(session, JointValues::Commanded);
+    problem.fit.clone_from(&problem.usable);
+    let full = model_for(calibration, session, &problem, &mut notes);
+    let Some(layer) = problem.observed.as_mut() else {
+        return Err(VerifyError::NothingToVerify);
+    };
+    layer.fit.fill(true);
+    layer.used.fill(true);
+    let placed = placed(layer, &full, session, Some(&mut notes));
+    let bare = Model::nominal(calibration.model.robot.clone());
+    let nominal = self::placed(layer, &bare, session, None);
+    let before = deviations(&problem, &nominal);
+    let after = deviations(&problem, &placed);
+    let spread = |lengths: &[f64]| Spread::of(lengths, |i| problem.usable[i], |_| false);
+    let tolerance = session.tolerance_mm.or(calibration.tolerance_mm);
+    let samples = problem.usable.iter().filter(|u| **u).count();
+    let within = |lengths: &[f64], mm: f64| lengths.iter().filter(|l| **l <= mm).count();
+    Ok(Verification {
+        session: session.name.clone(),
+        samples,
+        nominal: spread(&before.length_mm).ok_or(VerifyError::NothingToVerify)?,
+        model: spread(&after.length_mm).ok_or(VerifyError::NothingToVerify)?,
+        within_tolerance: tolerance.map(|mm| WithinTolerance {
+            before: within(&before.length_mm, mm),
+            after: within(&after.length_mm, mm),
+            of: samples,
+        }),
+        compensated: None,
+        after,
+        outliers: Vec::new(),
+        notes,
+    })
+}
+
+/// A model with the places of this session: its own by their names, others where they seem to be.
+fn placed(
+    layer: &Layer,
+    model: &Model,
+    session: &Session,
+    notes: Option<&mut Vec<String>>,
+) -> Model {
+    let references = &session.instrument.references;
+    let mut own = model.without(|term| PlaceKind::of(term).is_some());
+    let mut located = Vec::new();
+    for mut term in start::unknown_places(layer, &own) {
+        let kind = PlaceKind::of(&term);
+        let label = term.label.clone();
+        let known = model
+            .terms()
+            .iter()
+            .find(|t| PlaceKind::of(t) == kind && t.label == label);
+        if let Some(known) = known {
+            term.coefficients.clone_from(&known.coefficients);
+        } else if let Some(kind) = kind {
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "the index of a place"
+            )]
+            let index = term.setting as usize;
+            let id = term.effect.about().id;
+            located.push(format!("{id} {}", name(references, Place { kind, index })));
+        }
+        own = own.with_term(term);
+    }
+    if let (Some(notes), false) = (notes, located.is_empty()) {
+        notes.push(format!(
+            "not known to the model, and located beside it: {}",
+            located.join(", ")
+        ));
+    }
+    own
+}

@@ -1,0 +1,248 @@
+//! What instruments show that measure other things than plain points.
+//!
+//! The samples take the ways to measure in turn, and each way its places in turn. Where the target has
+//! to be in a socket or on a plane the stop is moved there by the shortest way of the joints (Newton's
+//! method on the real robot), off by the noise of the seat or of the touch.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::scenario::{Measure, Scenario, Unknown};
+use super::{SimulateError, Stream, random};
+use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
+use crate::effects::{Inputs, JointValues, Term, find};
+use crate::lanes::dot;
+use crate::model::Model;
+use crate::observations::layer::predictions;
+use crate::effects::places::{MOST, Place, PlaceKind, stated};
+use crate::observations::{KINDS, Kind, Seen};
+use crate::sessions::{References, Session};
+
+/// Steps of Newton's method.
+const STEPS: usize = 60;
+/// The target is there where no more than this is missing, mm.
+const THERE_MM: f64 = 1e-9;
+/// The longest step of a joint, rad; of one that slides as many times a metre.
+const LONGEST: f64 = 0.3;
+
+/// The kinds and the places of one way to measure.
+fn parts(measure: Measure, references: &References) -> (&'static [&'static str], Option<PlaceKind>, usize) {
+    let count = |n: usize| n.max(1);
+    match measure {
+        Measure::Point => (&["point"], None, 1),
+        Measure::Pose => (&["point", "orientation"], None, 1),
+        Measure::Distance => {
+            let n = count(references.anchors.len());
+            (&["distance"], Some(PlaceKind::Anchor), n)
+        }
+        Measure::Bearing => {
+            let n = count(references.stations.len());
+            (&["bearing"], Some(PlaceKind::Station), n)
+        }
+        Measure::Pointing => {
+            let stations = references.stations.len();
+            let kind = (stations > 0).then_some(PlaceKind::Station);
+            (&["pointing"], kind, count(stations))
+        }
+        Measure::Socket => {
+            let n = count(references.sockets.len());
+            (&["socket"], Some(PlaceKind::Socket), n)
+        }
+        Measure::Touch => {
+            let n = count(references.planes.len());
+            (&["touch"], Some(PlaceKind::Plane), n)
+        }
+    }
+}
+
+/// How one sample is measured: the way, and the index of its place.
+fn turn_of(scenario: &Scenario, sample: usize) -> (Measure, usize) {
+    let ways = scenario.measure.len();
+    let measure = scenario.measure[sample % ways];
+    let places = parts(measure, &scenario.instrument.references).2;
+    (measure, sample / ways % places)
+}
+
+/// Measures every sample in its own way; `outliers` are those that go wrong. The session leaves
+/// without what the scenario hides.
+///
+/// # Errors
+/// A socket or a plane that the robot does not reach.
+pub fn measure(
+    scenario: &Scenario,
+    model: &Model,
+    session: &mut Session,
+    outliers: &[usize],
+    seed: u64,
+) -> Result<(), SimulateError> {
+    let mut draw = random(seed, Stream::Kinds);
+    let count = session.samples.len();
+    let normal = |draw: &mut ChaCha8Rng| -> [f64; 3] {
+        std::array::from_fn(|_| StandardNormal.sample(draw))
+    };
+    let noises: Vec<[f64; 3]> = (0..count).map(|_| normal(&mut draw)).collect();
+    let turned: Vec<[f64; 3]> = (0..count).map(|_| normal(&mut draw)).collect();
+    let points = scenario.noise.map_or(0.0, |noise| noise.sigma_mm);
+    for sample in 0..count {
+        let (measure, place) = turn_of(scenario, sample);
+        if matches!(measure, Measure::Socket | Measure::Touch) {
+            let wild = if outliers.contains(&sample) {
+                scenario.outliers.map_or(0.0, |o| o.mm)
+            } else {
+                0.0
+            };
+            let sigma = match measure {
+                Measure::Touch => scenario.instrument.sigma_touch_mm.unwrap_or(0.0),
+                _ => points,
+            };
+            let off = noises[sample].map(|n| sigma * n + wild);
+            brought(scenario, model, session, sample, (measure, place, off))?;
+        }
+    }
+    let seen = predictions(session, JointValues::Commanded, model);
+    if scenario.measure.iter().all(|m| !matches!(m, Measure::Point | Measure::Pose)) {
+        session.samples.z_mm = Some(vec![f64::NAN; count]);
+    }
+    for sample in 0..count {
+        let (measure, index) = turn_of(scenario, sample);
+        let references = &session.instrument.references;
+        let (kinds, kind, _) = parts(measure, references);
+        let place = kind.map(|kind| Place { kind, index });
+        let at = place.map_or([None; MOST], |place| stated(references, place));
+        let at = at.map(|v| v.unwrap_or(0.0));
+        let seen = Seen {
+            point: seen[sample].0,
+            attitude: seen[sample].1,
+            place: &at,
+        };
+        if measure != Measure::Point && measure != Measure::Pose {
+            let samples = &mut session.samples;
+            (samples.x_mm[sample], samples.y_mm[sample]) = (f64::NAN, f64::NAN);
+            if let Some(z) = &mut samples.z_mm {
+                z[sample] = f64::NAN;
+            }
+        }
+        let wild = outliers.contains(&sample).then_some(scenario.outliers).flatten();
+        for own in kinds.iter().filter_map(|name| KINDS.iter().find(|k| k.about().name == *name)) {
+            let unit = if own.about().name == "orientation" { turned[sample] } else { noises[sample] };
+            let Some(noise) = noise_of(*own, scenario, &seen, unit) else {
+                continue;
+            };
+            let wild = wild.map_or(0.0, |o| o.mm / own.lever_mm(&seen).max(1e-9));
+            let noise = noise.map(|n| n + wild);
+            own.show(session, sample, place.map(|p| p.index), &seen, noise);
+        }
+    }
+    hide(&mut session.instrument.references, scenario.unknown);
+    Ok(())
+}
+
+/// The noise of one measurement, inner units; `None` for a plain point, which has its own already.
+fn noise_of(kind: &dyn Kind, scenario: &Scenario, seen: &Seen, unit: [f64; 3]) -> Option<[f64; 3]> {
+    let instrument = &scenario.instrument;
+    if kind.about().name != "point" {
+        let sigma = kind.sigma(instrument).unwrap_or(0.0);
+        return Some(unit.map(|n| sigma * n));
+    }
+    let tracker = instrument.tracker?;
+    let beam = Vector3::from(seen.point) - tracker.position_mm.coords;
+    let far = beam.norm();
+    let along = beam / far.max(1e-9);
+    let unit = Vector3::from(unit);
+    let part = unit.dot(&along);
+    let across = unit - along * part;
+    let noise = along * (part * tracker.sigma_range_mm) + across * (tracker.sigma_angle * far);
+    Some(noise.into())
+}
+
+/// Moves a stop so that the real robot has its target in a socket or on a plane.
+fn brought(
+    scenario: &Scenario,
+    model: &Model,
+    session: &mut Session,
+    sample: usize,
+    (measure, index, off): (Measure, usize, [f64; 3]),
+) -> Result<(), SimulateError> {
+    let joints = session.robot.joints.len();
+    let Some(zero) = find("joint-zero-offset") else {
+        return Ok(());
+    };
+    // A joint moves the target as its zero offset does; the nominal robot's slopes are near enough.
+    let probed = (0..joints).fold(Model::nominal(model.robot.clone()), |m, joint| {
+        m.with_term(Term::absent(zero, joint, 0.0))
+    });
+    let references = &scenario.instrument.references;
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let mut own = inputs.select(&[sample]);
+    for _ in 0..STEPS {
+        let at = model.predict(&own).get(0);
+        let (left, rows) = match measure {
+            Measure::Touch => {
+                let Some((normal, distance)) = references.planes[index].known else {
+                    return Ok(());
+                };
+                let n: [f64; 3] = normal.into_inner().into();
+                (vec![distance + off[0] - dot(n, at)], vec![n])
+            }
+            _ => {
+                let Some(socket) = references.sockets[index].position_mm else {
+                    return Ok(());
+                };
+                let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
+                (left, vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+            }
+        };
+        if left.iter().all(|v: &f64| v.abs() < THERE_MM) {
+            for joint in 0..joints {
+                session.samples.q[joint][sample] = own.q[joint][0];
+            }
+            return Ok(());
+        }
+        let mut slopes = DMatrix::zeros(rows.len(), joints);
+        probed.visit(&own, true, |_, block| {
+            for (joint, column) in block.columns.iter().enumerate() {
+                let moved = [column[0][0], column[1][0], column[2][0]];
+                for (row, by) in rows.iter().enumerate() {
+                    slopes[(row, joint)] = dot(*by, moved);
+                }
+            }
+        });
+        let svd = slopes.svd(true, true);
+        let Ok(step) = svd.solve(&DVector::from_vec(left), 1e-9) else {
+            break;
+        };
+        let longest = (0..joints).map(|j| {
+            let slides = session.robot.joints[j].kind == crate::kinematics::JointKind::Prismatic;
+            step[j].abs() / if slides { 1000.0 } else { 1.0 }
+        });
+        let shorten = (LONGEST / longest.fold(LONGEST, f64::max)).min(1.0);
+        for joint in 0..joints {
+            own.q[joint].to_mut()[0] += shorten * step[joint];
+        }
+    }
+    let name = match measure {
+        Measure::Touch => &references.planes[index].name,
+        _ => &references.sockets[index].name,
+    };
+    let found = format!("'{name}' is not reached from stop {}", sample + 1);
+    let place = FilePlace::default().in_field("measure");
+    let expected = "places within reach, and poses near them";
+    Err(Rejected::because(Diagnostic::error(place, found, expected)).into())
+}
+
+/// Takes away what the session does not say.
+fn hide(references: &mut References, unknown: Unknown) {
+    for anchor in references.anchors.iter_mut().filter(|_| unknown.anchors) {
+        (anchor.position_mm, anchor.offset_mm) = (None, None);
+    }
+    for station in references.stations.iter_mut().filter(|_| unknown.stations) {
+        (station.position_mm, station.attitude) = (None, None);
+    }
+    for plane in references.planes.iter_mut().filter(|_| unknown.planes) {
+        plane.known = None;
+    }
+    for socket in references.sockets.iter_mut().filter(|_| unknown.sockets) {
+        socket.position_mm = None;
+    }
+}
