@@ -302,7 +302,7 @@ fn broken_recordings_are_refused_with_the_byte_and_what_was_expected() {
         ),
         (
             changed(tf, b"tf2_msgs/msg/TXMessage"),
-            "no topic with measured poses",
+            "no frame 'tool' in '/tf_static'",
         ),
         (changed(cdr, b"cdx"), "encoded as 'cdx', not as cdr or json"),
         (

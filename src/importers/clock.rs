@@ -121,7 +121,7 @@ pub(crate) fn find(
     let Some(&(offset_s, cost)) = best.first() else {
         return Err(NoOffset::NothingMoves);
     };
-    if !(cost <= UNRELATED * fine.variance) {
+    if cost.is_nan() || cost > UNRELATED * fine.variance {
         return Err(NoOffset::Unrelated);
     }
     // A rival is another valley, not another place in this one.

@@ -202,7 +202,7 @@ impl Job<'_> {
         let clock = done.clock;
         let said = match clock.ci95_s() {
             Some([from, to]) => format!(
-                "the clocks are {:+.4} s apart (command less measurement; 95 % confidence interval [{:+.4}, {:+.4}], {:.3} mm left)",
+                "the clocks are {:+.6} s apart (command less measurement; 95 % confidence interval [{:+.6}, {:+.6}], {:.3} mm left)",
                 clock.offset_s, from, to, clock.rms_mm
             ),
             None => format!("the clocks are {:+.4} s apart, as was said", clock.offset_s),

@@ -74,7 +74,9 @@ impl Job<'_> {
             if let Some(column) = columns.list.iter_mut().find(is_named) {
                 if let Cells::Text(cells) = &column.cells {
                     let mut names = Names::default();
-                    cells.iter().for_each(|cell| names.push(cell.trim()));
+                    for cell in cells {
+                        names.push(cell.trim());
+                    }
                     column.cells = Cells::Names(names);
                 }
                 column.role = Role::Known(Quantity::Anchor, Some(Unit::Fixed));
@@ -82,7 +84,9 @@ impl Job<'_> {
                 let said = self.reading.options.get(ANCHOR).map(|name| name.trim());
                 let name = said.filter(|name| !name.is_empty()).unwrap_or(UNNAMED);
                 let mut names = Names::default();
-                (0..rows).for_each(|_| names.push(name));
+                for _ in 0..rows {
+                    names.push(name);
+                }
                 columns.list.push(Column {
                     name: "anchor".to_owned(),
                     number: 0,

@@ -52,7 +52,7 @@ pub use units::{AngleUnit, LengthUnit};
 
 use case::Case;
 use columns::Columns;
-use formats::{KnownBy, Trial};
+use formats::{KnownBy, Suits, Trial};
 
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -133,7 +133,7 @@ fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> &'static Importer 
     if let Some(importer) = IMPORTERS.iter().copied().find(is_like) {
         return importer;
     }
-    let mut asked: Vec<(u8, &'static Importer, fn(&Trial) -> bool)> = IMPORTERS
+    let mut asked: Vec<(u8, &'static Importer, Suits)> = IMPORTERS
         .iter()
         .filter_map(|&importer| match importer.known_by {
             KnownBy::Reading { turn, suits } => Some((turn, importer, suits)),

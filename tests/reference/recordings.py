@@ -110,13 +110,14 @@ def ros2(path, seed, offset_s, zero=(0, 0, 0), poses=14, sigma=0.02):
         text = writer.register_msgdef("std_msgs/msg/String", "string data")
         writer.write_message("/rosout", text, {"data": "hello"}, 0, 0)
         names = ["elbow", "gripper", "shoulder", "upper"]
+        messages = []
         for k in range(int(length * 40)):
             t = k / 40
             q = at(t) + rng.normal(0, 5e-6, 3)
             ns, s = stamp(t)
-            writer.write_message("/joint_states", joint_state, {
+            messages.append((ns, "/joint_states", joint_state, {
                 "header": {"stamp": s, "frame_id": ""}, "name": names,
-                "position": [q[2], 0.01, q[0], q[1]], "velocity": [], "effort": []}, ns, ns)
+                "position": [q[2], 0.01, q[0], q[1]], "velocity": [], "effort": []}))
         for k in range(int(length * 15)):
             # The instrument's clock is behind by the offset: t_command = t_measured + offset.
             t = k / 15 + 0.011
@@ -124,10 +125,12 @@ def ros2(path, seed, offset_s, zero=(0, 0, 0), poses=14, sigma=0.02):
             ns, s = stamp(t - offset_s)
             x, y, z, w = quaternion(FRAME_R.T @ r)
             px, py, pz = seen(p, rng, sigma)
-            writer.write_message("/tracker/pose", pose, {
+            messages.append((ns, "/tracker/pose", pose, {
                 "header": {"stamp": s, "frame_id": "tracker"},
                 "pose": {"position": {"x": px, "y": py, "z": pz},
-                         "orientation": {"x": x, "y": y, "z": z, "w": w}}}, ns, ns)
+                         "orientation": {"x": x, "y": y, "z": z, "w": w}}}))
+        for ns, topic, schema, message in sorted(messages, key=lambda message: message[0]):
+            writer.write_message(topic, schema, message, ns, ns)
         writer.finish()
     return knots
 

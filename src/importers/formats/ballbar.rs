@@ -106,7 +106,9 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     if length_mm != 0.0
         && let Some(mut values) = columns.numbers(Quantity::Distance)
     {
-        values.iter_mut().for_each(|value| *value += length_mm);
+        for value in &mut values {
+            *value += length_mm;
+        }
         columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
         case.note(format!(
             "{length_mm} mm were added to every reading, as was said"

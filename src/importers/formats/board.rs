@@ -1,6 +1,6 @@
 //! Poses of a calibration board that a camera saw: a row for each image.
 //!
-//! `rvec_x, rvec_y, rvec_z` (rad) and `tvec_x, tvec_y, tvec_z`, as OpenCV's `solvePnP` and the
+//! `rvec_x, rvec_y, rvec_z` (rad) and `tvec_x, tvec_y, tvec_z`, as `OpenCV`'s `solvePnP` and the
 //! detectors of chessboards, `ChArUco` boards and `AprilTag` grids give them; or the quaternion
 //! `qw, qx, qy, qz` in place of the first three. Both turn the board's coordinates into those of the
 //! camera:
@@ -222,7 +222,9 @@ fn say_frame(case: &mut Case<'_>, columns: &mut Columns, is_on_tool: bool) {
     ));
     if columns.find(Quantity::Setup).is_none() {
         let mut names = Names::default();
-        (0..columns.rows()).for_each(|_| names.push(frame));
+        for _ in 0..columns.rows() {
+            names.push(frame);
+        }
         columns.list.push(Column {
             name: "setup".to_owned(),
             number: 0,

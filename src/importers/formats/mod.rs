@@ -63,6 +63,10 @@ impl fmt::Debug for Importer {
 
 /// What a person is asked about the files of a format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a question of the sheet by itself"
+)]
 pub struct Asks {
     /// The separator, the header and the decimal sign.
     pub table: bool,
@@ -124,9 +128,12 @@ pub(crate) enum KnownBy {
         /// Its turn among the formats that are asked.
         turn: u8,
         /// Whether it suits, by what reading it brought.
-        suits: fn(&Trial) -> bool,
+        suits: Suits,
     },
 }
+
+/// Whether a file suits a format, by what reading it brought.
+pub(crate) type Suits = fn(&Trial) -> bool;
 
 /// What came of reading a file as one of a format.
 pub(crate) struct Trial {

@@ -302,18 +302,20 @@ fn all_of(decoder: impl Read, length: u64) -> Result<Vec<u8>, String> {
 
 /// CRC-32 as in zlib: polynomial EDB88320, reflected.
 fn crc32(bytes: &[u8]) -> u32 {
+    const fn entry(mut value: u32) -> u32 {
+        let mut bit = 0;
+        while bit < 8 {
+            value = (value >> 1) ^ (0xedb8_8320 * (value & 1));
+            bit += 1;
+        }
+        value
+    }
     const TABLE: [u32; 256] = {
         let mut table = [0; 256];
-        let mut entry = 0;
-        while entry < 256 {
-            let mut value = entry as u32;
-            let mut bit = 0;
-            while bit < 8 {
-                value = (value >> 1) ^ (0xedb8_8320 * (value & 1));
-                bit += 1;
-            }
-            table[entry] = value;
-            entry += 1;
+        let (mut place, mut value) = (0, 0);
+        while place < table.len() {
+            table[place] = entry(value);
+            (place, value) = (place + 1, value + 1);
         }
         table
     };

@@ -80,7 +80,7 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
     case.note(format!("topics: {}", topics.in_words()));
     let joints = chosen(case, &topics, &JOINTS);
     let measured = chosen(case, &topics, &MEASURED);
-    let (joints, measured) = (joints?, measured?);
+    let (joints, measured) = (joints.ok()?, measured.ok()?);
     let Some(measured) = measured else {
         let expected = format!("a topic of one of the types {}", MEASURED.types_in_words());
         case.refuse(
@@ -89,16 +89,15 @@ fn read(case: &mut Case<'_>) -> Option<Columns> {
         );
         return None;
     };
-    let path = match joints {
-        Some(topic) => Some(recorded::path(case, topic)?),
-        None => {
-            case.note("no topic with joint states: --commands says where the robot was sent");
-            None
-        }
+    let path = if let Some(topic) = joints {
+        Some(recorded::path(case, topic)?)
+    } else {
+        case.note("no topic with joint states: --commands says where the robot was sent");
+        None
     };
     let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
     let mut columns = recorded::points(case, measured, start_ns)?;
-    case.found.unit = "m and rad, as the messages have it".to_owned();
+    "m and rad, as the messages have it".clone_into(&mut case.found.unit);
     columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
     let listed = columns.commands.iter().flat_map(|path| &path.list);
     case.found.columns = listed
@@ -149,6 +148,9 @@ fn gathered(case: &mut Case<'_>) -> Option<Topics> {
     Some(topics)
 }
 
+/// Something is asked or wrong, and stands in the inspection.
+struct Open;
+
 /// Which topic is looked for, and how.
 struct Wanted {
     option: &'static str,
@@ -190,13 +192,12 @@ impl Wanted {
     }
 }
 
-/// The topic that was said, or the only one of the types that are wanted. `None`: it is asked, or
-/// wrong; `Some(None)`: there is none.
+/// The topic that was said, or the only one of the types that are wanted. `None`: there is none.
 fn chosen<'t>(
     case: &mut Case<'_>,
     topics: &'t Topics,
     wanted: &Wanted,
-) -> Option<Option<&'t Topic>> {
+) -> Result<Option<&'t Topic>, Open> {
     let of = |types: &[Type]| -> Vec<&'t Topic> {
         let all = topics.list.values();
         all.filter(|topic| types.contains(&topic.type_)).collect()
@@ -219,7 +220,7 @@ fn chosen<'t>(
                 names => format!("one of {}", names.join(", ")),
             };
             case.refuse(found, expected);
-            return None;
+            return Err(Open);
         }
         return sound(case, found);
     }
@@ -236,15 +237,15 @@ fn chosen<'t>(
                 let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
                 let says = format!("several topics have {}: {}", wanted.what, names.join(", "));
                 case.ask(About::Own(wanted.option), says, &names);
-                return None;
+                return Err(Open);
             }
         }
     }
-    Some(None)
+    Ok(None)
 }
 
 /// The topic, if its messages can be read.
-fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Option<Option<&'t Topic>> {
+fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t Topic>, Open> {
     if let Some(topic) = topic
         && let Some(wrong) = &topic.wrong
     {
@@ -256,7 +257,7 @@ fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Option<Option<&'t
             wrong.says
         );
         case.refuse(found, format!("a {} in CDR or JSON", topic.type_.name()));
-        return None;
+        return Err(Open);
     }
-    Some(topic)
+    Ok(topic)
 }

@@ -14,7 +14,7 @@ use crate::sessions::table::{Cells, Names};
 
 use super::messages::Measured;
 use super::topics::Topic;
-use super::{FRAME_CHILD, JOINT_NAMES};
+use super::{FRAME_CHILD, JOINT_NAMES, Open};
 
 /// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
 /// motion.
@@ -195,7 +195,7 @@ fn time_column(time_s: Vec<f64>) -> Column {
 
 /// What was measured, in the order of time. `None`: something is asked.
 pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
-    let child = child_of(case, topic)?;
+    let child = child_of(case, topic).ok()?;
     let mut list: Vec<&Measured> = topic
         .measured
         .iter()
@@ -257,8 +257,9 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
     })));
     if frames.len() > 1 {
         let mut names = Names::default();
-        list.iter()
-            .for_each(|measured| names.push(&measured.header.frame));
+        for measured in &list {
+            names.push(&measured.header.frame);
+        }
         columns.list.push(Column {
             name: "setup".to_owned(),
             number: 0,
@@ -271,9 +272,8 @@ pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Optio
     Some(columns)
 }
 
-/// The child frame that was measured: `Some(None)` where there are no transforms.
-#[expect(clippy::option_option, reason = "asked, none, or one")]
-fn child_of(case: &mut Case<'_>, topic: &Topic) -> Option<Option<String>> {
+/// The child frame that was measured: `None` where there are no transforms.
+fn child_of(case: &mut Case<'_>, topic: &Topic) -> Result<Option<String>, Open> {
     let children: BTreeSet<&str> = topic.measured.iter().map(|m| m.child.as_str()).collect();
     let children: Vec<&str> = children
         .into_iter()
@@ -281,7 +281,7 @@ fn child_of(case: &mut Case<'_>, topic: &Topic) -> Option<Option<String>> {
         .collect();
     if let Some(said) = case.reading.options.get(FRAME_CHILD) {
         if children.contains(&said.as_str()) {
-            return Some(Some(said.clone()));
+            return Ok(Some(said.clone()));
         }
         let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
         let found = format!(
@@ -297,11 +297,11 @@ fn child_of(case: &mut Case<'_>, topic: &Topic) -> Option<Option<String>> {
             names => format!("one of {}", listed_up_to(names, SHOWN)),
         };
         case.refuse(found, expected);
-        return None;
+        return Err(Open);
     }
     match children[..] {
-        [] => Some(None),
-        [only] => Some(Some(only.to_owned())),
+        [] => Ok(None),
+        [only] => Ok(Some(only.to_owned())),
         _ => {
             let says = format!(
                 "{} has transforms to several frames: {}",
@@ -309,7 +309,7 @@ fn child_of(case: &mut Case<'_>, topic: &Topic) -> Option<Option<String>> {
                 children.join(", ")
             );
             case.ask(About::Own(FRAME_CHILD), says, &children);
-            None
+            Err(Open)
         }
     }
 }

@@ -66,7 +66,7 @@ impl Topic {
                 self.measured.extend(list.into_iter().map(|mut measured| {
                     measured.header.time_ns = time(measured.header.time_ns);
                     measured
-                }))
+                }));
             }
         }
         Ok(())
