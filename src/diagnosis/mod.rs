@@ -31,9 +31,9 @@ pub mod limits;
 pub mod set_up_errors;
 pub mod smooth;
 
-mod base_alone;
 pub(crate) mod classes;
 pub(crate) mod conclude;
+mod base_alone;
 mod final_set;
 mod floor;
 mod free_curve;

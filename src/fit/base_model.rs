@@ -34,13 +34,13 @@ use std::borrow::Cow;
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::places::{self, PlaceKind};
 use crate::effects::{
     Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition,
     find,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
+use crate::effects::places::{self, PlaceKind};
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;

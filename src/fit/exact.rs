@@ -6,11 +6,11 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::places::PlaceKind;
 use crate::effects::{
     CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, Setting, Survey, Term, find,
 };
 use crate::model::Model;
+use crate::effects::places::PlaceKind;
 use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;

@@ -3,10 +3,10 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::places::PlaceKind;
 use crate::effects::{Effect, Held, MeasuringFrame, Term, ToolOrientation};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
+use crate::effects::places::PlaceKind;
 use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
@@ -69,19 +69,11 @@ pub(super) fn places_alone(model: &Model) -> Model {
 
 /// What the kinds of measurement leave open whatever the poses are; nothing for plain points.
 pub(super) fn open(problem: &Problem) -> Open {
-    problem
-        .observed
-        .as_ref()
-        .map(gauge::open)
-        .unwrap_or_default()
+    problem.observed.as_ref().map(gauge::open).unwrap_or_default()
 }
 
 /// Holds a size that no measurement shows by the priors, and says so.
-pub(super) fn hold_size(
-    problem: &mut Problem,
-    model: &Model,
-    said: &mut Vec<NotIdentifiable>,
-) -> Model {
+pub(super) fn hold_size(problem: &mut Problem, model: &Model, said: &mut Vec<NotIdentifiable>) -> Model {
     let Some(layer) = problem.observed.as_ref().filter(|_| open(problem).size) else {
         return model.clone();
     };

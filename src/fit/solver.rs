@@ -14,10 +14,10 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::effects::block::Block;
-use crate::effects::places::{self, PlaceKind};
 use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
+use crate::effects::places::{self, PlaceKind};
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;

@@ -11,11 +11,11 @@ use rand_distr::{Distribution, StandardNormal};
 use super::scenario::{Measure, Scenario, Unknown};
 use super::{SimulateError, Stream, random};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
-use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use crate::effects::{Inputs, JointValues, Term, find};
 use crate::lanes::dot;
 use crate::model::Model;
 use crate::observations::layer::predictions;
+use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use crate::observations::{KINDS, Kind, Seen};
 use crate::sessions::{References, Session};
 
@@ -27,10 +27,7 @@ const THERE_MM: f64 = 1e-9;
 const LONGEST: f64 = 0.3;
 
 /// The kinds and the places of one way to measure.
-fn parts(
-    measure: Measure,
-    references: &References,
-) -> (&'static [&'static str], Option<PlaceKind>, usize) {
+fn parts(measure: Measure, references: &References) -> (&'static [&'static str], Option<PlaceKind>, usize) {
     let count = |n: usize| n.max(1);
     match measure {
         Measure::Point => (&["point"], None, 1),
@@ -104,11 +101,7 @@ pub fn measure(
         }
     }
     let seen = predictions(session, JointValues::Commanded, model);
-    if scenario
-        .measure
-        .iter()
-        .all(|m| !matches!(m, Measure::Point | Measure::Pose))
-    {
+    if scenario.measure.iter().all(|m| !matches!(m, Measure::Point | Measure::Pose)) {
         session.samples.z_mm = Some(vec![f64::NAN; count]);
     }
     for sample in 0..count {
@@ -130,19 +123,9 @@ pub fn measure(
                 z[sample] = f64::NAN;
             }
         }
-        let wild = outliers
-            .contains(&sample)
-            .then_some(scenario.outliers)
-            .flatten();
-        for own in kinds
-            .iter()
-            .filter_map(|name| KINDS.iter().find(|k| k.about().name == *name))
-        {
-            let unit = if own.about().name == "orientation" {
-                turned[sample]
-            } else {
-                noises[sample]
-            };
+        let wild = outliers.contains(&sample).then_some(scenario.outliers).flatten();
+        for own in kinds.iter().filter_map(|name| KINDS.iter().find(|k| k.about().name == *name)) {
+            let unit = if own.about().name == "orientation" { turned[sample] } else { noises[sample] };
             let Some(noise) = noise_of(*own, scenario, &seen, unit) else {
                 continue;
             };
@@ -207,10 +190,7 @@ fn brought(
                     return Ok(());
                 };
                 let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
-                (
-                    left,
-                    vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-                )
+                (left, vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
             }
         };
         if left.iter().all(|v: &f64| v.abs() < THERE_MM) {

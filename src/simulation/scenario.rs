@@ -410,11 +410,7 @@ impl Scenario {
                 problems.push(Diagnostic::error(field(at), "not where it is", expected));
             }
         };
-        wrong(
-            "measure",
-            !self.measure.is_empty(),
-            "at least one way to measure",
-        );
+        wrong("measure", !self.measure.is_empty(), "at least one way to measure");
         for measure in &self.measure {
             match measure {
                 Measure::Point | Measure::Pose => {}
