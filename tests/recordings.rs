@@ -444,17 +444,15 @@ fn board_files_that_lack_something_are_refused() {
 
 /// The session as text: what stands in the CSV and which anchors the JSON declares.
 fn written(session: &Session) -> (Value, Vec<Vec<String>>) {
-    let folder = std::env::temp_dir().join(format!("truepose-distances-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join("s.json");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("s.json");
     let replacing = truepose::sessions::Replacing {
         force: true,
         inputs: &[],
     };
     truepose::sessions::save(session, &path, replacing).unwrap();
     let document = serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
-    let csv = std::fs::read_to_string(folder.join("s.csv")).unwrap();
-    std::fs::remove_dir_all(&folder).unwrap();
+    let csv = std::fs::read_to_string(folder.path().join("s.csv")).unwrap();
     let rows = csv
         .lines()
         .map(|line| line.split(',').map(str::to_owned).collect());

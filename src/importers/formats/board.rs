@@ -41,7 +41,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         values: &["fixed", "on-tool"],
     }],
     known_by: KnownBy::Reading {
-        turn: 0,
+        turn: 1,
         suits: |trial| trial.is_sound && trial.headings.is_some(),
     },
     read,

@@ -22,7 +22,7 @@ pub(crate) static IMPORTER: Importer = Importer {
         ..Asks::TABLE
     },
     options: &[],
-    known_by: KnownBy::Reading { turn: 1, suits },
+    known_by: KnownBy::Reading { turn: 0, suits },
     read,
 };
 

@@ -127,7 +127,8 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
             super::name(ui, &field, option.title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
-            if let Some(chosen) = widgets::segmented(ui, &ways, value.as_str()) {
+            let said = option.values.iter().copied().find(|v| *v == value);
+            if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
                 value = chosen.to_owned();
             }
         }
