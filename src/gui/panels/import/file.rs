@@ -129,7 +129,7 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
             let said = option.values.iter().copied().find(|v| *v == value);
             if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
-                value = chosen.to_owned();
+                chosen.clone_into(&mut value);
             }
         }
         if value.trim().is_empty() {
