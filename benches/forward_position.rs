@@ -8,12 +8,12 @@
 //!     cargo bench --bench forward_position
 //!
 //! As measured on two shared cores of an AMD EPYC, six joints, ns per position: DH matrices 135, dual
-//! quaternions 196, the point alone 63 for one pose and 37 among many poses. So the claim holds only
-//! where nothing but the point is moved; full dual quaternions are the slowest of all. With one
-//! joint a DH matrix costs hardly more than its sine (16), and only many poses together beat it (8).
+//! quaternions 196. So the claim holds only where nothing but the point is moved (`point only`; `the
+//! model` is what every fit runs through: many poses, block by block); full dual quaternions are the
+//! slowest of all.
 //!
 //! `library sines alone` is what the standard library needs for the sines and cosines of the joints;
-//! `own sines` gives the matrices the sines of the point path, so that what is owed to the sines and
+//! `own sines` gives the matrices the sines of the model's path, so that what is owed to the sines and
 //! what to moving only a point can be told apart.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -21,7 +21,9 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
-use truepose::kinematics::{DhConvention, DhRow, PointMap, Robot, robot_from_dh};
+use truepose::effects::Inputs;
+use truepose::kinematics::{DhConvention, DhRow, JointKind, Robot, robot_from_dh};
+use truepose::model::Model;
 use truepose::sincos::sin_cos_all;
 
 /// So many that the processor learns no pattern, few enough to stay in its first cache; a power of
@@ -179,6 +181,7 @@ fn row(a_mm: f64, alpha_rad: f64, d_mm: f64) -> DhRow {
         d_mm,
         theta_rad: 0.0,
         convention: DhConvention::Standard,
+        kind: JointKind::Revolute,
     }
 }
 
@@ -196,7 +199,6 @@ fn forward_position(criterion: &mut Criterion) {
         let robot = robot_from_dh(name, rows).expect("the tables above are finite");
         let matrices = DhMatrices::new(rows);
         let duals = DualQuaternions::new(&robot);
-        let map = PointMap::new(&robot);
         let poses = poses(rows.len());
         let n = rows.len();
         for q in poses.chunks_exact(n) {
@@ -205,7 +207,6 @@ fn forward_position(criterion: &mut Criterion) {
                 matrices.position(q),
                 matrices.position_with_own_sines(q),
                 duals.position(q),
-                map.origin_in_base(q).into(),
             ] {
                 assert!((Point3::from(other) - exact).norm() < 1e-10, "{name}");
             }
@@ -225,16 +226,15 @@ fn forward_position(criterion: &mut Criterion) {
         }
         row!("DH 4x4 matrices", |q| matrices.position(q));
         row!("dual quaternions", |q| duals.position(q));
-        row!("point only", |q| map.origin_in_base(q));
-        group.bench_function("point only, many poses (per 256)", |bencher| {
-            let mut positions = vec![Point3::origin(); POSES];
-            bencher.iter(|| {
-                map.points_in_base(black_box(&poses), &Point3::origin(), &mut positions);
-                black_box(positions[POSES - 1])
-            });
+        row!("point only", |q| robot.point_in_base(q, &Point3::origin()));
+        // What every fit runs through: blocks of samples, one joint after another.
+        let model = Model::nominal(robot.clone());
+        let column = |joint: usize| poses.iter().skip(joint).step_by(n).copied().collect();
+        let home = robot.base_from_tool.translation.vector.into();
+        let inputs = Inputs::at_poses((0..n).map(column).collect(), vec![home]);
+        group.bench_function("the model, many poses (per 256)", |bencher| {
+            bencher.iter(|| model.predict(black_box(&inputs)));
         });
-        row!("point only, unprepared", |q| robot
-            .point_in_base(q, &Point3::origin()));
         row!("DH 4x4 matrices, own sines", |q| matrices
             .position_with_own_sines(q));
         row!("library sines alone", |q: &[f64]| q

@@ -64,6 +64,7 @@ fn session(n: usize) -> Session {
             }],
             base_from_tool: Pose::translation(250.0, 0.0, 300.0),
             gravity_m_s2: None,
+            source: truepose::kinematics::RobotSource::Axes,
         },
         targets: vec![Target {
             name: "tool".to_owned(),

@@ -105,11 +105,11 @@ fn single_names() -> impl Iterator<Item = &'static str> {
 fn reaches(answer: &Diagnosis, rival: &truepose::diagnosis::Equivalent, truth: &[&str]) -> bool {
     let mut set: Vec<&str> = names(answer);
     for gone in &rival.explanation {
-        if let Some(at) = set.iter().position(|id| id == gone) {
+        if let Some(at) = set.iter().position(|id| *id == gone.as_str()) {
             set.remove(at);
         }
     }
-    set.extend(rival.instead.iter().copied());
+    set.extend(rival.instead.iter().map(String::as_str));
     set.sort_unstable();
     set == truth
 }

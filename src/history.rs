@@ -347,7 +347,10 @@ fn changes(before: &Entry, now: &Entry) -> Vec<Change> {
     let of_set_up = |estimate: &Estimate| {
         find(estimate.effect).is_some_and(|effect| effect.about().setting == Setting::Setup)
     };
-    let key = |e: &Estimate| (e.effect, e.joint, e.setup.clone(), e.target.clone(), e.name);
+    let key = |e: &Estimate| {
+        let labels = [e.setup.clone(), e.target.clone(), e.place.clone()];
+        (e.effect, e.joint, labels, e.name)
+    };
     let each = now
         .parameters
         .iter()
@@ -443,6 +446,7 @@ mod tests {
                 joint: Some(1),
                 setup: None,
                 target: None,
+                place: None,
                 name,
                 value,
                 ci95: half.map(|half| [value - half, value + half]),

@@ -4,6 +4,7 @@
 
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Verification, verify};
+use crate::diagnosis::set_up_errors::{DataProblem, Mended, noticed};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues};
@@ -14,7 +15,7 @@ use crate::fit::{
     identify_without_priors,
 };
 use crate::model::Calibration;
-use crate::sessions::{Loaded, Session, load};
+use crate::sessions::{Loaded, Session, hash_of_samples, load};
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,6 +112,44 @@ pub fn identify(
     };
     let calibration = identification.calibration(session, &Inputs::new(session, values));
     Ok((identification, calibration))
+}
+
+/// What an identification answers, with the mistakes of setting up that it noticed.
+#[derive(Debug, Clone)]
+pub struct Identified {
+    /// The answer.
+    pub identification: Identification,
+    /// The model, to be saved.
+    pub calibration: Calibration,
+    /// Mistakes of setting up. A robot with several joints is identified without them, one joint as
+    /// it stands.
+    pub data_problems: Vec<DataProblem>,
+}
+
+/// Like [`identify`], looking for mistakes of setting up first, as [`diagnose`] does.
+///
+/// # Errors
+/// See [`IdentifyError`].
+pub fn identify_checked(
+    session: &Session,
+    method: &Method,
+    values: JointValues,
+) -> Result<Identified, IdentifyError> {
+    let checked = match method {
+        Method::Exact { .. } => noticed(session, values),
+        Method::Regional(_) => Mended {
+            session: std::borrow::Cow::Borrowed(session),
+            problems: Vec::new(),
+        },
+    };
+    let (identification, mut calibration) = identify(&checked.session, method, values)?;
+    // The model came from the file as it is.
+    calibration.samples_hash = hash_of_samples(session);
+    Ok(Identified {
+        identification,
+        calibration,
+        data_problems: checked.problems,
+    })
 }
 
 /// Diagnoses a session: what is missing, how sure that is, and what to measure next.

@@ -145,6 +145,8 @@ fn few_poses_do_not_explode() {
             for i in (0..held.len()).filter(|i| !keep(*i)) {
                 // Unusable, neither fitted nor held out.
                 few.samples.x_mm[i] = f64::NAN;
+                few.samples.y_mm[i] = f64::NAN;
+                few.samples.z_mm.as_mut().unwrap()[i] = f64::NAN;
             }
             let answer = identified(&few);
             let unseen = answer.held_out.unwrap();

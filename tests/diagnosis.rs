@@ -156,7 +156,8 @@ fn at_one_speed_backlash_and_tracking_lag_are_both_possible_and_poses_decide() {
     let rig = measured(&design, &["tracking-lag"], 200.0, 31);
     let answer = diagnosed(&rig, &Options::default());
     let mut both: Vec<&str> = names(&answer);
-    both.extend(answer.equivalent.iter().flat_map(|e| e.instead.clone()));
+    let others = answer.equivalent.iter().flat_map(|e| &e.instead);
+    both.extend(others.map(String::as_str));
     assert!(
         both.contains(&"backlash") && both.contains(&"tracking-lag"),
         "{both:?}"

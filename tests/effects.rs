@@ -28,6 +28,7 @@ fn robot(joints: Vec<Joint>) -> Robot {
         joints,
         base_from_tool: Pose::from_parts(Vector3::new(410.0, 35.0, 280.0).into(), turn),
         gravity_m_s2: Some(Vector3::new(2.0, -1.0, -9.5)),
+        source: truepose::kinematics::RobotSource::Axes,
     }
 }
 
@@ -95,11 +96,15 @@ fn term(effect: &'static dyn Effect, joint: usize, share: f64, sizes: &[f64]) ->
         Setting::Time => 100.0 + 300.0 * share,
         Setting::Fade => 0.05 + 0.3 * share,
         Setting::Setup | Setting::Target => 1.0,
+        Setting::Listed(listed) => {
+            let mut whole = (1..60).map(f64::from);
+            whole.find(|v| (listed.takes)(*v, joint, 2)).unwrap()
+        }
         Setting::None => 0.0,
     };
     let mut term = Term::absent(effect, if about.per_joint { joint } else { 0 }, setting);
     // A joint that winds up by a rad per N·m would be none.
-    let scale = if about.id == "joint-compliance" {
+    let scale = if ["joint-compliance", "foundation-compliance"].contains(&about.id) {
         0.02
     } else {
         1.0

@@ -8,11 +8,14 @@
 )]
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use proptest::prelude::*;
+use truepose::export::lerobot_calibration;
 use truepose::importers::{
     AngleUnit, Companion, IMPORTERS, LengthUnit, Matching, Reading, Settings, find, import, inspect,
 };
+use truepose::kinematics::{robot_from_mjcf, robot_from_urdf};
 use truepose::sessions::{Loaded, parse, parse_robot, parse_with_csv, write_inline};
 
 const DOCUMENT: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
@@ -24,7 +27,21 @@ const DOCUMENT: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"
 "dir1":[1,-1,0,null],"use":["fit","held-out",null,"fit"],"setup":["a","a","b","b"],"remark":["x",1,null,true]}}}"#;
 
 const ROBOT: &[u8] = br#"{"name":"r","dh":[{"a_mm":100,"alpha_deg":90,"d_mm":0,"theta_deg":0,"convention":"standard"},
-{"a_mm":0,"alpha_deg":-45.5,"d_mm":20,"theta_deg":10,"convention":"modified"}]}"#;
+{"a_mm":0,"alpha_deg":-45.5,"d_mm":20,"theta_deg":10,"convention":"modified","kind":"prismatic"}],
+"base":{"position_mm":[0,0,1],"quaternion_wxyz":[1,0,0,0]},"tool":{"position_mm":[1,2,3],"quaternion_wxyz":[0,1,0,0]},
+"limits":[[-90,90],null],"masses":[null,{"mass_kg":2,"centre_mm":[1,2,3]}]}"#;
+
+const MJCF: &[u8] = br#"<mujoco model="m"><compiler angle="radian" eulerseq="ZyX" autolimits="true"/>
+<default><joint axis="0 1 0"/><default class="c"><joint type="slide" range="-1 1"/><site euler="1 2 3"/></default></default>
+<worldbody><body name="a" pos="0 0 .4" xyaxes="1 0 0 0 1 0" childclass="c"><inertial pos="0 0 0" mass="1"/>
+<joint name="j" ref="0.1" pos="0 0 .1"/><frame zaxis="0 1 0"><body name="b" axisangle="0 0 1 2"><joint class="main"/>
+<site name="tip" quat="1 0 0 1"/></body></frame></body></worldbody><equality><joint joint1="x"/></equality></mujoco>"#;
+
+const URDF: &[u8] = br#"<robot name="r"><link name="a"/><link name="b"><inertial><mass value="2"/></inertial></link>
+<joint name="j" type="revolute"><origin xyz="1 2 3" rpy=".1 .2 .3"/><parent link="a"/><child link="b"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1"/></joint><link name="tip"/><joint name="f" type="fixed"><parent link="b"/><child link="tip"/></joint></robot>"#;
+
+const MOTORS: &[u8] = br#"{"pan": {"id": 1, "drive_mode": 0, "homing_offset": -14, "range_min": 1015, "range_max": 3128}}"#;
 
 const CSV: &[u8] = b"\xef\xbb\xbfq1_deg,x_mm,y_mm,z_m,target,dir1,speed1_rad_s,load_kg,use,setup,remark\r\n\
 -9.25,249.895665,-0.38,0.3,T1,1,0.5,,fit,a,\"quoted, \"\"twice\"\"\"\n\
@@ -282,6 +299,22 @@ proptest! {
             // Whatever can be read can be fitted, or is refused in words.
             let _ = truepose::fit::identify_exact(&loaded.session, &effects, values);
         }
+    }
+
+    #[test]
+    fn descriptions_of_robots_that_are_damaged_do_no_harm(changes in prop::collection::vec(any_change(), 1..5)) {
+        let file = Path::new("r.xml");
+        let finite = |robot: truepose::kinematics::Robot| {
+            let tool = robot.base_from_tool.translation.vector;
+            tool.iter().all(|x| x.is_finite()) && !robot.link_frames().is_empty()
+        };
+        for read in [robot_from_mjcf, robot_from_urdf] {
+            for (sound, base) in [(MJCF, "world"), (URDF, "a")] {
+                let text = String::from_utf8_lossy(&changed(sound, &changes)).into_owned();
+                prop_assert!(read(&text, file, base, "tip").map_or(true, finite));
+            }
+        }
+        let _ = lerobot_calibration(&changed(MOTORS, &changes), "m.json");
     }
 
     #[test]

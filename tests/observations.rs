@@ -35,7 +35,8 @@ const CASES: [&str; 18] = [
 ];
 
 fn folder() -> PathBuf {
-    PathBuf::from(option_env!("TRUEPOSE_DIR").unwrap_or(env!("CARGO_MANIFEST_DIR"))).join("tests/data/observations")
+    PathBuf::from(option_env!("TRUEPOSE_DIR").unwrap_or(env!("CARGO_MANIFEST_DIR")))
+        .join("tests/data/observations")
 }
 
 fn session(name: &str) -> Session {
@@ -62,11 +63,13 @@ struct Expected {
 fn expected(name: &str) -> Expected {
     let text = std::fs::read_to_string(folder().join("expected.json")).unwrap();
     let all: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let rows = |key: &str| -> Vec<Vec<f64>> {
-        serde_json::from_value(all[name][key].clone()).unwrap()
-    };
+    let rows =
+        |key: &str| -> Vec<Vec<f64>> { serde_json::from_value(all[name][key].clone()).unwrap() };
     let vectors = |key: &str| -> Vec<Vector3<f64>> {
-        rows(key).iter().map(|v| Vector3::from_column_slice(v)).collect()
+        rows(key)
+            .iter()
+            .map(|v| Vector3::from_column_slice(v))
+            .collect()
     };
     Expected {
         free: all[name]["free"].as_u64().unwrap(),
@@ -109,7 +112,11 @@ fn apart(mut a: Vec<Vector3<f64>>, b: &[Vector3<f64>], free: u64) -> f64 {
         let turn = u * vt;
         assert!(turn.determinant() > 0.0);
         let size: f64 = a.iter().map(|a| (a - ca).norm_squared()).sum();
-        let scale = if free == 7 { svd.singular_values.sum() / size } else { 1.0 };
+        let scale = if free == 7 {
+            svd.singular_values.sum() / size
+        } else {
+            1.0
+        };
         assert!((scale - 1.0).abs() < 0.01, "{scale}");
         a = a.iter().map(|a| turn * (a - ca) * scale + cb).collect();
     }
@@ -145,7 +152,10 @@ fn every_kind_finds_the_same_robot_as_a_least_squares_of_everything() {
         assert!(own <= WORSE * numpy, "{name}: {own} beside {numpy}");
         for kind in &answer.kinds {
             let (fitted, held_out) = (kind.fitted.unwrap(), kind.held_out.unwrap());
-            assert!(fitted.after_rms < 0.2 * fitted.before_rms, "{name}: {kind:?}");
+            assert!(
+                fitted.after_rms < 0.2 * fitted.before_rms,
+                "{name}: {kind:?}"
+            );
             let wider = held_out.after_rms / fitted.after_rms;
             assert!(wider < 2.5, "{name}: {kind:?}");
             if let (Some(stated), Some(found)) = (kind.stated_sigma, kind.found_sigma) {
@@ -164,8 +174,14 @@ fn what_is_open_is_counted_and_said() {
             .iter()
             .map(|n| n.combination.as_str())
             .collect();
-        let frame = said.iter().filter(|s| s.starts_with("measuring-frame")).count();
-        let size = said.iter().filter(|s| s.starts_with("overall size")).count();
+        let frame = said
+            .iter()
+            .filter(|s| s.starts_with("measuring-frame"))
+            .count();
+        let size = said
+            .iter()
+            .filter(|s| s.starts_with("overall size"))
+            .count();
         let free = expected(name).free;
         if name != "six-pointing" {
             assert_eq!((frame + size) as u64, free, "{name}: {said:?}");
@@ -214,8 +230,14 @@ fn places_are_found_where_they_are_and_intervals_hold_them() {
     let loaded = parse_with_csv(document.to_string().as_bytes(), &csv).unwrap();
     let answer = identified(&loaded.session);
     let mut inside = 0;
-    for (k, name) in ["x_mm", "y_mm", "z_mm", "offset_mm"].into_iter().enumerate() {
-        let own = answer.parameters.iter().find(|p| p.place.is_some() && p.name == name);
+    for (k, name) in ["x_mm", "y_mm", "z_mm", "offset_mm"]
+        .into_iter()
+        .enumerate()
+    {
+        let own = answer
+            .parameters
+            .iter()
+            .find(|p| p.place.is_some() && p.name == name);
         let own = own.unwrap();
         assert_eq!((own.effect, own.place.as_deref()), ("anchor", Some("A2")));
         let true_value = match k {
@@ -239,7 +261,11 @@ fn an_instrument_that_was_never_aligned_is_brought_near_by_every_kind() {
         let v = turn * Vector3::from(v) + shift;
         serde_json::json!([v.x, v.y, v.z])
     };
-    for (name, key) in [("six-distance", "anchors"), ("six-socket", "sockets"), ("six-bearing", "stations")] {
+    for (name, key) in [
+        ("six-distance", "anchors"),
+        ("six-socket", "sockets"),
+        ("six-bearing", "stations"),
+    ] {
         let text = std::fs::read_to_string(folder().join(format!("{name}.json"))).unwrap();
         let mut document: serde_json::Value = serde_json::from_str(&text).unwrap();
         for (_, place) in document[key].as_object_mut().unwrap() {
@@ -248,7 +274,9 @@ fn an_instrument_that_was_never_aligned_is_brought_near_by_every_kind() {
                 let q: [f64; 4] = serde_json::from_value(q.clone()).unwrap();
                 q
             }) {
-                let q = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(w, x, y, z));
+                let q = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(
+                    w, x, y, z,
+                ));
                 let q = nalgebra::UnitQuaternion::from_rotation_matrix(&turn) * q;
                 place["quaternion_wxyz"] = serde_json::json!([q.w, q.i, q.j, q.k]);
             }
@@ -263,13 +291,22 @@ fn an_instrument_that_was_never_aligned_is_brought_near_by_every_kind() {
         let target: [f64; 3] = session.targets[0].position_mm.coords.into();
         let points = predicted(&session, &answer.model, &e, target);
         let own = apart(points, &e.points_mm, 6);
-        assert!(own <= WORSE * e.from_truth, "{name}: {own} beside {}", e.from_truth);
+        assert!(
+            own <= WORSE * e.from_truth,
+            "{name}: {own} beside {}",
+            e.from_truth
+        );
     }
 }
 
 #[test]
 fn a_wild_measurement_is_left_out_whatever_its_kind() {
-    for (name, sample) in [("six-distance", 5), ("six-bearing-unknown", 6), ("six-touch", 7), ("six-pose", 8)] {
+    for (name, sample) in [
+        ("six-distance", 5),
+        ("six-bearing-unknown", 6),
+        ("six-touch", 7),
+        ("six-pose", 8),
+    ] {
         let mut session = session(name);
         let samples = &mut session.samples;
         if let Some(distance) = samples.observed.distance_mm.as_mut() {
@@ -294,8 +331,11 @@ fn a_wild_measurement_is_left_out_whatever_its_kind() {
 fn a_noise_that_nobody_states_is_found() {
     let mut session = session("six-mix");
     let instrument = &mut session.instrument;
-    (instrument.sigma_mm, instrument.sigma_distance_mm, instrument.sigma_direction) =
-        (None, None, None);
+    (
+        instrument.sigma_mm,
+        instrument.sigma_distance_mm,
+        instrument.sigma_direction,
+    ) = (None, None, None);
     let answer = identified(&session);
     for kind in &answer.kinds {
         let stated = match kind.kind {
@@ -312,10 +352,14 @@ fn a_noise_that_nobody_states_is_found() {
 
 #[test]
 fn priors_are_not_needed_where_the_poses_show_everything() {
-    for name in ["six-pose", "six-distance-unknown", "six-bearing-unknown", "six-mix"] {
+    for name in [
+        "six-pose",
+        "six-distance-unknown",
+        "six-bearing-unknown",
+        "six-mix",
+    ] {
         let session = session(name);
-        let answer =
-            identify_without_priors(&session, &effects(), JointValues::Commanded).unwrap();
+        let answer = identify_without_priors(&session, &effects(), JointValues::Commanded).unwrap();
         assert!(answer.quality.converged, "{name}: {:?}", answer.quality);
         let (own, numpy) = from_truth(name, &answer);
         assert!(own <= 1.6 * numpy, "{name}: {own} beside {numpy}");
@@ -341,9 +385,17 @@ fn sessions_and_models_come_back_as_they_were() {
         let inputs = Inputs::new(&session, JointValues::Commanded);
         let calibration = answer.calibration(&session, &inputs);
         let read = read_model(&write_model(&calibration)).unwrap();
-        assert_eq!(read.model.predict(&inputs), answer.model.predict(&inputs), "{name}");
+        assert_eq!(
+            read.model.predict(&inputs),
+            answer.model.predict(&inputs),
+            "{name}"
+        );
         let labels = |model: &Model| -> Vec<Option<String>> {
-            model.terms().iter().map(|t| t.label.as_deref().map(str::to_owned)).collect()
+            model
+                .terms()
+                .iter()
+                .map(|t| t.label.as_deref().map(str::to_owned))
+                .collect()
         };
         assert_eq!(labels(&read.model), labels(&answer.model), "{name}");
     }
@@ -368,26 +420,114 @@ fn bad_input_is_answered_with_its_place() {
     let anchors = r#""anchors":{"A":{"position_mm":[1,2,3]},"B":null}"#;
     let stations = r#""stations":{"S":null,"T":null}"#;
     for (keys, csv, place, words) in [
-        (anchors, "q1_deg,q2_deg,distance_mm,anchor\n0,0,5,C\n", "s.csv:2:4", "'C' is not declared"),
-        (anchors, "q1_deg,q2_deg,distance_mm,anchor\n0,0,5,A\n0,0,5,\n", "s.csv:3:3", "without its anchor"),
-        (anchors, "q1_deg,q2_deg,distance_mm,anchor\n0,0,-5,A\n", "s.csv:2:3", "negative distance"),
-        (anchors, "q1_deg,q2_deg,distance_deg,anchor\n0,0,5,A\n", "s.csv", "x_mm"),
-        (stations, "q1_deg,q2_deg,azimuth_deg,station\n0,0,5,S\n", "s.csv", "both azimuth_deg and elevation_deg"),
-        (stations, "q1_deg,q2_deg,azimuth_deg,elevation_deg,station\n0,0,5,,S\n", "s.csv:2:3", "one angle of two"),
-        (stations, "q1_deg,q2_deg,azimuth_deg,elevation_deg,station\n0,0,5,91,S\n", "s.csv:2:4", "zenith"),
-        (stations, "q1_deg,q2_deg,azimuth_deg,elevation_deg,station\n0,0,5,1,\n", "s.csv:2:3", "without its station"),
-        (r#""planes":{"P":{"normal":[0,0,0],"distance_mm":1}}"#, "q1_deg,q2_deg,plane\n0,0,P\n", "planes.P.normal", "zero length"),
-        (r#""planes":{"P":{"normal":[0,0,1]}}"#, "q1_deg,q2_deg,plane\n0,0,P\n", "planes.P", "distance_mm"),
-        (r#""sockets":{"K":null},"socket_distances_mm":[["K","K",4]]"#, "q1_deg,q2_deg,socket\n0,0,K\n", "socket_distances_mm[0]", "two different sockets"),
-        (r#""sockets":{"K":{"position_mm":[1,2]}}"#, "q1_deg,q2_deg,socket\n0,0,K\n", "sockets.K.position_mm", "3 numbers"),
-        (r#""stations":{"S":{"azimuth":"left"}}"#, "q1_deg,q2_deg,azimuth_deg,elevation_deg\n0,0,1,1\n", "stations.S.azimuth", "clockwise"),
-        (r#""stations":{"S":{"quaternion_wxyz":[0,0,0,0]}}"#, "q1_deg,q2_deg,azimuth_deg,elevation_deg\n0,0,1,1\n", "stations.S.quaternion_wxyz", "zero length"),
-        (r#""pointing":{"axis":[0,0,0]}"#, "q1_deg,q2_deg,azimuth_deg,elevation_deg\n0,0,1,1\n", "pointing.axis", "zero length"),
-        (r#""instrument":{"name":"i","sigma_range_mm":0.01}"#, "q1_deg,q2_deg,x_mm,y_mm\n0,0,1,1\n", "instrument", "sigma_angle_urad"),
-        (r#""instrument":{"name":"i","sigma_mrad":-1}"#, "q1_deg,q2_deg,x_mm,y_mm\n0,0,1,1\n", "instrument.sigma_mrad", "above 0"),
+        (
+            anchors,
+            "q1_deg,q2_deg,distance_mm,anchor\n0,0,5,C\n",
+            "s.csv, line 2, column 4",
+            "'C' is not declared",
+        ),
+        (
+            anchors,
+            "q1_deg,q2_deg,distance_mm,anchor\n0,0,5,A\n0,0,5,\n",
+            "s.csv, line 3, column 3",
+            "without its anchor",
+        ),
+        (
+            anchors,
+            "q1_deg,q2_deg,distance_mm,anchor\n0,0,-5,A\n",
+            "s.csv, line 2, column 3",
+            "negative distance",
+        ),
+        (
+            anchors,
+            "q1_deg,q2_deg,distance_deg,anchor\n0,0,5,A\n",
+            "s.csv",
+            "x_mm",
+        ),
+        (
+            stations,
+            "q1_deg,q2_deg,azimuth_deg,station\n0,0,5,S\n",
+            "s.csv",
+            "both azimuth_deg and elevation_deg",
+        ),
+        (
+            stations,
+            "q1_deg,q2_deg,azimuth_deg,elevation_deg,station\n0,0,5,,S\n",
+            "s.csv, line 2, column 3",
+            "one angle of two",
+        ),
+        (
+            stations,
+            "q1_deg,q2_deg,azimuth_deg,elevation_deg,station\n0,0,5,91,S\n",
+            "s.csv, line 2, column 4",
+            "zenith",
+        ),
+        (
+            stations,
+            "q1_deg,q2_deg,azimuth_deg,elevation_deg,station\n0,0,5,1,\n",
+            "s.csv, line 2, column 3",
+            "without its station",
+        ),
+        (
+            r#""planes":{"P":{"normal":[0,0,0],"distance_mm":1}}"#,
+            "q1_deg,q2_deg,plane\n0,0,P\n",
+            "planes.P.normal",
+            "zero length",
+        ),
+        (
+            r#""planes":{"P":{"normal":[0,0,1]}}"#,
+            "q1_deg,q2_deg,plane\n0,0,P\n",
+            "planes.P",
+            "distance_mm",
+        ),
+        (
+            r#""sockets":{"K":null},"socket_distances_mm":[["K","K",4]]"#,
+            "q1_deg,q2_deg,socket\n0,0,K\n",
+            "socket_distances_mm[0]",
+            "two different sockets",
+        ),
+        (
+            r#""sockets":{"K":{"position_mm":[1,2]}}"#,
+            "q1_deg,q2_deg,socket\n0,0,K\n",
+            "sockets.K.position_mm",
+            "3 numbers",
+        ),
+        (
+            r#""stations":{"S":{"azimuth":"left"}}"#,
+            "q1_deg,q2_deg,azimuth_deg,elevation_deg\n0,0,1,1\n",
+            "stations.S.azimuth",
+            "clockwise",
+        ),
+        (
+            r#""stations":{"S":{"quaternion_wxyz":[0,0,0,0]}}"#,
+            "q1_deg,q2_deg,azimuth_deg,elevation_deg\n0,0,1,1\n",
+            "stations.S.quaternion_wxyz",
+            "zero length",
+        ),
+        (
+            r#""pointing":{"axis":[0,0,0]}"#,
+            "q1_deg,q2_deg,azimuth_deg,elevation_deg\n0,0,1,1\n",
+            "pointing.axis",
+            "zero length",
+        ),
+        (
+            r#""instrument":{"name":"i","sigma_range_mm":0.01}"#,
+            "q1_deg,q2_deg,x_mm,y_mm\n0,0,1,1\n",
+            "instrument",
+            "sigma_angle_urad",
+        ),
+        (
+            r#""instrument":{"name":"i","sigma_mrad":-1}"#,
+            "q1_deg,q2_deg,x_mm,y_mm\n0,0,1,1\n",
+            "instrument.sigma_mrad",
+            "above 0",
+        ),
     ] {
         let answer = refused(keys, csv);
-        assert!(answer.contains(place) && answer.contains(words), "{keys} {csv}: {answer}");
+        assert!(
+            answer.contains(place) && answer.contains(words),
+            "{keys} {csv}: {answer}"
+        );
     }
 }
 
@@ -406,5 +546,128 @@ fn few_measurements_of_any_kind_do_not_explode() {
                 }
             }
         }
+    }
+}
+
+/// A scenario of the six-joint arm that is measured in these ways.
+fn scenario(measure: &str, unknown: &str, sigma_mm: f64) -> String {
+    let text = std::fs::read_to_string(folder().join("six-mix.json")).unwrap();
+    let mix: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let (robot, anchors) = (&mix["robot"], &mix["anchors"]);
+    let stations = &mix["stations"];
+    format!(
+        r#"{{"format":"truepose-scenario/1","robot":{robot},"targets":{{"T":[10,5,70]}},
+        "instrument":{{"name":"i","sigma_mm":0.03,"sigma_mrad":0.2,"sigma_distance_mm":0.005,
+        "sigma_direction_urad":10,"sigma_touch_mm":0.01}},
+        "anchors":{anchors},"stations":{stations},
+        "planes":{{"F1":{{"normal":[0,0.1,1],"distance_mm":260}},"F2":{{"normal":[1,0,0],"distance_mm":380}},
+        "F3":{{"normal":[0,1,0.2],"distance_mm":300}}}},
+        "sockets":{{"K1":{{"position_mm":[380,150,260]}},"K2":{{"position_mm":[350,-260,420]}},"K3":{{"position_mm":[150,420,330]}}}},
+        "pointing":{{"axis":[0.2,0.1,1],"stations":[]}},
+        "measure":{measure},"unknown":{unknown},"poses":{{"random":{{"count":150}}}},"noise":{{"sigma_mm":{sigma_mm}}},
+        "effects":[{{"effect":"link-geometry","joint":3,"parameters":{{"x_mm":0.4,"about_x_mrad":0.7}}}},
+        {{"effect":"joint-zero-offset","joint":2,"parameters":{{"offset_deg":0.1}}}}],"seed":7}}"#
+    )
+}
+
+#[test]
+fn every_kind_is_simulated_as_it_is_measured() {
+    for (measure, unknown, kinds) in [
+        (r#"["pose"]"#, "[]", vec!["point", "orientation"]),
+        (r#"["distance"]"#, r#"["anchors"]"#, vec!["distance"]),
+        (r#"["bearing"]"#, r#"["stations"]"#, vec!["bearing"]),
+        (r#"["socket"]"#, r#"["sockets"]"#, vec!["socket"]),
+        (r#"["touch"]"#, "[]", vec!["touch"]),
+        (r#"["pointing"]"#, "[]", vec!["pointing"]),
+        (
+            r#"["point","distance","bearing","touch"]"#,
+            "[]",
+            vec!["point", "distance", "bearing", "touch"],
+        ),
+    ] {
+        let text = scenario(measure, unknown, 0.03);
+        let loaded = truepose::simulation::parse_scenario(text.as_bytes()).unwrap();
+        let play = |seed| {
+            truepose::simulation::simulate(&loaded.scenario, seed, truepose::simulation::unwatched)
+                .unwrap()
+                .0
+        };
+        let session = play(7);
+        assert_eq!(
+            format!("{session:?}"),
+            format!("{:?}", play(7)),
+            "{measure}"
+        );
+        let answer = identified(&session);
+        assert!(answer.quality.converged, "{measure}: {:?}", answer.quality);
+        let own: Vec<&str> = answer.kinds.iter().map(|k| k.kind).collect();
+        assert_eq!(own, kinds, "{measure}");
+        for kind in &answer.kinds {
+            let ratio = kind.found_sigma.unwrap() / kind.stated_sigma.unwrap();
+            assert!((0.7..1.2).contains(&ratio), "{measure}: {kind:?}");
+        }
+    }
+}
+
+#[test]
+fn a_scenario_that_reaches_nowhere_is_refused_in_words() {
+    let text = scenario(r#"["socket"]"#, "[]", 0.03).replace("[380,150,260]", "[3800,150,260]");
+    let loaded = truepose::simulation::parse_scenario(text.as_bytes()).unwrap();
+    let unwatched = truepose::simulation::unwatched;
+    let refused = truepose::simulation::simulate(&loaded.scenario, 1, unwatched).unwrap_err();
+    assert!(
+        refused.to_string().contains("'K1' is not reached"),
+        "{refused}"
+    );
+    let wrong = scenario(r#"["sextant"]"#, "[]", 0.03);
+    let refused = truepose::simulation::parse_scenario(wrong.as_bytes()).unwrap_err();
+    assert!(refused.to_string().contains("measure[0]"), "{refused}");
+}
+
+#[test]
+fn a_diagnosis_without_points_says_what_it_can() {
+    use truepose::diagnosis::{Options, Verdict};
+    let mut session = session("six-bearing-unknown");
+    let options = Options::default();
+    let answer = truepose::pipeline::diagnose(&session, &options, &|_| true).unwrap();
+    assert_eq!(answer.verdict, Verdict::Noise, "{:?}", answer.unexplained);
+    assert!(answer.found.is_empty() && !answer.not_testable.is_empty());
+    assert_eq!(answer.identification.kinds.len(), 1);
+    assert!(answer.held_out.gaps.is_some());
+    // A joint that swings at every pose is no noise, whatever it is called.
+    for (k, q) in session.samples.q[1].iter_mut().enumerate() {
+        *q += 2e-4 * f64::sin(k as f64);
+    }
+    let answer = truepose::pipeline::diagnose(&session, &options, &|_| true).unwrap();
+    assert_eq!(answer.verdict, Verdict::Unexplained);
+    assert!(answer.unexplained.present && answer.unexplained.p < 1e-3);
+    // Where points are at hand names are searched in them.
+    let answer = truepose::pipeline::diagnose(&self::session("six-pose"), &options, &|_| true);
+    let answer = answer.unwrap();
+    assert!(!answer.not_found.is_empty());
+    assert_eq!(answer.identification.kinds.len(), 2);
+}
+
+#[test]
+fn a_model_is_verified_on_other_measurements() {
+    for name in [
+        "six-distance",
+        "six-bearing-unknown",
+        "six-touch",
+        "six-mix",
+    ] {
+        let session = session(name);
+        let answer = identified(&session);
+        let inputs = Inputs::new(&session, JointValues::Commanded);
+        let calibration = answer.calibration(&session, &inputs);
+        let read = read_model(&write_model(&calibration)).unwrap();
+        let verified = truepose::compensation::verify(&read, &session).unwrap();
+        assert_eq!(verified.samples, 150, "{name}");
+        let after = answer.gap.after.rms_mm;
+        assert!(verified.model.rms_mm < 1.5 * after, "{name}: {verified:?}");
+        assert!(
+            verified.nominal.rms_mm > 5.0 * after,
+            "{name}: {verified:?}"
+        );
     }
 }

@@ -66,6 +66,7 @@ fn paper_session() -> Session {
             }],
             base_from_tool: Pose::translation(250.0, 0.0, 300.0),
             gravity_m_s2: None,
+            source: truepose::kinematics::RobotSource::Axes,
         },
         targets: vec![Target {
             name: "tool".to_owned(),

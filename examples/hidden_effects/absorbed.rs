@@ -22,8 +22,7 @@ const SETTINGS: usize = 4;
 /// A third and a fourth name are taken while they explain so much.
 const WORTHWHILE: f64 = 25.0;
 
-/// Strength that the best neighbours, at least two and at most so many, leave of a hidden effect,
-/// and who they are.
+/// Strength that the best neighbours, at most so many, leave of a hidden effect, and who they are.
 pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden, most: usize) -> (f64, Vec<&'static str>) {
     let mut base = Vec::new();
     for (offset, length) in [(1e-5, 0.0), (0.0, 1e-3)] {
@@ -44,9 +43,12 @@ pub fn left_by_neighbours(rig: &Rig, hidden: &Hidden, most: usize) -> (f64, Vec<
         own.truncate(SETTINGS);
         short.extend(own);
     }
+    let single = short.iter().max_by(|a, b| a.gain.total_cmp(&b.gain));
     // The best pair, its columns made orthonormal together.
-    let mut best: (f64, Vec<Vec<f64>>, Vec<&'static str>) = (0.0, Vec::new(), Vec::new());
-    for (i, a) in short.iter().enumerate() {
+    let mut best: (f64, Vec<Vec<f64>>, Vec<&'static str>) = single
+        .map(|s| (s.gain, s.columns.clone(), vec![s.id]))
+        .unwrap_or_default();
+    for (i, a) in short.iter().enumerate().filter(|_| most > 1) {
         for b in &short[i + 1..] {
             let mut both = a.columns.clone();
             for column in &b.columns {

@@ -29,6 +29,9 @@ pub fn intervals(n: usize) {
         ("correlated in time, ρ = 0.8", Wander::Kind(Kind::Sluggish)),
         ("slow noise", Wander::Slow),
     ] {
+        if std::env::var("CASE").is_ok_and(|case| !name.contains(&case)) {
+            continue;
+        }
         // Every effect in turn; identification costs little, so there are many sessions.
         let all = in_parallel(8 * n, |k| in_identify(noise, k));
         let says = [
@@ -42,6 +45,9 @@ pub fn intervals(n: usize) {
         }
     }
     for id in ["bump", "plateau"] {
+        if std::env::var("CASE").is_ok_and(|case| case != id) {
+            continue;
+        }
         let all = in_parallel(2 * n, |k| beside_unexplained(id, k));
         let (good, of) = sum(all.iter());
         row(

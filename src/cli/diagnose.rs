@@ -206,10 +206,12 @@ fn in_words(d: &Diagnosis) -> String {
     }
     unexplained_in_words(&mut text, d);
     for pose in &d.not_testable {
-        let _ = writeln!(text, "{}: not testable, {}", pose.effect, pose.because);
+        let name = named(d, pose.effect, pose.joint);
+        let _ = writeln!(text, "{name}: not testable, {}", pose.because);
     }
     for limit in &d.not_found {
-        let _ = writeln!(text, "{}: {}", limit.effect, limit_in_words(limit));
+        let name = named(d, limit.effect, limit.joint);
+        let _ = writeln!(text, "{name}: {}", limit_in_words(limit));
     }
     left_out_in_words(&mut text, d);
     if !d.next_poses.is_empty() {
@@ -225,6 +227,14 @@ fn in_words(d: &Diagnosis) -> String {
         );
     }
     text
+}
+
+/// A name, of several joints with its joint.
+fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
+    match joint.filter(|_| d.model.robot.joints.len() > 1) {
+        Some(joint) => format!("{effect} {}", joint + 1),
+        None => effect.to_owned(),
+    }
 }
 
 /// What the samples do not determine, and which of them were not fitted.

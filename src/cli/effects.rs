@@ -32,6 +32,7 @@ struct Entry {
     equation: &'static str,
     source: &'static str,
     cause: &'static str,
+    needs: Vec<&'static str>,
     usual_size: &'static str,
     confused_with: &'static str,
     check: &'static str,
@@ -48,9 +49,20 @@ impl Entry {
             equation: about.equation,
             source: about.source,
             cause: about.cause,
+            needs: about.needs.iter().map(|need| need.what).collect(),
             usual_size: about.usual_size,
             confused_with: about.confused_with,
             check: about.check,
+        }
+    }
+}
+
+impl Entry {
+    fn needs_in_words(&self) -> String {
+        if self.needs.is_empty() {
+            "nothing beside the poses".to_owned()
+        } else {
+            self.needs.join("; ")
         }
     }
 }
@@ -65,12 +77,13 @@ impl Effects {
         let mut text = String::new();
         for entry in &effects {
             text += &format!(
-                "{} ({})\n  {}\n  parameters     {}\n  cause          {}\n  usual size     {}\n  confused with  {}\n  check          {}\n\n",
+                "{} ({})\n  {}\n  parameters     {}\n  cause          {}\n  needs          {}\n  usual size     {}\n  confused with  {}\n  check          {}\n\n",
                 entry.effect,
                 entry.title,
                 entry.equation,
                 entry.parameters.join(", "),
                 entry.cause,
+                entry.needs_in_words(),
                 entry.usual_size,
                 entry.confused_with,
                 entry.check,

@@ -1,22 +1,26 @@
-//! `truepose export`: from a model to the table that a controller reads.
+//! `truepose export`: from a model to the table that a controller reads, or to a description of the
+//! corrected robot.
 
 use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
-use truepose::export::{EXPORTERS, ExportError, Job, find, gap_after_export};
+use truepose::export::{
+    EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, find, gap_after_export,
+};
+use truepose::kinematics::DhConvention;
 use truepose::model::format_v1::load_model;
 
 use super::failure::Failure;
 use super::output;
 
-/// Write the table that a controller reads
+/// Write the table that a controller reads, or the corrected robot (URDF, MJCF, DH rows, …)
 #[derive(Debug, Args)]
 pub(crate) struct Export {
     /// Model to export
     model: PathBuf,
-    /// Format of the table
+    /// Format of the file
     #[arg(long, value_name = "FORMAT", value_parser = PossibleValuesParser::new(EXPORTERS.iter().map(|f| f.id)))]
     to: String,
     /// Write the table to this file, what it means to files beside it; - is standard output
@@ -31,9 +35,28 @@ pub(crate) struct Export {
     /// Also say what the written table leaves of this session's gap
     #[arg(long, value_name = "SESSION")]
     session: Option<PathBuf>,
+    /// Who takes the zero offsets of the joints of a corrected robot, the geometry of the file or the
+    /// controller, never both; without it whoever the format is for [origins; lerobot: controller]
+    #[arg(long, value_name = "WHO", value_parser = PossibleValuesParser::new(Zeros::ALL.map(|(name, _)| name)))]
+    zeros: Option<String>,
+    /// Convention of dh rows; without it the one that the robot came in, else standard
+    #[arg(long, value_name = "CONVENTION", value_parser = PossibleValuesParser::new(["standard", "modified"]))]
+    convention: Option<String>,
+    /// Servos of a lerobot calibration
+    #[arg(long, value_name = "SERVOS", default_value = "feetech", value_parser = PossibleValuesParser::new(Motors::ALL.map(|(name, _)| name)))]
+    motors: String,
+    /// Motor calibration of lerobot that was active while measuring
+    #[arg(long, value_name = "FILE")]
+    reference: Option<PathBuf>,
     /// Replace files that exist
     #[arg(long)]
     force: bool,
+}
+
+/// What belongs to a name in a list.
+fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
+    let found = all.iter().find(|(known, _)| *known == name);
+    found.map(|(_, value)| *value)
 }
 
 impl Export {
@@ -54,9 +77,16 @@ impl Export {
             )));
         }
         let to_stdout = output::is_standard_output(Some(&self.out));
+        let reference = self.read_reference()?;
+        let options = self.options(
+            reference
+                .as_ref()
+                .map(|(name, bytes)| Reference { name, bytes }),
+        );
         let job = Job {
             joint: self.joint - 1,
             step: self.step,
+            options,
             ..Job::new(&calibration, if to_stdout { "table" } else { file_name })
         };
         let Some(format) = find(&self.to) else {
@@ -73,6 +103,7 @@ impl Export {
         })?;
         let mut notes = export.notes.clone();
         let mut inputs = vec![self.model.clone()];
+        inputs.extend(self.reference.clone());
         if let Some(path) = &self.session {
             let loaded = truepose::sessions::load(path)?;
             output::messages(&loaded.findings);
@@ -113,5 +144,28 @@ impl Export {
         }
         output::messages(&notes);
         Ok(())
+    }
+
+    /// Name and content of the reference.
+    fn read_reference(&self) -> Result<Option<(String, Vec<u8>)>, Failure> {
+        let Some(path) = &self.reference else {
+            return Ok(None);
+        };
+        let bytes = truepose::sessions::read_whole(path)?;
+        Ok(Some((path.display().to_string(), bytes)))
+    }
+
+    fn options<'a>(&self, reference: Option<Reference<'a>>) -> Options<'a> {
+        let zeros = self.zeros.as_deref();
+        let convention = self.convention.as_deref().map(|name| match name {
+            "modified" => DhConvention::Modified,
+            _ => DhConvention::Standard,
+        });
+        Options {
+            zeros: zeros.and_then(|name| named(&Zeros::ALL, name)),
+            motors: named(&Motors::ALL, &self.motors).unwrap_or_default(),
+            convention,
+            reference,
+        }
     }
 }

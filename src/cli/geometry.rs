@@ -3,8 +3,8 @@
 
 use std::fmt::Write as _;
 
+use truepose::effects::{Role, role};
 use truepose::fit::Estimate;
-use truepose::fit::base_model::belongs;
 
 /// The columns of a joint's row: parameter and heading. A joint that slides has its zero in mm.
 const COLUMNS: [(&[&str], &str); 5] = [
@@ -17,12 +17,13 @@ const COLUMNS: [(&[&str], &str); 5] = [
 
 /// Whether these are the estimates of a robot with several joints.
 pub(crate) fn is_of_an_arm(estimates: &[Estimate]) -> bool {
-    estimates.iter().any(|e| e.effect == "link-geometry")
+    estimates.iter().any(|e| role(e.effect) == Role::JointAxis)
 }
 
 /// Whether an estimate stands in the table of an arm.
 pub(crate) fn is_in_table(estimate: &Estimate) -> bool {
-    belongs(estimate.effect) && estimate.effect != "link-length"
+    let role = role(estimate.effect);
+    role.is_of_every_calibration() && role != Role::ToolRadius
 }
 
 /// The table; what the samples do not determine is a dash, or a value without an interval where a
@@ -54,12 +55,12 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
     }
     let mut before: Option<String> = None;
     for estimate in estimates {
-        let place = match (estimate.effect, &estimate.setup, &estimate.target) {
-            ("measuring-frame", Some(setup), _) => format!("measuring frame, setup {setup}"),
-            ("measuring-frame", None, _) => "measuring frame".to_owned(),
-            ("tool-position", _, Some(target)) => format!("target {target}"),
-            ("tool-position", _, None) => "tool position".to_owned(),
-            ("tool-orientation", ..) => "tool orientation".to_owned(),
+        let place = match (role(estimate.effect), &estimate.setup, &estimate.target) {
+            (Role::FreeFrame, Some(setup), _) => format!("measuring frame, setup {setup}"),
+            (Role::FreeFrame, None, _) => "measuring frame".to_owned(),
+            (Role::ToolPlace, _, Some(target)) => format!("target {target}"),
+            (Role::ToolPlace, _, None) => "tool position".to_owned(),
+            (Role::ToolTurn, ..) => "tool orientation".to_owned(),
             _ => continue,
         };
         if before.as_ref() != Some(&place) {

@@ -94,6 +94,8 @@ struct Which<'a> {
     setup: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     target: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<&'a str>,
     name: &'static str,
 }
 
@@ -183,6 +185,7 @@ impl<'a> Which<'a> {
             joint: estimate.joint,
             setup: estimate.setup.as_deref(),
             target: estimate.target.as_deref(),
+            place: estimate.place.as_deref(),
             name: estimate.name,
         }
     }
@@ -235,11 +238,13 @@ fn entry_in_words(entry: &Entry) -> String {
             .target
             .as_ref()
             .map_or_else(String::new, |t| format!(" {t}"));
+        let place = estimate.place.as_ref();
+        let place = place.map_or_else(String::new, |place| format!(" {place}"));
         let half = change.ci95.map_or(f64::NAN, |[from, to]| 0.5 * (to - from));
         // As many digits as the interval carries.
         let digits = digits(half);
         text += &format!(
-            "    {}{joint}{target} {}: {:.digits$} → {:.digits$} ({:+.digits$} ± {half:.digits$})\n",
+            "    {}{joint}{target}{place} {}: {:.digits$} → {:.digits$} ({:+.digits$} ± {half:.digits$})\n",
             estimate.effect, estimate.name, change.from, estimate.value, change.difference
         );
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
+use truepose::diagnosis::set_up_errors::DataProblem;
 use truepose::effects::JointValues;
 use truepose::fit::noise::StatedNoise;
 use truepose::fit::regions::RegionChoice;
@@ -15,7 +16,7 @@ use truepose::sessions::Session;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;
-use super::{geometry, output};
+use super::{geometry, levels, output};
 
 /// Identify a session's robot: the exact fit, or the paper's method by regions
 #[derive(Debug, Args)]
@@ -97,17 +98,21 @@ impl Identify {
             (Method::Regional, None) => pipeline::Method::Regional(RegionChoice::FromSession),
             (Method::Regional, Some(text)) => pipeline::Method::Regional(parse_regions(text)?),
         };
-        let (answer, calibration) = pipeline::identify(session, &method, values)?;
+        let pipeline::Identified {
+            identification: answer,
+            calibration,
+            data_problems,
+        } = pipeline::identify_checked(session, &method, values)?;
         if let Some(out) = &self.out {
             let text = truepose::model::format_v1::write_model(&calibration);
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
-            output::json(&Answer::new(&answer))
+            output::json(&Answer::new(&answer, &data_problems))
         } else if to_stdout {
             Ok(())
         } else {
-            output::text(&in_words(&answer, session))
+            output::text(&in_words(&answer, session, &data_problems))
         }
     }
 }
@@ -148,11 +153,18 @@ struct Answer<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     parameters: Option<Vec<ParameterRow>>,
     not_identifiable: Vec<NotIdentifiableRow<'a>>,
+    data_problems: Vec<ProblemRow<'a>>,
     gap: GapRow,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     kinds: Vec<KindRow>,
     #[serde(skip_serializing_if = "Option::is_none")]
     held_out: Option<HeldOutRow>,
+    /// What each level of correction would bring; of several joints.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    levels: Vec<levels::Row>,
+    /// The error to be expected over the joint ranges; of several joints.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    expected_error: Option<levels::ExpectedRow>,
     outliers: Vec<OutlierRow>,
     left_out: Vec<LeftOutRow>,
     noise_mm: Option<[f64; 3]>,
@@ -206,6 +218,13 @@ struct NotIdentifiableRow<'a> {
 }
 
 #[derive(Serialize)]
+struct ProblemRow<'a> {
+    what: &'a str,
+    evidence: &'a str,
+    proposal: &'a str,
+}
+
+#[derive(Serialize)]
 struct GapRow {
     before_mm: f64,
     after_mm: f64,
@@ -253,8 +272,18 @@ impl GapRow {
     }
 }
 
+impl<'a> ProblemRow<'a> {
+    fn new(problem: &'a DataProblem) -> Self {
+        Self {
+            what: &problem.what,
+            evidence: &problem.evidence,
+            proposal: &problem.proposal,
+        }
+    }
+}
+
 impl<'a> Answer<'a> {
-    fn new(answer: &'a Identification) -> Self {
+    fn new(answer: &'a Identification, data_problems: &'a [DataProblem]) -> Self {
         let parameters = answer.parameters.iter().map(|p| ParameterRow {
             effect: p.effect,
             joint: p.joint,
@@ -302,8 +331,11 @@ impl<'a> Answer<'a> {
             regions: regions.collect(),
             parameters: (answer.method == "exact").then(|| parameters.collect()),
             not_identifiable: not_identifiable.collect(),
+            data_problems: data_problems.iter().map(ProblemRow::new).collect(),
             gap: GapRow::new(&answer.gap),
             kinds: kinds::rows(&answer.kinds),
+            levels: levels::rows(answer),
+            expected_error: levels::expected_row(answer),
             held_out: answer.held_out.as_ref().map(|gap| HeldOutRow {
                 samples: gap.samples,
                 gap: GapRow::new(gap),
@@ -329,12 +361,18 @@ fn rounded_degrees(rad: f64) -> f64 {
     (deg_from_rad(rad) * 1e9).round() / 1e9
 }
 
-fn in_words(answer: &Identification, session: &Session) -> String {
+fn in_words(answer: &Identification, session: &Session, data_problems: &[DataProblem]) -> String {
     let gap = &answer.gap;
     let mut text = format!(
         "{}: {} identification of {} samples\n",
         answer.session, answer.method, answer.samples
     );
+    for problem in data_problems {
+        text += &format!(
+            "data: {}\n  {}\n  {}\n",
+            problem.what, problem.evidence, problem.proposal
+        );
+    }
     text += &format!(
         "gap          {:.6} mm before, {:.6} mm after (largest {:.6} and {:.6})\n",
         gap.before.rms_mm, gap.after.rms_mm, gap.before.max_mm, gap.after.max_mm
@@ -350,6 +388,7 @@ fn in_words(answer: &Identification, session: &Session) -> String {
     if arm {
         text += &format!("\n{}", geometry::table(&answer.parameters));
     }
+    text += &levels::in_words(answer);
     let in_table = |p: &&Estimate| !(arm && geometry::is_in_table(p));
     let rows: Vec<&Estimate> = answer.parameters.iter().filter(in_table).collect();
     if !rows.is_empty() {

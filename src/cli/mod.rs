@@ -12,6 +12,7 @@ mod geometry;
 mod history;
 mod identify;
 mod import;
+mod levels;
 mod output;
 mod own_options;
 mod plan;

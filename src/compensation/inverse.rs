@@ -218,6 +218,7 @@ mod tests {
             ],
             base_from_tool: Pose::translation(550.0, 0.0, 400.0),
             gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
         }
     }
 

@@ -25,8 +25,8 @@
 
 pub mod conditions;
 pub mod interpolation;
-mod observed;
 pub mod inverse;
+mod observed;
 pub mod plan;
 pub mod regional;
 pub mod remainder;

@@ -4,10 +4,10 @@
 //! of where the target is.
 
 use crate::effects::JointValues;
+use crate::effects::places::{Place, PlaceKind, name};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
-use crate::effects::places::{Place, PlaceKind, name};
 use crate::observations::{Layer, start};
 use crate::sessions::Session;
 

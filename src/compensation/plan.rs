@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use nalgebra::Point3;
 
-use crate::effects::{Inputs, Setting, Term};
+use crate::effects::{Inputs, Owner, Setting, Term};
 use crate::lanes::minus;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::Target;
@@ -12,20 +12,12 @@ use crate::sessions::Target;
 use super::inverse::{closest_commands, places};
 use super::regional::Regional;
 
-/// Effects that are the instrument's and not the robot's.
-pub const OF_THE_INSTRUMENT: [&str; 4] = [
-    "instrument-scale",
-    "frame-shift",
-    "frame-drift",
-    "measuring-frame",
-];
-
 /// Whether a term is none of the robot's: the instrument's, or the own error of a target that only
 /// the measurement knows.
 pub fn is_of_the_measurement(term: &Term) -> bool {
     let about = term.effect.about();
     let own_target = about.setting == Setting::Target && term.setting > 0.0;
-    own_target || OF_THE_INSTRUMENT.contains(&about.id)
+    own_target || about.owner != Owner::Robot
 }
 
 /// So many poses go through the inversion at once: enough to fill blocks, little enough to stay
@@ -143,6 +135,12 @@ fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
         .map(|t| t.as_ref().map(|t| t[start..end].to_vec()))
         .collect();
     part.load_kg = inputs.load_kg.as_ref().map(cut);
+    part.joint_warmth_c = inputs
+        .joint_warmth_c
+        .iter()
+        .map(|w| w.as_ref().map(|w| w[start..end].to_vec()))
+        .collect();
+    part.torque_nm = cuts(&inputs.torque_nm);
     part.warmth_c = inputs.warmth_c.as_ref().map(|w| w[start..end].to_vec());
     part
 }

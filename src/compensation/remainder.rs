@@ -151,43 +151,11 @@ fn shares(calibration: &Calibration, all: &Compensation, inputs: &Inputs) -> Vec
 
 /// What removes an effect that the joints cannot.
 fn remedy(calibration: &Calibration, term: &crate::effects::Term) -> String {
-    let robot = &calibration.model.robot;
-    let value = |k: usize| term.coefficients.get(k).copied().unwrap_or(0.0);
-    match term.effect.about().id {
-        "link-length" => {
-            let radius = JointFrame::new(robot, term.joint).radius_mm;
-            format!(
-                "along the radius; set the tool's radius (l1) in the controller from {radius:.4} \
-                 to {:.4} mm",
-                radius + value(0)
-            )
-        }
-        "tool-lateral-offset" => format!(
-            "move the tool in the controller's tool data by {:+.4} mm across the radius",
-            value(0)
-        ),
-        "base-offset" => format!(
-            "move the base in the controller by ({:+.4}, {:+.4}, {:+.4}) mm, or survey it again",
-            value(0),
-            value(1),
-            value(2)
-        ),
-        "axis-tilt" => format!(
-            "turn the base in the controller by {:+.4} mrad about x and {:+.4} mrad about y, or \
-             shim the column's foot",
-            value(0) * 1e3,
-            value(1) * 1e3
-        ),
-        "link-geometry" => {
-            "enter the identified geometry as the controller's kinematic data".to_owned()
-        }
-        "link-droop" => "stiffen the link, or give the controller a payload model".to_owned(),
-        "thermal-growth" => {
-            "let the machine warm up, or enter the arm's expansion in the controller".to_owned()
-        }
-        _ => format!(
+    let own = term.effect.remedy(&calibration.model.robot, term);
+    own.unwrap_or_else(|| {
+        format!(
             "only the machine can be mended: {}",
             term.effect.about().check
-        ),
-    }
+        )
+    })
 }

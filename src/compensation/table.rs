@@ -203,14 +203,15 @@ impl JointTable {
                     "travel"
                 },
             ));
-            let winds_up =
-                |t: &Term| t.joint == self.joint && t.effect.about().id == "joint-compliance";
-            if calibration.model.terms().iter().any(winds_up) {
-                notes.push(
-                    "the wind-up of this joint depends on the other joints: they stand at home \
-                     here"
-                        .to_owned(),
-                );
+            let terms = calibration.model.terms().iter();
+            let own = terms.filter(|t| t.joint == self.joint);
+            for about in own.map(|t| t.effect.about()) {
+                if about.of_other_joints {
+                    notes.push(format!(
+                        "the {} of this joint depends on the other joints: they stand at home here",
+                        about.title.to_lowercase()
+                    ));
+                }
             }
         }
         notes.extend(unexplained_part(calibration, self.joint));

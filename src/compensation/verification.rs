@@ -19,7 +19,7 @@
 //! Suspected outliers count in the largest values and not in the root mean squares. For the
 //! paper's method everything is in the plane of motion; z is not used.
 
-use crate::effects::{Inputs, JointValues, MeasuringFrame, Term};
+use crate::effects::{Inputs, JointValues, MeasuringFrame, Owner, Role, Term};
 use crate::fit::alignment::best_rigid_motion;
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::outliers::suspects;
@@ -306,13 +306,12 @@ pub(super) fn model_for(
     if hash_of_samples(session) == calibration.samples_hash {
         return calibration.model.clone();
     }
-    let is_frame = |t: &Term| t.effect.about().id == "measuring-frame";
+    let is_frame = |t: &Term| t.effect.about().role == Role::FreeFrame;
     let setups = session.samples.setups.as_ref();
     // Without setups on either side there is one instrument, and it stands where it stood.
     let arm = session.robot.joints.len() > 1;
     let one_place = |t: &Term| arm && is_frame(t) && t.label.is_none() && setups.is_none();
-    let of_a_session = ["frame-shift", "frame-drift", "measuring-frame"];
-    let theirs = |t: &Term| of_a_session.contains(&t.effect.about().id) && !one_place(t);
+    let theirs = |t: &Term| t.effect.about().owner == Owner::Session && !one_place(t);
     let dropped: Vec<&str> = calibration
         .model
         .terms()

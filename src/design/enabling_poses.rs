@@ -141,6 +141,7 @@ pub(crate) fn with_effect(
             let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             0.03 * (high - low)
         }
+        Setting::Listed(listed) => listed.stands_for_all(joint),
         _ => 0.0,
     };
     let mut term = Term::absent(effect, joint, setting);

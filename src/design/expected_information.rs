@@ -235,13 +235,13 @@ fn alike(regression: &Regression, fit: &Fit) -> Vec<Alike> {
         let Some(term) = candidate.what.term() else {
             continue;
         };
-        let (_, rank) = regression.factor(&projected, candidate);
-        let high_order = term.effect.about().id == "gear-transmission-error" && term.setting > 12.0;
+        let (_, rank) = projected.factor(candidate);
+        let setting = term.effect.about().setting;
+        let high_order = setting.takes_fractions() && term.setting > 12.0;
         if rank == candidate.size && !high_order {
-            let own = projected.columns(candidate.first, candidate.size);
             spans.push(Span {
                 term,
-                unit: Basis::new(&own.into_owned()).q,
+                unit: Basis::new(&projected.columns(candidate)).q,
             });
         }
     }

@@ -218,6 +218,7 @@ fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
                     .map(|share| share * (range.to - range.from))
                     .collect(),
                 Setting::Time => vec![0.5 * SECONDS_PER_POSE * poses as f64],
+                Setting::Listed(listed) => vec![listed.stands_for_all(joint)],
             };
             terms.extend(
                 settings

@@ -83,6 +83,7 @@ impl Need {
                     joint.values = crate::effects::survey::ENOUGH;
                     joint.span = joint.span.max(1.0);
                 }
+                Self::Temperatures => joint.warming_c = joint.warming_c.map(|_| WARMING_C),
                 // Where gravity is unknown it may well be across the axis.
                 Self::Gravity if !survey.gravity => joint.gravity_lever = true,
                 _ => {}

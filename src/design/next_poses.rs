@@ -6,7 +6,7 @@
 //! is true (`decision`). Where one reflector cannot decide, the place of a second one is
 //! chosen with the poses: the one that decides with the fewest.
 
-use crate::effects::Term;
+use crate::effects::{Condition, Over, Term};
 use crate::kinematics::JointKind;
 use crate::sessions::{Session, Target};
 use crate::units::deg_from_rad;
@@ -148,7 +148,11 @@ pub(crate) fn reflector_sets(prepared: &Prepared) -> Vec<Vec<Target>> {
 pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term], targets: usize) -> Conditions {
     let survey = &prepared.survey;
     let inputs = &prepared.problem.inputs;
-    let uses = |ids: &[&str]| terms.iter().any(|t| ids.contains(&t.effect.about().id));
+    let told_by = |condition| {
+        let mut abouts = terms.iter().map(|t| t.effect.about());
+        abouts.any(|about| about.told_by.contains(&condition))
+    };
+    let moves = terms.iter().any(|t| t.effect.about().over == Over::Speed);
     let mut conditions = Conditions::plain(&prepared.problem.session.robot);
     for (unit, joint) in conditions.unit_of_speed.iter_mut().zip(&survey.joints) {
         if joint.largest_speed > 0.0 {
@@ -156,20 +160,20 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term], targets: usize) -
         }
     }
     let speeds_known = survey.joints.iter().any(|j| j.speeds > 0);
-    if uses(&["tracking-lag"]) || speeds_known && uses(&["backlash", "lost-motion"]) {
+    if moves || speeds_known && told_by(Condition::Speed) {
         conditions.speeds = vec![0.0, 1.0, 3.0];
     }
     if survey.loads > 0 && survey.largest_load_kg > 0.0 {
         conditions.loads_kg = vec![0.0, survey.largest_load_kg];
     }
-    let thermal = uses(&["thermal-growth", "thermal-zero-drift", "frame-drift"]);
+    let thermal = told_by(Condition::Temperature);
     if let Some(warmth) = inputs.warmth_c.as_ref().filter(|_| thermal) {
         let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
         let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         conditions.warmths_c = vec![low, high];
         conditions.warmths_c.dedup();
     }
-    if uses(&["lost-motion"]) {
+    if told_by(Condition::Approach) {
         conditions.approaches = vec![None, Some(0.01), Some(0.05)];
     }
     conditions.targets = (0..u32::try_from(targets).unwrap_or(1)).collect();

@@ -270,6 +270,7 @@ fn settings_of(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -
             let last = times.iter().copied().fold(0.0, f64::max);
             vec![0.5 * last]
         }
+        Setting::Listed(listed) => vec![listed.stands_for_all(joint)],
     };
     settings
         .into_iter()

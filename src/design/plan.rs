@@ -77,7 +77,7 @@ pub struct Plan {
     /// The poses in measuring order.
     pub poses: Vec<NextPose>,
     /// Explanations that the samples cannot tell apart: the names that stand, and those that could.
-    pub open: Vec<[Vec<&'static str>; 2]>,
+    pub open: Vec<[Vec<String>; 2]>,
     /// The two effects that were asked for.
     pub separation: Option<Separation>,
     /// What the poses make testable.
@@ -198,8 +198,9 @@ pub fn plan_session(
     } else {
         let rivals = crate::diagnosis::aliases::open_rivals(regression, fit);
         let rivals: Vec<_> = rivals.iter().collect();
-        let ids =
-            |terms: &[crate::effects::Term]| terms.iter().map(|t| t.effect.about().id).collect();
+        let ids = |terms: &[crate::effects::Term]| {
+            terms.iter().map(|t| t.name_on(&session.robot)).collect()
+        };
         plan.open = rivals
             .iter()
             .map(|r| [ids(&r.removed), ids(&r.instead)])
@@ -467,7 +468,7 @@ impl Plan {
                 };
                 quantity.map_or((*name, *size), |quantity| {
                     let on = quantity.on(kind);
-                    (on.name, size * quantity.inner / on.inner)
+                    (on.name, size * quantity.unit.inner / on.unit.inner)
                 })
             };
             SeenAbove {

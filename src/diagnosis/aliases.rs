@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
 
+use super::projected::Projected;
 use super::regression::{Fit, PRICE_OF_A_NAME, Regression, Score};
 use super::search::{by_odds, compatible};
 use crate::fit::linear::{small_cholesky, small_gain};
@@ -73,6 +74,23 @@ pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     kept.into_iter().cloned().collect()
 }
 
+/// Ends of searches under another noise, as rivals: what each names in the place of what.
+pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fit]) -> Vec<Rival> {
+    let only_in = |a: &Fit, b: &Fit| -> Vec<Term> {
+        let there: Vec<_> = regression.added(b).into_iter().map(name).collect();
+        let own = regression.added(a).into_iter();
+        own.filter(|t| !there.contains(&name(t))).cloned().collect()
+    };
+    let rivals = ends.iter().map(|end| Rival {
+        removed: only_in(fit, end),
+        instead: only_in(end, fit),
+        fit: end.clone(),
+    });
+    rivals
+        .filter(|r| !r.removed.is_empty() && !r.instead.is_empty())
+        .collect()
+}
+
 struct Trial {
     removed: Vec<Term>,
     rest: Fit,
@@ -127,7 +145,8 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let rest = regression.fit(&model, fit.shapes.clone());
     let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
     let there = regression.added(&rest);
-    let mut scores = regression.scan(&rest);
+    let projected = regression.projected(&rest.basis);
+    let mut scores = regression.scan_beside(&projected, &rest);
     let is_new = |s: &Score| {
         let term = regression.table.candidates[s.candidate].what.term();
         term.is_some_and(|t| compatible(&there, t) && !removed.iter().any(|r| r.same_column(t)))
@@ -146,7 +165,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
         push(vec![score.candidate], score.ln_odds);
     }
     let short = short_list(regression, &scores, removed);
-    for (a, b, ln_odds) in best_pairs(regression, &rest, &short, enough) {
+    for (a, b, ln_odds) in best_pairs(regression, &projected, &rest, &short, enough) {
         push(vec![a, b], ln_odds);
     }
 }
@@ -182,33 +201,42 @@ fn short_list(regression: &Regression, scores: &[Score], removed: &[Term]) -> Ve
 /// Pairs of candidates that together lower the sum of squares enough.
 fn best_pairs(
     regression: &Regression,
+    projected: &Projected,
     rest: &Fit,
     list: &[usize],
     enough: f64,
 ) -> Vec<(usize, usize, f64)> {
-    let projected = regression.projected(&rest.basis);
     let m = regression.m();
-    // Each candidate made orthonormal by itself.
-    let mut pieces: Vec<(usize, DMatrix<f64>, DVector<f64>)> = Vec::new();
+    // Each candidate made orthonormal by itself, and all their products at once.
+    let mut units: Vec<DMatrix<f64>> = Vec::new();
+    let mut pieces: Vec<(usize, usize, DVector<f64>)> = Vec::new();
+    let mut width = 0;
     for index in list {
         let candidate = &regression.table.candidates[*index];
-        let (factor, rank) = regression.factor(&projected, candidate);
+        let (factor, rank) = projected.factor(candidate);
         if rank < candidate.size {
             continue;
         }
         let k = candidate.size;
-        let own = projected.columns(candidate.first, k);
+        let own = projected.columns(candidate);
         let l = DMatrix::from_fn(k, k, |i, j| if j <= i { factor[i * k + j] } else { 0.0 });
         let Some(unit) = l.solve_lower_triangular(&own.transpose()) else {
             continue;
         };
         let unit = unit.transpose();
         let h = unit.tr_mul(&rest.residual);
-        pieces.push((*index, unit, h));
+        pieces.push((*index, width, h));
+        width += k;
+        units.push(unit);
     }
+    let mut all = DMatrix::zeros(regression.height(), width);
+    for ((_, first, _), unit) in pieces.iter().zip(&units) {
+        all.columns_mut(*first, unit.ncols()).copy_from(unit);
+    }
+    let products = all.transpose() * &all;
     let mut pairs = Vec::new();
-    for (i, (a, unit_a, h_a)) in pieces.iter().enumerate() {
-        for (b, unit_b, h_b) in &pieces[i + 1..] {
+    for (i, (a, at_a, h_a)) in pieces.iter().enumerate() {
+        for (b, at_b, h_b) in &pieces[i + 1..] {
             let (ca, cb) = (
                 &regression.table.candidates[*a],
                 &regression.table.candidates[*b],
@@ -230,7 +258,9 @@ fn best_pairs(
             {
                 continue;
             }
-            let cross = unit_a.tr_mul(unit_b);
+            let cross = products
+                .view((*at_a, *at_b), (ca.size, cb.size))
+                .into_owned();
             let k = cb.size;
             let schur = DMatrix::identity(k, k) - cross.tr_mul(&cross);
             let mut g: Vec<f64> = (0..k * k).map(|x| schur[(x / k, x % k)]).collect();

@@ -99,10 +99,11 @@ pub struct Found {
 /// Another set of names that the samples cannot rule out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equivalent {
-    /// Names of the model that it replaces.
-    pub explanation: Vec<&'static str>,
+    /// Names of the model that it replaces; of several joints each with its joint, as in
+    /// `encoder-eccentricity 2`.
+    pub explanation: Vec<String>,
     /// By these.
-    pub instead: Vec<&'static str>,
+    pub instead: Vec<String>,
     /// How much likelier the model is.
     pub odds: f64,
     /// What would tell.
@@ -122,8 +123,8 @@ pub struct Unexplained {
     pub rms_mm: f64,
     /// Where.
     pub place: Option<Where>,
-    /// Names that only imitate a part of it.
-    pub resembles: Vec<&'static str>,
+    /// Names that only imitate a part of it; of several joints each with its joint.
+    pub resembles: Vec<String>,
     /// In words; empty where nothing is left.
     pub says: String,
     /// The shapes themselves with their coefficients.

@@ -53,7 +53,9 @@ fn identified(
     options: &Options,
     watch: Watch,
 ) -> Result<Identification, DiagnoseError> {
-    let effects = DEFAULT_EFFECTS.iter().filter(|id| options.allowed.exists(id));
+    let effects = DEFAULT_EFFECTS
+        .iter()
+        .filter(|id| options.allowed.exists(id));
     let effects: Vec<String> = effects.map(|id| (*id).to_owned()).collect();
     let go_on = || watch(&Progress::Preparing);
     let answer = identify_watched(session, &effects, &[], options.joint_values, &go_on);
@@ -75,7 +77,10 @@ pub(crate) fn diagnose(
     let identification = identified(session, options, watch)?;
     let (ratio, p) = beside_stated(&identification);
     let present = p < HARDLY_EVER || ratio.is_some_and(|r| r > MORE && p < RARELY);
-    let gap = gaps(identification.gap.before.rms_mm, identification.gap.after.rms_mm);
+    let gap = gaps(
+        identification.gap.before.rms_mm,
+        identification.gap.after.rms_mm,
+    );
     let held_out = identification.held_out.as_ref();
     let held_out = HeldOut {
         how: match held_out {

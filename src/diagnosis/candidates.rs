@@ -1,15 +1,15 @@
 //! Everything that the search tries: each testable effect on each joint with each setting, and
 //! the anonymous shapes, with their columns at the base model.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
-use crate::effects::{CATALOGUE, Effect, Setting, Survey, Term, rank};
+use crate::effects::{CATALOGUE, Setting, Survey, Term, find, rank};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
 
 use super::anonymous::{Direction, Profile, Shape, Variable};
-use super::ground::{Ground, ground};
+use super::ground::{Ground, ground, tangential};
 use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
 
@@ -76,8 +76,9 @@ impl Allowed {
     /// Whether a name exists at all.
     pub fn exists(&self, id: &str) -> bool {
         let without = |id: &str| self.without.iter().any(|w| w == id);
-        // Lost motion becomes backlash as its fade goes to zero.
-        !(without(id) || id == "lost-motion" && without("backlash"))
+        // What becomes another effect in the limit is left out with it.
+        let becomes = find(id).and_then(|effect| effect.about().becomes);
+        !(without(id) || becomes.is_some_and(without))
     }
 
     /// Whether a name is a candidate.
@@ -114,84 +115,61 @@ impl Table {
         survey: &Survey,
         allowed: &Allowed,
     ) -> Self {
-        let (names, not_testable) = names(problem, survey, base, allowed);
-        let probes = (0..survey.joints.len()).map(|joint| (probe(joint), None));
-        let mut tagged: Vec<(Term, Option<usize>)> = base
-            .terms()
-            .iter()
-            .map(|t| (t.clone(), None))
-            .chain(
-                names
-                    .iter()
-                    .enumerate()
-                    .map(|(i, c)| (c.0.clone(), Some(i))),
-            )
-            .chain(probes)
-            .collect();
+        let (mut names, not_testable) = names(problem, survey, base, allowed);
         // The same order in which a model keeps its terms.
         let key = |t: &Term| (rank(t.effect), t.joint);
-        tagged.sort_by(|a, b| {
+        names.sort_by(|a, b| {
             key(&a.0)
                 .cmp(&key(&b.0))
                 .then(a.0.setting.total_cmp(&b.0.setting))
         });
-        let terms = tagged.iter().map(|t| t.0.clone()).collect();
-        let all = Model::new(base.robot.clone(), terms);
-        let (_, columns) = rows.extract(&all);
-        let mut table = Self {
-            candidates: Vec::new(),
-            raw: DMatrix::zeros(rows.len(), 0),
-            rich: Vec::new(),
-            not_testable,
-            ground: ground(rows, base, survey),
+        let mut ground = ground(rows, base, survey);
+        ground.tangential = tangential(rows, base, survey.joints.len());
+        let lacks =
+            |is: fn(&Setting) -> bool| !names.iter().any(|c| is(&c.0.effect.about().setting));
+        let missing = Missing {
+            gear: lacks(Setting::takes_fractions),
+            shift: lacks(|setting| *setting == Setting::Time),
         };
-        let mut pieces: Vec<DMatrix<f64>> = Vec::new();
+        let shapes = shapes(&ground, survey, rows, missing);
+        let of_names = names.iter().map(|(term, tried)| {
+            let size = term.effect.about().form.coefficients_at_zero();
+            (What::Named(term.clone()), size, *tried)
+        });
+        let of_shapes = shapes.into_iter().map(|shape| {
+            let size = ground.width(&shape);
+            (What::Anonymous(shape), size, shape.tried)
+        });
         let mut width = 0;
-        let mut push = |table: &mut Self, what: What, tried: f64, own: DMatrix<f64>| {
-            let candidate = Candidate {
+        let place = |(what, size, tried)| {
+            let first = width;
+            width += size;
+            Candidate {
                 what,
-                first: width,
-                size: own.ncols(),
+                first,
+                size,
                 tried,
-            };
-            width += own.ncols();
-            pieces.push(own);
-            table.candidates.push(candidate);
+            }
         };
-        let mut first = 0;
-        let mut tangential: Vec<DVector<f64>> = Vec::new();
-        for (term, tag) in &tagged {
-            let size = term.coefficients.len();
-            let seen = term.effect.about().form.coefficients_at_zero();
-            let own = columns.columns(first, seen).into_owned();
-            first += size;
-            if let Some(i) = tag {
-                push(
-                    &mut table,
-                    What::Named(names[*i].0.clone()),
-                    names[*i].1,
-                    own,
-                );
-            } else if is_probe(term) && tangential.len() == term.joint {
-                tangential.push(own.column(0).into_owned());
+        let candidates: Vec<Candidate> = of_names.chain(of_shapes).map(place).collect();
+        let mut raw = DMatrix::zeros(rows.len(), width);
+        let (named, anonymous) = candidates.split_at(names.len());
+        for some in named.chunks(AT_ONCE) {
+            fill(&mut raw, rows, base, some);
+        }
+        for candidate in anonymous {
+            if let What::Anonymous(shape) = &candidate.what {
+                raw.columns_mut(candidate.first, candidate.size)
+                    .copy_from(&ground.columns(shape));
             }
         }
-        table.ground.tangential = tangential;
-        let lacks = |id: &str| !names.iter().any(|c| c.0.effect.about().id == id);
-        let missing = Missing {
-            gear: lacks("gear-transmission-error"),
-            shift: lacks("frame-shift"),
+        let mut table = Self {
+            candidates,
+            raw,
+            rich: Vec::new(),
+            not_testable,
+            ground,
         };
-        for shape in shapes(&table.ground, survey, rows, missing) {
-            let own = table.ground.columns(&shape);
-            push(&mut table, What::Anonymous(shape), shape.tried, own);
-        }
-        table.raw = DMatrix::zeros(rows.len(), width);
-        let mut at = 0;
-        for piece in &pieces {
-            table.raw.columns_mut(at, piece.ncols()).copy_from(piece);
-            at += piece.ncols();
-        }
         table.rich = rich(&table, rows.len());
         table
     }
@@ -238,16 +216,24 @@ impl Table {
     }
 }
 
-fn probe(joint: usize) -> Term {
-    Term::absent(zero_offset(), joint, 0.0)
-}
+/// Terms that are put into one model: each costs every column of it a turn.
+const AT_ONCE: usize = 48;
 
-fn zero_offset() -> &'static dyn Effect {
-    CATALOGUE[1]
-}
-
-fn is_probe(term: &Term) -> bool {
-    term.effect.about().id == zero_offset().about().id
+/// The columns of some names beside the base.
+fn fill(raw: &mut DMatrix<f64>, rows: &Rows, base: &Model, names: &[Candidate]) {
+    let own = names.iter().filter_map(|c| c.what.term());
+    let terms = base.terms().iter().chain(own).cloned().collect();
+    let all = Model::new(base.robot.clone(), terms);
+    let (_, columns) = rows.extract(&all);
+    let mut first = 0;
+    for term in all.terms() {
+        let is = |c: &&Candidate| c.what.term().is_some_and(|t| t.same_column(term));
+        if let Some(candidate) = names.iter().find(is) {
+            raw.columns_mut(candidate.first, candidate.size)
+                .copy_from(&columns.columns(first, candidate.size));
+        }
+        first += term.coefficients.len();
+    }
 }
 
 /// Every testable name with every setting and how many of its kind there are.
@@ -271,7 +257,8 @@ fn names(
             1
         };
         for joint in 0..joints {
-            if !allowed.exists(about.id) || !effect.exists_on(joint) || in_base(joint) {
+            let there = effect.exists_on(joint, survey.joints[joint].kind);
+            if !allowed.exists(about.id) || !there || in_base(joint) {
                 continue;
             }
             if let Some(because) = effect.obstacle(survey, joint) {

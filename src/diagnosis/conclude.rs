@@ -87,13 +87,12 @@ pub(crate) fn answer(
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
-    // A smooth correction takes the place of the shapes, for names that are fitted alone; then what no
-    // name explains is no noise either.
-    let alone = prepared.options().correct_unexplained;
-    let own = if alone { fit } else { with_shapes };
-    let mut values = Values::of(prepared, problem, own, prepared.is_capped(end) || alone);
-    correct_for_selection(prepared, with_shapes, &mut values);
-    let values = values;
+    let values = values(
+        prepared,
+        problem,
+        [fit, with_shapes],
+        prepared.is_capped(end),
+    );
     let identified = deviations(problem, &prepared.base);
     let after = deviations(problem, &values.model);
     let counts = |i: usize| problem.fit[i];
@@ -108,7 +107,9 @@ pub(crate) fn answer(
     };
     let floor = floor(prepared, fit);
     let steps = steps(prepared, &base, fit);
-    let rivals = aliases::open_rivals(regression, with_shapes);
+    let mut rivals = aliases::open_rivals(regression, with_shapes);
+    let others = aliases::under_another_noise(regression, with_shapes, &end.other_ends);
+    rivals.extend(others);
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);
@@ -133,7 +134,7 @@ pub(crate) fn answer(
         held_out_mm: held_out.gaps.map(|g| g.identified_mm),
     });
     history.extend(steps.iter().map(|step| GapStep {
-        what: format!("with {}", step.term.effect.about().id),
+        what: format!("with {}", step.term.name_on(&session.robot)),
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
@@ -165,6 +166,25 @@ pub(crate) fn answer(
     })
 }
 
+/// Values of the names, from a fit of them alone or with the shapes beside them.
+fn values<'a>(
+    prepared: &Prepared,
+    problem: &Problem<'a>,
+    [alone, with_shapes]: [&Fit; 2],
+    capped: bool,
+) -> Values<'a> {
+    // A smooth correction takes the place of the shapes, for names that are fitted alone; then what no
+    // name explains is no noise either. A shape over a joint of several takes of their geometry, which
+    // then predicts nothing without it.
+    let several = prepared.regression.base.robot.joints.len() > 1;
+    let corrected = prepared.options().correct_unexplained;
+    let without = corrected || several && !with_shapes.shapes.is_empty();
+    let own = if without { alone } else { with_shapes };
+    let mut values = Values::of(prepared, problem, own, capped || without);
+    correct_for_selection(prepared, with_shapes, &mut values);
+    values
+}
+
 /// What belongs to every calibration of a robot.
 pub(crate) fn base_in_words(robot: &Robot) -> &'static str {
     match robot.joints.len() {
@@ -192,9 +212,8 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
 }
 
 fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Vec<Equivalent> {
-    let ids = |terms: &[Term]| -> Vec<&'static str> {
-        terms.iter().map(|t| t.effect.about().id).collect()
-    };
+    let robot = &fit.model.robot;
+    let ids = |terms: &[Term]| -> Vec<String> { terms.iter().map(|t| t.name_on(robot)).collect() };
     let mut all: Vec<Equivalent> = Vec::new();
     for (rival, separate_by) in rivals.iter().zip(&proposal.separate_by) {
         let (explanation, instead) = (ids(&rival.removed), ids(&rival.instead));
@@ -219,6 +238,7 @@ fn equivalents(rivals: &[&aliases::Rival], fit: &Fit, proposal: &Proposal) -> Ve
 fn correct_for_selection(prepared: &Prepared, fit: &Fit, values: &mut Values) {
     let regression = &prepared.regression;
     let threshold = regression.minus_ln_p_for(CHANCE, fit);
+    let before = (regression.base.robot.joints.len() > 1).then(|| values.clone());
     for term in regression.added(fit) {
         let rest = worth(prepared, fit, term).rest;
         let columns = fit.basis.rank().saturating_sub(rest.basis.rank()).max(1);
@@ -230,5 +250,8 @@ fn correct_for_selection(prepared: &Prepared, fit: &Fit, values: &mut Values) {
         if let Some(selection) = Selection::of(gain, least, columns) {
             values.correct(term, &selection);
         }
+    }
+    if let Some(before) = before {
+        values.fit_the_geometry_beside(&before);
     }
 }

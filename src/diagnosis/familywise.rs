@@ -45,6 +45,18 @@ pub(crate) struct Familywise {
     null: Vec<Null>,
 }
 
+/// Numbers of simulated searches that are kept at most; what was forgotten is made again.
+const MOST_KEPT: usize = 16_000_000;
+
+impl Familywise {
+    fn forget_the_oldest(&mut self) {
+        let size = |null: &Null| null.groups.iter().map(|g| g.rows.len()).sum::<usize>();
+        while self.null.len() > 2 && self.null.iter().map(size).sum::<usize>() > MOST_KEPT {
+            self.null.remove(0);
+        }
+    }
+}
+
 /// What noise alone did to the search beside one model, so far.
 #[derive(Debug)]
 struct Null {
@@ -166,7 +178,7 @@ impl Regression<'_> {
         if let Some(at) = known.position(same) {
             return at;
         }
-        let m = self.rows.len();
+        let m = self.height();
         let flip = m <= ROWS_TO_FLIP || kurtosis(&fit.residual) > MOST_KURTOSIS;
         // A residual is smaller than the noise where the fit follows it.
         let noise = DVector::from_fn(m, |row, _| {
@@ -194,18 +206,19 @@ impl Regression<'_> {
             null.simulate_tail(seed);
         }
         familywise.null.push(null);
+        familywise.forget_the_oldest();
         familywise.null.len() - 1
     }
 
     /// Orthonormal columns of all candidates beside a basis, those of one rank and weight together.
     fn orthonormal_groups(&self, basis: &Basis) -> Vec<Group> {
         let projected = self.projected(basis);
-        let m = self.rows.len();
+        let m = self.height();
         let freedom = self.m() - basis.rank() as f64;
         let mut groups: Vec<(usize, f64, Vec<f32>)> = Vec::new();
         for candidate in &self.table.candidates {
             let k = candidate.size;
-            let (factor, rank) = self.factor(&projected, candidate);
+            let (factor, rank) = projected.factor(candidate);
             if rank == 0 || freedom - (rank as f64) < 2.0 {
                 continue;
             }
@@ -217,13 +230,10 @@ impl Regression<'_> {
             });
             // Forward substitution, row of the factor by row: U = P L⁻ᵀ.
             let mut own: Vec<Vec<f64>> = Vec::with_capacity(k);
+            let free = projected.columns(candidate);
             for i in 0..k {
                 let pivot = factor[i * k + i];
-                let mut column: Vec<f64> = projected
-                    .column(candidate.first + i)
-                    .iter()
-                    .copied()
-                    .collect();
+                let mut column: Vec<f64> = free.column(i).iter().copied().collect();
                 for (j, before) in own.iter().enumerate() {
                     let along = factor[i * k + j];
                     if along != 0.0 {

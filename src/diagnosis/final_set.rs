@@ -3,6 +3,7 @@
 
 use crate::effects::Term;
 
+use super::aliases;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::{CHANCE, Found, needed};
@@ -47,6 +48,30 @@ pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Resu
         };
         found.fit = rest;
     }
+}
+
+/// Exchanges names of a robot with several joints for likelier ones, which a noise that changed since
+/// the search may have made of them; whether it did.
+pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
+    let regression = &prepared.regression;
+    let names = regression.added(&found.fit).len();
+    if names == 0 || regression.base.robot.joints.len() < 2 {
+        return false;
+    }
+    let mut changed = false;
+    for _ in 0..3 {
+        let mut rivals = aliases::rivals(regression, &found.fit).into_iter();
+        let fits = |r: &aliases::Rival| regression.added(&r.fit).len() <= prepared.cap();
+        let Some(rival) = rivals.find(fits) else {
+            break;
+        };
+        if rival.fit.ln_evidence <= found.fit.ln_evidence + 1e-3 {
+            break;
+        }
+        found.fit = rival.fit;
+        changed = true;
+    }
+    changed
 }
 
 /// What a term is worth beside the others of a fit.

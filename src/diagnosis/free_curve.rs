@@ -57,6 +57,44 @@ pub(crate) fn rival(prepared: &Prepared, found: &mut Found) {
     }
 }
 
+/// The free curve that takes the place of a slow part of the noise, beside the names that do not
+/// follow the same joint: what comes back at the same value of the joint is no frame that wanders,
+/// however quickly both change. `None` where no curve is as likely as what was found.
+pub(crate) fn instead_of_slow(white: &Prepared, found: &Found) -> Option<Found> {
+    let regression = &white.regression;
+    let mut best: Option<Fit> = None;
+    for joint in 0..white.survey.joints.len() {
+        let made_up: Vec<Term> = regression
+            .added(&found.fit)
+            .into_iter()
+            .filter(|t| follows_only(t, joint))
+            .cloned()
+            .collect();
+        let model = found
+            .fit
+            .model
+            .without(|t| made_up.iter().any(|m| m.same_column(t)));
+        let rest = regression.fit(&model, Vec::new());
+        let Some(curve) = smooth::free_curve(white, &rest.model, joint) else {
+            continue;
+        };
+        let likelihood = rest.ln_evidence + curve.ln_odds - PRICE;
+        let before = best
+            .as_ref()
+            .map_or(found.fit.ln_evidence, |b| b.ln_evidence);
+        if likelihood > before {
+            let pieces = curve.freedom.clamp(4, MOST_PIECES);
+            best = Some(with_curve(regression, &rest, joint, pieces, likelihood));
+        }
+    }
+    best.map(|fit| Found {
+        fit,
+        names_only: regression.fit(&found.names_only.model, Vec::new()),
+        other_ends: Vec::new(),
+        base_misfit: false,
+    })
+}
+
 /// Whether an effect is a function of this joint's value alone.
 fn follows_only(term: &Term, joint: usize) -> bool {
     let about = term.effect.about();

@@ -41,6 +41,19 @@ impl Ground {
             .fold(start, |(a, b), v| (a.min(*v), b.max(*v)))
     }
 
+    /// Number of a shape's columns.
+    pub(crate) fn width(&self, shape: &Shape) -> usize {
+        let across = [&self.radial, &self.axial].map(|d| usize::from(d.is_some()));
+        let directions = match shape.direction {
+            Direction::Tangential(_) => 1,
+            Direction::Radial => across[0],
+            Direction::Axial => across[1],
+            Direction::Frame => self.axes.len(),
+            Direction::Body => usize::from(!self.tangential.is_empty()) + across[0] + across[1],
+        };
+        shape.profile.count() * directions
+    }
+
     /// The columns of a shape, mm.
     pub fn columns(&self, shape: &Shape) -> DMatrix<f64> {
         self.columns_in(shape, self.range(shape.variable))
@@ -173,8 +186,8 @@ pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
 }
 
 /// Derivatives of the rows by each joint's angle.
-fn tangential(rows: &Rows, base: &Model, joints: usize) -> Vec<DVector<f64>> {
-    let effect = crate::effects::CATALOGUE[1];
+pub(crate) fn tangential(rows: &Rows, base: &Model, joints: usize) -> Vec<DVector<f64>> {
+    let effect = crate::effects::joint_zero();
     let one = |joint: usize| {
         let probe = crate::effects::Term::absent(effect, joint, f64::MAX);
         let model = base.with_term(probe.clone());

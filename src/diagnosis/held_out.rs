@@ -9,7 +9,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
-use crate::fit::linear::Basis;
+use crate::fit::cells::cells;
+use crate::fit::linear::{Basis, small_cholesky, small_gain};
 
 /// Which fold each sample of the rows is in.
 #[derive(Debug, Clone)]
@@ -30,6 +31,9 @@ pub(crate) const FEWEST: usize = 6;
 impl Folds {
     /// Folds over the samples of an regression, by the angle of the first joint that moves most.
     pub(crate) fn new(regression: &Regression) -> Self {
+        if regression.base.robot.joints.len() > 1 {
+            return Self::over_the_workspace(regression);
+        }
         let q = &regression.rows.inputs.q;
         let range = |column: &[f64]| {
             let values = column.iter().copied();
@@ -69,6 +73,29 @@ impl Folds {
         Self { fold, count, how }
     }
 
+    /// Folds over cells of the workspace, for a robot with several joints.
+    fn over_the_workspace(regression: &Regression) -> Self {
+        let points = regression.rows.points(&regression.base);
+        let n = points.len();
+        let few = n < FEW;
+        let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
+        let cell = cells(&points, wanted);
+        let made = cell.iter().max().map_or(1, |c| c + 1);
+        let count = if few { made } else { FOLDS };
+        Self {
+            fold: cell.into_iter().map(|c| c % count).collect(),
+            count,
+            how: if few {
+                format!(
+                    "each of {made} cells of the workspace predicted by a fit that has not seen it"
+                )
+            } else {
+                "each fifth of the cells of the workspace predicted by a fit that has not seen it"
+                    .to_owned()
+            },
+        }
+    }
+
     /// Whether there are enough samples to say anything.
     pub(crate) fn say_something(&self) -> bool {
         self.fold.len() >= FEWEST
@@ -81,10 +108,8 @@ impl Folds {
             // in the way.
             return fit.rss.sqrt();
         }
-        let (raw_residual, raw_columns) = regression.rows.extract(&fit.model);
-        let residual = regression
-            .noise
-            .whitened_vector(&regression.rows, &raw_residual);
+        let (raw_residual, raw_columns) = regression.raw(&fit.model);
+        let (residual, own_white) = regression.whitened(&fit.model, &raw_residual, &raw_columns);
         let own = raw_columns.ncols();
         let width = own + fit.shapes.iter().map(|s| s.raw.ncols()).sum::<usize>();
         let mut raw = DMatrix::zeros(regression.rows.len(), width);
@@ -94,13 +119,22 @@ impl Folds {
             raw.columns_mut(at, shape.raw.ncols()).copy_from(&shape.raw);
             at += shape.raw.ncols();
         }
-        let white = regression.noise.whitened(&regression.rows, &raw);
+        let mut white = DMatrix::zeros(regression.height(), width);
+        white.columns_mut(0, own).copy_from(&own_white);
+        let mut at = own;
+        for shape in &fit.shapes {
+            white
+                .columns_mut(at, shape.white.ncols())
+                .copy_from(&shape.white);
+            at += shape.white.ncols();
+        }
         let scanned = scanned_terms(regression, fit);
         let n = self.fold.len();
         let mut sum = 0.0;
         for fold in 0..self.count {
-            let seen: Vec<usize> = (0..regression.rows.len())
-                .filter(|row| self.fold[row % n] != fold)
+            let rows = regression.rows.len();
+            let seen: Vec<usize> = (0..regression.height())
+                .filter(|row| *row >= rows || self.fold[row % n] != fold)
                 .collect();
             let mut fold_white = white.select_rows(&seen);
             let mut fold_raw = raw.clone();
@@ -185,23 +219,23 @@ impl Scanned {
         let without = &*residual + put_back;
         let others = Basis::new(&white.clone().remove_columns_at(&own));
         let left = others.reject(&without);
-        let gain = |columns: &DMatrix<f64>| {
-            let along = others.q.tr_mul(columns);
-            let free = columns - &others.q * along;
-            Basis::new(&free).q.tr_mul(&left).norm_squared()
-        };
-        let of_now = gain(&white.columns(self.first, self.size).into_owned());
+        let beside = |columns: DMatrix<f64>, size: usize| gains(&others, &left, &columns, size);
+        let now = white.columns(self.first, self.size).into_owned();
+        let of_now = beside(now, self.size).first().copied().unwrap_or(0.0);
         let mut best: Option<(f64, usize)> = None;
-        // All candidates at once would be quicker to project; one by one keeps the memory small.
-        for index in &self.candidates {
-            let candidate = &regression.table.candidates[*index];
-            let columns = regression
-                .white
-                .columns(candidate.first, candidate.size)
-                .select_rows(seen);
-            let value = gain(&columns);
-            if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
-                best = Some((value, *index));
+        for some in self.candidates.chunks(AT_ONCE) {
+            let all = some.iter().flat_map(|index| {
+                let candidate = &regression.table.candidates[*index];
+                candidate.first..candidate.first + self.size
+            });
+            let all: Vec<usize> = all.collect();
+            let columns = DMatrix::from_fn(seen.len(), all.len(), |row, k| {
+                regression.white[(seen[row], all[k])]
+            });
+            for (value, index) in beside(columns, self.size).into_iter().zip(some) {
+                if value > best.map_or(of_now * (1.0 + 1e-9), |b| b.0) {
+                    best = Some((value, *index));
+                }
             }
         }
         let Some((_, index)) = best else {
@@ -218,4 +252,25 @@ impl Scanned {
         raw.columns_mut(self.first, self.size)
             .copy_from(&of_table(&regression.table.raw));
     }
+}
+
+/// Candidates that are projected at once.
+const AT_ONCE: usize = 64;
+
+/// By how much each group of `size` columns would lower the sum of squares of what a basis leaves.
+fn gains(beside: &Basis, left: &DVector<f64>, columns: &DMatrix<f64>, size: usize) -> Vec<f64> {
+    let along = beside.q.transpose() * columns;
+    let mut free = columns.clone();
+    free.gemm(-1.0, &beside.q, &along, 1.0);
+    let groups = (0..free.ncols()).step_by(size.max(1));
+    groups
+        .map(|first| {
+            let own = free.columns(first, size);
+            let mut gram: Vec<f64> = own.tr_mul(&own).iter().copied().collect();
+            let tolerance: Vec<f64> = (0..size).map(|i| 1e-12 * gram[i * size + i]).collect();
+            small_cholesky(&mut gram, size, &tolerance);
+            let mut pull: Vec<f64> = own.tr_mul(left).iter().copied().collect();
+            small_gain(&gram, size, &mut pull)
+        })
+        .collect()
 }

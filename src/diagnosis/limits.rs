@@ -88,7 +88,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
             };
             let k = candidate.size;
             let nu = freedom - k as f64;
-            let (factor, rank) = regression.factor(&projected, candidate);
+            let (factor, rank) = projected.factor(candidate);
             if rank < k || nu < 2.0 {
                 continue;
             }
@@ -100,10 +100,10 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                 Form::Plain(quantities) => quantities
                     .iter()
                     .enumerate()
-                    .map(|(i, q)| (q.name, size / energy(i).sqrt() / q.inner))
+                    .map(|(i, q)| (q.name, size / energy(i).sqrt() / q.unit.inner))
                     .collect(),
                 Form::Fading(quantity) => {
-                    vec![(quantity.name, size / energy(0).sqrt() / quantity.inner)]
+                    vec![(quantity.name, size / energy(0).sqrt() / quantity.unit.inner)]
                 }
                 Form::Harmonic(quantity) => {
                     // The phase that is hardest to see: the smaller eigenvalue of the 2 × 2.
@@ -113,7 +113,7 @@ pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
                     let smaller = mean - (0.25 * (a - d) * (a - d) + b * b).sqrt();
                     vec![(
                         quantity.name,
-                        size / smaller.max(1e-300).sqrt() / quantity.inner,
+                        size / smaller.max(1e-300).sqrt() / quantity.unit.inner,
                     )]
                 }
             };

@@ -31,9 +31,10 @@ pub mod limits;
 pub mod set_up_errors;
 pub mod smooth;
 
+mod base_alone;
+mod base_misfit;
 pub(crate) mod classes;
 pub(crate) mod conclude;
-mod base_alone;
 mod final_set;
 mod floor;
 mod free_curve;
@@ -44,6 +45,7 @@ pub(crate) mod regression;
 
 mod next_pose;
 pub(crate) mod prepare;
+pub(crate) mod projected;
 mod remainder;
 mod robust;
 pub(crate) mod search;
@@ -97,8 +99,9 @@ pub enum Progress {
     Preparing,
     /// Searching; what was found so far may still be exchanged for something likelier.
     Searching {
-        /// Names of the effects so far, in the order in which they act.
-        found: Vec<&'static str>,
+        /// Names of the effects so far, in the order in which they act, of several joints each with
+        /// its joint.
+        found: Vec<String>,
     },
     /// Comparing with other explanations.
     Comparing,
@@ -197,6 +200,10 @@ pub(crate) fn searched<'a>(
         (prepared, found) = against_rivals(&prepared, found, watch)?;
     }
     final_set::test(&prepared, &mut found, watch)?;
+    if final_set::exchanged(&prepared, &mut found) {
+        final_set::test(&prepared, &mut found, watch)?;
+    }
+    base_misfit::withdraw(&prepared, &mut found);
     Ok((prepared, found))
 }
 
@@ -206,21 +213,35 @@ fn against_rivals<'a>(
     mut found: search::Found,
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
-    let slow = prepared.with_slow_noise();
+    let slow = prepared.slow_noise();
     let white = prepared
         .regression
         .noise
         .slow
-        .map(|_| prepared.with_white_noise());
+        .map(|_| prepared.white_noise());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
     free_curve::rival(&prepared, &mut found);
-    for rival in white.into_iter().chain(slow) {
-        let (rival, end) = settled_search(rival, watch)?;
-        if end.fit.ln_evidence > found.fit.ln_evidence {
-            (prepared, found) = (rival, end);
+    let mut others = Vec::new();
+    for noise in white.into_iter().chain(slow) {
+        let (rival, end) = settled_search(prepared.with_noise(noise), watch)?;
+        let loser = if end.fit.ln_evidence > found.fit.ln_evidence {
+            prepared = rival;
+            std::mem::replace(&mut found, end)
+        } else {
+            end
+        };
+        others.push(loser.fit);
+    }
+    if prepared.regression.noise.slow.is_some() {
+        let white = prepared.with_noise(prepared.white_noise());
+        if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
+            (prepared, found) = (white, curve);
         }
     }
+    let least = found.fit.ln_evidence - aliases::UNDECIDED;
+    others.retain(|other| other.shapes.is_empty() && other.ln_evidence > least);
+    found.other_ends = others;
     Ok((prepared, found))
 }
 

@@ -9,6 +9,7 @@ use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
+use crate::fit::cells::cells;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
@@ -166,9 +167,8 @@ impl<'a> Prepared<'a> {
         (now, fit)
     }
 
-    /// The same with the noise that the base alone leaves, where that has a slow part: the rival
-    /// of every name.
-    pub(crate) fn with_slow_noise(&self) -> Option<Self> {
+    /// The noise that the base alone leaves, where that has a slow part: the rival of every name.
+    pub(crate) fn slow_noise(&self) -> Option<Noise> {
         let regression = &self.regression;
         let base = regression.fit(&regression.base, Vec::new());
         let noise = noise_of(regression, &base);
@@ -180,22 +180,23 @@ impl<'a> Prepared<'a> {
         }
         let moves =
             estimated(regression, &base.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
-        (noise.slow.is_some() && moves).then(|| self.with_noise(noise))
+        (noise.slow.is_some() && moves).then_some(noise)
     }
 
-    /// The same with white noise.
-    pub(crate) fn with_white_noise(&self) -> Self {
+    /// Noise of the same size that is white.
+    pub(crate) fn white_noise(&self) -> Noise {
         let noise = &self.regression.noise;
         let slow = noise.slow.map_or([0.0; 3], |s| s.rms_mm);
         let total = |axis: usize| noise.sigma_mm[axis].hypot(slow[axis]);
-        self.with_noise(Noise {
+        Noise {
             sigma_mm: [total(0), total(1), total(2)],
             slow: None,
             ..noise.clone()
-        })
+        }
     }
 
-    fn with_noise(&self, noise: Noise) -> Self {
+    /// The same samples and candidates with another noise.
+    pub(crate) fn with_noise(&self, noise: Noise) -> Self {
         Self {
             problem: Rc::clone(&self.problem),
             base: self.base.clone(),
@@ -237,8 +238,7 @@ fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> 
     left
 }
 
-/// The base of several joints, fitted; what only its priors keep in place stays there, as the search
-/// has no rows for them.
+/// The base of several joints, fitted; the search takes its priors as rows.
 fn arm(
     session: &Session,
     problem: &mut Problem,
@@ -246,8 +246,7 @@ fn arm(
 ) -> (Model, Vec<NotIdentifiable>) {
     let start = base_model::start(session, problem, |id| options.allowed.exists(id));
     let fitted = base_model::fit(problem, &start, true);
-    let model = base_model::with_weak_held(problem, &fitted.solution.model);
-    (model, fitted.held)
+    (fitted.solution.model, fitted.held)
 }
 
 /// Terms that belong to every calibration: zero offset and link length, and free frames.
@@ -345,7 +344,12 @@ fn estimated<'m>(
         columns.columns_mut(at, more.ncols()).copy_from(more);
     }
     let stated = regression.problem.session.instrument.sigma_mm;
-    Noise::estimate(stated, &regression.rows, &residual, &columns)
+    let noise = Noise::estimate(stated, &regression.rows, &residual, &columns);
+    if regression.problem.shows_time() {
+        noise
+    } else {
+        noise.made_white()
+    }
 }
 
 /// The same problem with at most so many samples that count, spread evenly.
@@ -368,14 +372,24 @@ pub(crate) fn thinned<'a>(problem: &Problem<'a>, most: usize) -> Problem<'a> {
     thinned
 }
 
-/// Samples that `--held-out` locks away: every so many-th of 24 sectors of the first joint.
+/// Samples that `--held-out` locks away: every so many-th of 24 sectors of the first joint, of
+/// several joints of as many stretches of the workspace.
 fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
     let n = problem.fit.len();
     let mut locked = vec![false; n];
     let Some(share) = share else { return locked };
     let q = &problem.inputs.q[0];
     let mut order: Vec<usize> = (0..n).filter(|i| problem.fit[*i]).collect();
-    order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+    if base_model::is_arm(problem.session) {
+        // Neighbours in the workspace are locked away together.
+        let predicted = Model::nominal(problem.session.robot.clone()).predict(&problem.inputs);
+        let points: Vec<[f64; 3]> = order.iter().map(|i| predicted.get(*i)).collect();
+        let mut by_cell: Vec<(usize, usize)> = cells(&points, 32).into_iter().zip(order).collect();
+        by_cell.sort_unstable();
+        order = by_cell.into_iter().map(|(_, sample)| sample).collect();
+    } else {
+        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+    }
     let count = order.len();
     let sectors = 24.min(count.max(1));
     for (rank, sample) in order.into_iter().enumerate() {

@@ -20,6 +20,7 @@ use crate::model::Model;
 use super::anonymous::Shape;
 use super::candidates::{Candidate, Table, What};
 use super::familywise::Familywise;
+use super::projected::{Grams, Projected};
 use super::significance::Significance;
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
 use crate::fit::noise::Noise;
@@ -37,9 +38,6 @@ const PRICE_OF_A_SETTING: f64 = 1.5;
 fn price_of(shape: &Shape) -> f64 {
     PRICE_OF_A_SHAPE + PRICE_OF_A_SETTING * shape.refined() as f64
 }
-
-/// How much of a column has to be left beside the model for a candidate to count, squared.
-const SEEN: f64 = 1e-6;
 
 /// A shape in a fit.
 #[derive(Debug, Clone)]
@@ -81,9 +79,9 @@ pub(crate) struct Regression<'a> {
     pub(crate) noise: Noise,
     pub(crate) table: Rc<Table>,
     pub(crate) white: DMatrix<f64>,
-    /// Squared norms of the columns of `white`.
-    norms: Vec<f64>,
+    pub(crate) grams: Grams,
     pub(crate) base: Model,
+    priors: Vec<PriorRow>,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
@@ -105,8 +103,9 @@ impl<'a> Regression<'a> {
         base: Model,
         seed: u64,
     ) -> Self {
-        let white = noise.whitened(&rows, &table.raw);
-        let norms = white.column_iter().map(|c| c.norm_squared()).collect();
+        let priors = prior_rows(&problem, &base);
+        let white = lengthened(noise.whitened(&rows, &table.raw), priors.len());
+        let grams = Grams::new(&white, &table.candidates);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
         });
@@ -118,8 +117,9 @@ impl<'a> Regression<'a> {
             noise,
             table,
             white,
-            norms,
+            grams,
             base,
+            priors,
             seed,
             familywise: RefCell::new(Familywise::default()),
         }
@@ -137,9 +137,45 @@ impl<'a> Regression<'a> {
         )
     }
 
-    /// Number of rows.
+    /// Number of measured rows.
     pub(crate) fn m(&self) -> f64 {
         self.rows.len() as f64
+    }
+
+    /// Number of all rows: those of the samples, and one for each coefficient of the base of which
+    /// something is known beforehand.
+    pub(crate) fn height(&self) -> usize {
+        self.rows.len() + self.priors.len()
+    }
+
+    /// Raw residuals and columns of a model on the samples.
+    pub(crate) fn raw(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
+        self.rows.extract(model)
+    }
+
+    /// Whitened residuals and columns, with the rows of the priors: `x/σ` is 0 but for noise.
+    pub(crate) fn whitened(
+        &self,
+        model: &Model,
+        raw: &DVector<f64>,
+        columns: &DMatrix<f64>,
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let (m, more) = (self.rows.len(), self.priors.len());
+        let residual = self.noise.whitened_vector(&self.rows, raw);
+        let mut residual = residual.resize_vertically(m + more, 0.0);
+        let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), more);
+        let mut first = 0;
+        for term in model.terms() {
+            for (row, prior) in self.priors.iter().enumerate() {
+                if prior.term.same_column(term) {
+                    let k = prior.coefficient;
+                    jacobian[(m + row, first + k)] = 1.0 / prior.sigma;
+                    residual[m + row] = -term.coefficients[k] / prior.sigma;
+                }
+            }
+            first += term.coefficients.len();
+        }
+        (residual, jacobian)
     }
 
     /// Fits a model and shapes, starting from their coefficients.
@@ -148,12 +184,11 @@ impl<'a> Regression<'a> {
         let mut shapes = shapes;
         let mut last = None;
         for round in 0..8 {
-            let (raw, columns) = self.rows.extract(&model);
-            let residual = self.noise.whitened_vector(&self.rows, &raw);
-            let jacobian = self.noise.whitened(&self.rows, &columns);
+            let (raw, columns) = self.raw(&model);
+            let (residual, jacobian) = self.whitened(&model, &raw, &columns);
             let own = jacobian.ncols();
             let width = own + shapes.iter().map(|s| s.white.ncols()).sum::<usize>();
-            let mut all = DMatrix::zeros(self.rows.len(), width);
+            let mut all = DMatrix::zeros(self.height(), width);
             all.columns_mut(0, own).copy_from(&jacobian);
             let mut at = own;
             for shape in &shapes {
@@ -181,8 +216,8 @@ impl<'a> Regression<'a> {
             }
         }
         let (residual, basis, rss) = last.unwrap_or_else(|| {
-            let empty = DMatrix::zeros(self.rows.len(), 0);
-            (DVector::zeros(self.rows.len()), Basis::new(&empty), 0.0)
+            let empty = DMatrix::zeros(self.height(), 0);
+            (DVector::zeros(self.height()), Basis::new(&empty), 0.0)
         });
         let ln_evidence =
             self.ln_evidence(&model, &shapes, rss, basis.rank()) + self.spared(&model, &basis, rss);
@@ -283,7 +318,7 @@ impl<'a> Regression<'a> {
         let own = columns
             .columns(first, absent.coefficients.len())
             .into_owned();
-        let white = self.noise.whitened(&self.rows, &own);
+        let white = lengthened(self.noise.whitened(&self.rows, &own), self.priors.len());
         let along = fit.basis.q.tr_mul(&white);
         let mut free = white;
         free.gemm(-1.0, &fit.basis.q, &along, 1.0);
@@ -310,19 +345,15 @@ impl<'a> Regression<'a> {
 
     /// Scores every candidate beside a fit; those that the fit leaves nothing of are left out.
     pub(crate) fn scan(&self, fit: &Fit) -> Vec<Score> {
-        self.scan_beside(&fit.basis, &fit.residual, fit.rss)
+        self.scan_beside(&self.projected(&fit.basis), fit)
     }
 
-    pub(crate) fn scan_beside(
-        &self,
-        basis: &Basis,
-        residual: &DVector<f64>,
-        rss: f64,
-    ) -> Vec<Score> {
-        let projected = self.projected(basis);
+    /// The same with the table projected already.
+    pub(crate) fn scan_beside(&self, projected: &Projected, fit: &Fit) -> Vec<Score> {
+        let pulls = projected.pulls(&fit.residual);
         let m = self.m();
-        let freedom = m - basis.rank() as f64;
-        let total = self.rounded(rss);
+        let freedom = m - fit.basis.rank() as f64;
+        let total = self.rounded(fit.rss);
         let mut tests: Vec<Option<Significance>> = Vec::new();
         let mut scores = Vec::new();
         for (index, candidate) in self.table.candidates.iter().enumerate() {
@@ -331,7 +362,7 @@ impl<'a> Regression<'a> {
                 all: gain,
                 rank,
                 parts,
-            }) = self.gain(&projected, candidate, residual)
+            }) = Self::gain(projected, candidate, &pulls)
             else {
                 continue;
             };
@@ -367,35 +398,25 @@ impl<'a> Regression<'a> {
         scores
     }
 
-    /// The table's columns without what the fit explains.
-    pub(crate) fn projected(&self, basis: &Basis) -> DMatrix<f64> {
-        let along = basis.q.transpose() * &self.white;
-        let mut projected = self.white.clone();
-        projected.gemm(-1.0, &basis.q, &along, 1.0);
-        projected
+    /// The table's columns without what a basis explains.
+    pub(crate) fn projected<'r>(&'r self, basis: &'r Basis) -> Projected<'r> {
+        Projected::new(self, basis)
     }
 
     /// By how much a candidate lowers the sum of squares; `None` where nothing of it is left, or
     /// where it would have to be negative and cannot.
-    fn gain(
-        &self,
-        projected: &DMatrix<f64>,
-        candidate: &Candidate,
-        residual: &DVector<f64>,
-    ) -> Option<Gain> {
+    fn gain(projected: &Projected, candidate: &Candidate, pulls: &DVector<f64>) -> Option<Gain> {
         let k = candidate.size;
-        let (factor, rank) = self.factor(projected, candidate);
+        let (factor, rank) = projected.factor(candidate);
         if rank == 0 {
             return None;
         }
-        let pull: Vec<f64> = (0..k)
-            .map(|i| projected.column(candidate.first + i).dot(residual))
-            .collect();
+        let pull = &pulls.as_slice()[candidate.first..candidate.first + k];
         let about = candidate.what.term().map(|t| t.effect.about());
         if k == 1 && pull[0] < 0.0 && about.is_some_and(|a| a.never_negative) {
             return None;
         }
-        let all = small_gain(&factor, k, &mut pull.clone());
+        let all = small_gain(&factor, k, &mut pull.to_vec());
         let vector = about.is_some_and(|a| matches!(a.form, Form::Plain(q) if q.len() > 1));
         let mut parts = Vec::new();
         if vector && rank == k {
@@ -419,31 +440,10 @@ impl<'a> Regression<'a> {
         Some(Gain { all, rank, parts })
     }
 
-    /// Cholesky factor of a candidate's projected columns.
-    pub(crate) fn factor(
-        &self,
-        projected: &DMatrix<f64>,
-        candidate: &Candidate,
-    ) -> (Vec<f64>, usize) {
-        let k = candidate.size;
-        let mut gram = vec![0.0; k * k];
-        for i in 0..k {
-            let a = projected.column(candidate.first + i);
-            for j in 0..=i {
-                gram[i * k + j] = a.dot(&projected.column(candidate.first + j));
-            }
-        }
-        let tolerance: Vec<f64> = (0..k)
-            .map(|i| (SEEN * self.norms[candidate.first + i]).max(1e-300))
-            .collect();
-        let rank = small_cholesky(&mut gram, k, &tolerance);
-        (gram, rank)
-    }
-
     /// A shape ready to be fitted.
     pub(crate) fn placed(&self, shape: Shape) -> Placed {
         let raw = self.table.ground.columns(&shape);
-        let white = self.noise.whitened(&self.rows, &raw);
+        let white = lengthened(self.noise.whitened(&self.rows, &raw), self.priors.len());
         Placed {
             coefficients: DVector::zeros(raw.ncols()),
             credit: 0.0,
@@ -489,6 +489,38 @@ impl<'a> Regression<'a> {
         let freedom = (self.m() - fit.basis.rank() as f64).max(1.0);
         (fit.rss / freedom).sqrt()
     }
+}
+
+/// What is known beforehand of one coefficient of the base: it is 0 within σ, inner units.
+struct PriorRow {
+    term: Term,
+    coefficient: usize,
+    sigma: f64,
+}
+
+/// The rows of the priors that a problem carries; none of a robot with a single joint.
+fn prior_rows(problem: &Problem, base: &Model) -> Vec<PriorRow> {
+    let mut rows = Vec::new();
+    for term in base.terms() {
+        for coefficient in (0..term.coefficients.len()).filter(|k| !term.held.contains(*k)) {
+            let sigma = problem.priors.sigma(base, term, coefficient);
+            rows.extend(sigma.map(|sigma| PriorRow {
+                term: term.clone(),
+                coefficient,
+                sigma,
+            }));
+        }
+    }
+    rows
+}
+
+/// A matrix with so many rows of zeros more.
+fn lengthened(columns: DMatrix<f64>, more: usize) -> DMatrix<f64> {
+    if more == 0 {
+        return columns;
+    }
+    let rows = columns.nrows();
+    columns.resize_vertically(rows + more, 0.0)
 }
 
 /// By how much a candidate lowers the sum of squares.

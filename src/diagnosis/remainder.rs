@@ -4,7 +4,9 @@ use crate::kinematics::JointKind;
 use crate::sessions::Session;
 
 use super::answer::Unexplained;
+use super::base_misfit::left_mm;
 use super::candidates::What;
+use super::floor::floor;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
@@ -12,22 +14,21 @@ use super::search::{Found as SearchEnd, mean_sigma_mm};
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let regression = &prepared.regression;
     let fit = &end.fit;
+    if end.base_misfit {
+        return of_the_base(prepared, end);
+    }
     if fit.shapes.is_empty() {
         return without_shapes(prepared, fit);
     }
     let prismatic = |j: usize| session.robot.joints[j].kind == JointKind::Prismatic;
-    let names = |fit: &Fit| -> Vec<(&'static str, usize)> {
+    let names = |fit: &Fit| -> Vec<String> {
         let added = regression.added(fit);
-        added
-            .iter()
-            .map(|t| (t.effect.about().id, t.joint))
-            .collect()
+        added.iter().map(|t| t.name_on(&session.robot)).collect()
     };
     let kept = names(fit);
-    let mut resembles: Vec<&'static str> = names(&end.names_only)
+    let mut resembles: Vec<String> = names(&end.names_only)
         .into_iter()
         .filter(|n| !kept.contains(n))
-        .map(|n| n.0)
         .collect();
     resembles.dedup();
     // The largest shape comes first.
@@ -64,6 +65,25 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
             .collect(),
         noise: None,
         correction: None,
+    }
+}
+
+/// What is left of a base model that does not fit.
+fn of_the_base(prepared: &Prepared, end: &SearchEnd) -> Unexplained {
+    let left = without_shapes(prepared, &end.fit);
+    let floor_mm = floor(prepared, &end.fit).mm;
+    let left_mm = left_mm(prepared, &end.fit);
+    let robot = &prepared.problem.session.robot;
+    let names = prepared.regression.added(&end.names_only);
+    Unexplained {
+        present: true,
+        rms_mm: (left_mm * left_mm - floor_mm * floor_mm).max(0.0).sqrt(),
+        resembles: names.iter().map(|t| t.name_on(robot)).collect(),
+        says: format!(
+            "the base model does not fit: axes, tool or masses; {}",
+            left.says
+        ),
+        ..left
     }
 }
 

@@ -41,6 +41,10 @@ pub(crate) struct Found {
     pub(crate) fit: Fit,
     /// The best model of names alone.
     pub(crate) names_only: Fit,
+    /// Whether the names were withdrawn, as the geometry of several joints does not fit.
+    pub(crate) base_misfit: bool,
+    /// Ends of other searches, under another noise, that the samples do not rule out.
+    pub(crate) other_ends: Vec<Fit>,
 }
 
 pub(crate) struct Search<'s, 'a> {
@@ -66,7 +70,12 @@ impl Search<'_, '_> {
                 fit = other;
             }
         }
-        Ok(Found { fit, names_only })
+        Ok(Found {
+            fit,
+            names_only,
+            base_misfit: false,
+            other_ends: Vec::new(),
+        })
     }
 
     fn tell(&self, progress: &Progress) -> Result<(), Cancelled> {
@@ -95,7 +104,9 @@ impl Search<'_, '_> {
             fit = next;
             let names = self.regression.added(&fit).into_iter();
             self.tell(&Progress::Searching {
-                found: names.map(|term| term.effect.about().id).collect(),
+                found: names
+                    .map(|term| term.name_on(&self.regression.base.robot))
+                    .collect(),
             })?;
         }
         Ok(fit)
@@ -400,14 +411,17 @@ pub(crate) fn by_odds(scores: &mut [Score]) {
     });
 }
 
-/// Whether a name may stand beside those that are there: lost motion is backlash with a setting,
+/// Whether a name may stand beside those that are there: not beside what it becomes in the limit,
 /// and two of a kind need different settings.
 pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
-    let id = |t: &Term| t.effect.about().id;
-    let plays = |t: &Term| matches!(id(t), "backlash" | "lost-motion");
+    let about = |t: &Term| t.effect.about();
+    let in_limit = |a: &Term, b: &Term| {
+        let has_limit = about(a).becomes.or(about(b).becomes).is_some();
+        has_limit && about(a).family() == about(b).family()
+    };
     !there
         .iter()
-        .any(|t| t.joint == term.joint && (t.same_column(term) || plays(t) && plays(term)))
+        .any(|t| t.joint == term.joint && (t.same_column(term) || in_limit(t, term)))
 }
 
 /// Root mean square of σ over the measured axes, mm.

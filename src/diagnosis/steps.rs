@@ -89,8 +89,8 @@ pub(crate) fn found(
             } else {
                 ln_odds
             };
-            let id = what.term().map_or("", |t| t.effect.about().id);
-            (ln_odds, id.to_owned())
+            let name = what.term().map(|t| t.name_on(&regression.base.robot));
+            (ln_odds, name.unwrap_or_default())
         });
         let over = worth.ln_odds - next.as_ref().map_or(0.0, |n| n.0.max(0.0));
         let p_family = regression.family_p(worth.minus_ln_p, with_shapes);

@@ -13,7 +13,7 @@ pub(crate) fn not_testable(regression: &Regression, base: &Fit) -> Vec<NotTestab
             continue;
         };
         let about = term.effect.about();
-        let visible = regression.factor(&projected, candidate).1 > 0;
+        let visible = projected.factor(candidate).1 > 0;
         match seen
             .iter_mut()
             .find(|s| s.0 == about.id && s.1 == term.joint)

@@ -1,6 +1,7 @@
 //! The gap on samples that no fit has seen: those that the session or an option marks, else
 //! cross-fitted.
 
+use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::model::Model;
 
@@ -22,7 +23,9 @@ pub(crate) fn held_out(
         |i: usize| problem.usable[i] && (prepared.locked[i] || by_file.is_some_and(|h| h[i]));
     let count = (0..problem.usable.len()).filter(|i| apart(*i)).count();
     if count > 0 {
-        let how = if prepared.locked.contains(&true) {
+        let how = if prepared.locked.contains(&true) && base_model::is_arm(problem.session) {
+            "cells of the workspace that were locked away from everything"
+        } else if prepared.locked.contains(&true) {
             "sectors of joint 1 that were locked away from everything"
         } else {
             "the samples that the session marks as held out; no fit touched them"

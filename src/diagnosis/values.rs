@@ -22,10 +22,14 @@ use super::prepare::{Prepared, thinned};
 use super::regression::Fit;
 use super::selection::Selection;
 
+/// A correction for the selection makes the fit worse by no more than this.
+const MOST_WORSE: f64 = 1.02;
+
 /// Values of shapes that a fit to all samples may carry at most.
 const MOST_BESIDE: usize = 20_000_000;
 
 /// A model fitted to all samples that count, and how sure its coefficients are.
+#[derive(Clone)]
 pub(crate) struct Values<'a> {
     pub(crate) problem: Problem<'a>,
     pub(crate) solution: Solution,
@@ -149,6 +153,32 @@ impl<'a> Values<'a> {
             first += size;
         }
         self.model = self.model.with_coefficients(&coefficients);
+        self.solution.model = self.model.clone();
+    }
+
+    /// Fits the geometry of several joints again beside sizes that were corrected: it carries what an
+    /// effect does in common with it. Where the samples are followed worse all the same, as the sizes
+    /// of several effects hang together, it is the fit before that stands.
+    pub(crate) fn fit_the_geometry_beside(&mut self, before: &Self) {
+        let is_base = |t: &Term| base_model::belongs(t.effect.about().id);
+        let terms = self.model.terms();
+        if self.model.robot.joints.len() < 2 || terms.iter().all(is_base) {
+            return;
+        }
+        let held = terms.iter().map(|term| {
+            let mut term = term.clone();
+            if !is_base(&term) {
+                term.held = (0..term.coefficients.len()).fold(term.held, |held, k| held.with(k));
+            }
+            term
+        });
+        let start = Model::new(self.model.robot.clone(), held.collect());
+        let fitted = solve(&self.problem, &start).model;
+        self.model = self.model.with_coefficients(&fitted.coefficients());
+        if self.rms_mm() > MOST_WORSE * before.rms_mm() {
+            self.model = before.model.clone();
+            self.estimates.clone_from(&before.estimates);
+        }
         self.solution.model = self.model.clone();
     }
 

@@ -3,6 +3,10 @@
 
 use crate::kinematics::JointKind;
 
+use super::needs::Need;
+use super::survey::Survey;
+use super::units::Unit;
+
 /// Where in the flow from command to measured point an effect acts. Effects of one stage act in
 /// the order of the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,47 +28,62 @@ pub enum Stage {
 pub struct Quantity {
     /// Name with its unit, as in `width_deg`.
     pub name: &'static str,
-    /// Inner units (mm, rad, s, kg, °C, N·m) in one of the parameter's.
-    pub inner: f64,
+    /// Its unit.
+    pub unit: Unit,
+    /// What it is where its joint slides.
+    pub on_slide: OnSlide,
+}
+
+/// What a quantity is on a joint that slides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OnSlide {
+    /// The same.
+    Same,
+    /// Another name and unit: degrees become millimetres.
+    As(&'static str, Unit),
+    /// It has no meaning there.
+    Meaningless,
 }
 
 impl Quantity {
-    /// The largest value that makes any sense, inner units: a turn of one radian, a metre, a scale
-    /// of two. What the samples leave open within this range they do not determine.
-    pub fn reach(&self) -> f64 {
-        let name = self.name;
-        if name.contains("ppm") {
-            1.0
-        } else if name.contains("deg") || name.contains("mrad") || name.contains("urad") {
-            // An angle, and an angle for each kelvin or newton metre.
-            1.0
-        } else if name.ends_with("_s") {
-            100.0
-        } else {
-            1000.0
+    /// A quantity that is the same on joints of every kind.
+    pub const fn new(name: &'static str, unit: Unit) -> Self {
+        let on_slide = OnSlide::Same;
+        Self {
+            name,
+            unit,
+            on_slide,
         }
+    }
+
+    /// With another name and unit where the joint slides.
+    #[must_use]
+    pub const fn sliding(self, name: &'static str, unit: Unit) -> Self {
+        let on_slide = OnSlide::As(name, unit);
+        Self { on_slide, ..self }
+    }
+
+    /// Without a meaning where the joint slides.
+    #[must_use]
+    pub const fn not_sliding(self) -> Self {
+        let on_slide = OnSlide::Meaningless;
+        Self { on_slide, ..self }
     }
 
     /// The quantity on a joint of this kind: where a joint slides, its degrees are millimetres.
     #[must_use]
     pub fn on(self, kind: JointKind) -> Self {
-        match kind {
-            JointKind::Revolute => self,
-            JointKind::Prismatic => SLIDING
-                .iter()
-                .find(|(turning, _)| *turning == self.name)
-                .map_or(self, |(_, name)| Self { name, inner: 1.0 }),
+        match (kind, self.on_slide) {
+            (JointKind::Prismatic, OnSlide::As(name, unit)) => Self::new(name, unit),
+            _ => self,
         }
     }
-}
 
-/// Names of a joint's own quantities, where it turns and where it slides.
-const SLIDING: [(&str, &str); 4] = [
-    ("offset_deg", "offset_mm"),
-    ("width_deg", "width_mm"),
-    ("fade_deg", "fade_mm"),
-    ("deg_per_degc", "mm_per_degc"),
-];
+    /// Whether it means anything on a joint of this kind.
+    pub fn matters_on(&self, kind: JointKind) -> bool {
+        kind == JointKind::Revolute || self.on_slide != OnSlide::Meaningless
+    }
+}
 
 /// A parameter that does not enter linearly: it is scanned, not solved for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,9 +109,46 @@ pub enum Setting {
     Place,
     /// Which target's own part: 0 for what all of them share, else the target counted from 1.
     Target,
+    /// Another quantity, with what the effect's file says of it.
+    Listed(&'static Listed),
+}
+
+/// A parameter that is tried at the values that its effect lists.
+#[derive(Debug)]
+pub struct Listed {
+    /// Its name and unit.
+    pub quantity: Quantity,
+    /// The values that a search tries in a session for a joint (counted from 0), inner units.
+    pub tried: fn(&Survey, usize) -> Vec<f64>,
+    /// What an input may be, in words …
+    pub expected: &'static str,
+    /// … and whether a value, in the parameter's unit, is one of those for a joint counted from 0
+    /// on a robot with so many.
+    pub takes: fn(f64, usize, usize) -> bool,
+    /// The value where an input gives none, in the parameter's unit; `None`: it has to be given.
+    pub usual: fn(usize) -> Option<f64>,
+}
+
+impl Listed {
+    /// A value that stands for all where nothing is measured yet, inner units.
+    pub fn stands_for_all(&self, joint: usize) -> f64 {
+        let unit = self.quantity.unit;
+        (self.usual)(joint).unwrap_or(unit.example) * unit.inner
+    }
+}
+
+impl PartialEq for Listed {
+    fn eq(&self, other: &Self) -> bool {
+        self.quantity == other.quantity
+    }
 }
 
 impl Setting {
+    /// Whether a search tries several values of it.
+    pub fn is_scanned(&self) -> bool {
+        !matches!(self, Self::None | Self::Setup | Self::Target | Self::Place)
+    }
+
     /// Whether it is an order that need not be a whole number: one that reaches beyond the error
     /// motions of a bearing.
     pub fn takes_fractions(&self) -> bool {
@@ -107,6 +163,8 @@ pub enum Over {
     Angle,
     /// The side from which a joint came.
     Side,
+    /// The travel of a joint since it last reversed.
+    Travel,
     /// The speed of a joint.
     Speed,
     /// The load.
@@ -115,6 +173,96 @@ pub enum Over {
     Temperature,
     /// The time.
     Time,
+}
+
+impl Over {
+    /// Whether the side from which a joint came matters.
+    pub fn has_sides(self) -> bool {
+        matches!(self, Self::Side | Self::Travel | Self::Speed)
+    }
+}
+
+/// A condition of measuring that new poses can vary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Condition {
+    /// The speed of the joints.
+    Speed,
+    /// The temperature.
+    Temperature,
+    /// How far a joint has come since it reversed.
+    Approach,
+}
+
+/// The part of an effect in the model of every robot, if it has one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// None: a name that a search may find.
+    Candidate,
+    /// The zero of a joint.
+    JointZero,
+    /// The length from a single axis to the tool.
+    ToolRadius,
+    /// Where the axis of a joint runs, on a robot with several.
+    JointAxis,
+    /// Where the tool and its targets are, on a robot with several joints.
+    ToolPlace,
+    /// How the tool is turned, on a robot with several joints.
+    ToolTurn,
+    /// A free frame of the instrument.
+    FreeFrame,
+    /// A place that measurements refer to.
+    Place,
+    /// What no name explains.
+    Unexplained,
+}
+
+impl Role {
+    /// Whether it belongs to the calibration of a robot.
+    pub fn is_of_every_calibration(self) -> bool {
+        !matches!(self, Self::Candidate | Self::Unexplained)
+    }
+}
+
+/// Whose error an effect is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Owner {
+    /// The robot's: commands can be corrected for it, and another session shows it as well.
+    Robot,
+    /// The instrument's.
+    Instrument,
+    /// The instrument's as it stood during one session.
+    Session,
+}
+
+/// What nobody would be surprised by: the standard deviation of a coefficient before anything is
+/// measured, inner units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prior {
+    /// Where the joint turns, or whatever it does.
+    pub sigma: f64,
+    /// Where the joint slides.
+    pub sigma_on_slide: f64,
+    /// Whether it holds only where the instrument was aligned with the base.
+    pub if_aligned: bool,
+}
+
+impl Prior {
+    /// The same on every joint.
+    pub const fn of(sigma: f64) -> Self {
+        Self {
+            sigma,
+            sigma_on_slide: sigma,
+            if_aligned: false,
+        }
+    }
+
+    /// For an instrument that was aligned.
+    pub const fn of_aligned(sigma: f64) -> Self {
+        Self {
+            if_aligned: true,
+            ..Self::of(sigma)
+        }
+    }
 }
 
 /// How the parameters relate to the coefficients that identification solves for. Every
@@ -141,20 +289,30 @@ impl Form {
     }
 
     /// The parameters that are sizes: neither a setting nor a phase.
-    pub fn sizes(&self) -> &[Quantity] {
+    pub fn quantities(&self) -> &[Quantity] {
         match self {
             Self::Plain(quantities) => quantities,
             Self::Harmonic(quantity) | Self::Fading(quantity) => std::slice::from_ref(quantity),
         }
     }
 
-    /// [`Quantity::reach`] of each coefficient.
+    /// [`Unit::reach`] of each coefficient.
     pub fn reaches(&self) -> Vec<f64> {
         match self {
-            Self::Plain(quantities) => quantities.iter().map(Quantity::reach).collect(),
-            Self::Harmonic(quantity) => vec![quantity.reach(); 2],
+            Self::Plain(quantities) => quantities.iter().map(|q| q.unit.reach).collect(),
+            Self::Harmonic(quantity) => vec![quantity.unit.reach; 2],
             // A fade is known to a factor of twenty, or not at all.
-            Self::Fading(quantity) => vec![quantity.reach(), 3.0],
+            Self::Fading(quantity) => vec![quantity.unit.reach, 3.0],
+        }
+    }
+
+    /// Whether a coefficient is an angle on a joint of this kind.
+    pub fn turns(&self, coefficient: usize, kind: JointKind) -> bool {
+        match self {
+            Self::Plain(quantities) => quantities
+                .get(coefficient)
+                .is_some_and(|q| q.on(kind).unit.turns),
+            Self::Harmonic(quantity) | Self::Fading(quantity) => quantity.on(kind).unit.turns,
         }
     }
 
@@ -167,8 +325,9 @@ impl Form {
     }
 }
 
-/// Everything that is written about an effect.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Everything that is known of an effect before anything is measured. What is left out of an
+/// effect's file is as in [`About::PLAIN`].
+#[derive(Debug, Clone, Copy)]
 pub struct About {
     /// The name that files and commands use.
     pub id: &'static str,
@@ -188,8 +347,11 @@ pub struct About {
     pub source: &'static str,
     /// What in the machine causes it.
     pub cause: &'static str,
-    /// What it follows: where the samples show no change of it, nothing shows the effect.
+    /// What it follows: the variable of its chart. Where the samples show no change of it, nothing
+    /// shows the effect.
     pub over: Over,
+    /// What a session must have; the first that it lacks is told.
+    pub needs: &'static [Need],
     /// Whether its sizes (an amplitude apart, which is one by its form) cannot be negative.
     pub never_negative: bool,
     /// Sizes above this, in the unit of its parameters, are said to be implausible: ten times the
@@ -199,13 +361,54 @@ pub struct About {
     pub usual_size: &'static str,
     /// What it is confused with, and what tells them apart.
     pub confused_with: &'static str,
+    /// Conditions that poses have to vary to tell it from what it is confused with.
+    pub told_by: &'static [Condition],
+    /// The effect that it becomes where its setting goes to a limit: left out with that one, and
+    /// never beside it on the same joint.
+    pub becomes: Option<&'static str>,
+    /// Whether it changes with the values of other joints than its own.
+    pub of_other_joints: bool,
     /// What to look at on the machine.
     pub check: &'static str,
+    /// Its part in every calibration.
+    pub role: Role,
+    /// Whose error it is.
+    pub owner: Owner,
+    /// What is known of its coefficients beforehand, one for each; empty: nothing.
+    pub priors: &'static [Prior],
 }
 
-/// One degree in rad.
-pub const DEGREE: f64 = std::f64::consts::PI / 180.0;
-/// One part in a million.
-pub const PPM: f64 = 1e-6;
-/// One milliradian in rad.
-pub const MILLIRADIAN: f64 = 1e-3;
+impl About {
+    /// What most effects have in common: a candidate of the robot without anything scanned, that
+    /// follows the joints' values and needs nothing.
+    pub const PLAIN: Self = Self {
+        id: "",
+        title: "",
+        stage: Stage::Joint,
+        per_joint: true,
+        form: Form::Plain(&[]),
+        setting: Setting::None,
+        equation: "",
+        source: "",
+        cause: "",
+        over: Over::Angle,
+        needs: &[],
+        never_negative: false,
+        implausible_above: None,
+        usual_size: "",
+        confused_with: "",
+        told_by: &[],
+        becomes: None,
+        of_other_joints: false,
+        check: "",
+        role: Role::Candidate,
+        owner: Owner::Robot,
+        priors: &[],
+    };
+
+    /// What effects that cannot stand beside one another on a joint have in common: an effect and
+    /// what it becomes in the limit.
+    pub fn family(&self) -> &'static str {
+        self.becomes.unwrap_or(self.id)
+    }
+}

@@ -4,10 +4,12 @@
 //! x and y are the joint frame's `across_1` and `across_2`, the base's own x and y for an axis
 //! along z.
 
-use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
-use super::axis_wobble::axial_measurement_needed;
+use super::about::{About, Form, Quantity, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::{MILLIRADIAN, Unit};
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, minus, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
@@ -18,27 +20,24 @@ const ABOUT: About = About {
     id: "axis-tilt",
     title: "Axis tilt",
     stage: Stage::World,
-    per_joint: true,
     form: Form::Plain(&[
-        Quantity {
-            name: "about_x_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "about_y_mrad",
-            inner: MILLIRADIAN,
-        },
+        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
     ]),
-    setting: Setting::None,
     equation: "p = f + R_y(β) R_x(α) (p − f), f on the axis at the tool's height",
     source: "ISO 230-7: axis of rotation errors E_A0C, E_B0C",
     cause: "the column does not stand upright on the base",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(20.0),
     usual_size: "0.05 to 2 mrad",
     confused_with: "axial runout of first order at one radius: a second radius parts them",
     check: "shim the column's foot; level it along x and y",
+    needs: &[
+        Need::SINGLE_AXIS,
+        Need::REVOLUTE,
+        Need::values::<3>("three values of the joint"),
+        Need::AXIAL,
+    ],
+    ..About::PLAIN
 };
 
 impl Effect for AxisTilt {
@@ -46,14 +45,14 @@ impl Effect for AxisTilt {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        if joint > 0 || survey.joints.len() > 1 {
-            return Some("the robot has several joints: link geometry takes its place".to_owned());
-        }
-        survey
-            .not_revolute(joint)
-            .or_else(|| survey.too_few_angles(joint, 3))
-            .or_else(|| axial_measurement_needed(survey, joint))
+    fn remedy(&self, _: &Robot, term: &Term) -> Option<String> {
+        let by_mrad = |k: usize| term.coefficients[k] / MILLIRADIAN;
+        Some(format!(
+            "turn the base in the controller by {:+.4} mrad about x and {:+.4} mrad about y, or \
+             shim the column's foot",
+            by_mrad(0),
+            by_mrad(1)
+        ))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -2,9 +2,11 @@
 //!
 //! The coefficients are w cos φ and w sin φ; the order k is scanned.
 
-use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Setting, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::{add_scaled, dot, minus, scaled};
 use crate::sincos::sin_cos_small as sin_cos;
 
@@ -15,33 +17,26 @@ const ABOUT: About = About {
     id: "axis-wobble",
     title: "Axis wobble",
     stage: Stage::Bearing,
-    per_joint: true,
-    form: Form::Harmonic(Quantity {
-        name: "amplitude_mrad",
-        inner: MILLIRADIAN,
-    }),
+    form: Form::Harmonic(Quantity::new("amplitude_mrad", Unit::MILLIRADIAN)),
     setting: Setting::Order { from: 2, to: 6 },
     equation: "axial displacement R·w·cos(order·q + φ)",
     source: "ISO 230-7: tilt error motion E_AC, E_BC at the radius R",
     cause: "the bearing's raceways are wavy, so that the axis tilts as it turns",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(2.0),
     usual_size: "0.004 to 0.2 mrad",
     confused_with: "the form of a measured surface: a second radius parts them",
     check: "the bearing's axial seat and preload",
+    needs: &[
+        Need::REVOLUTE,
+        Need::values::<6>("six values of the joint"),
+        Need::AXIAL,
+    ],
+    ..About::PLAIN
 };
 
 impl Effect for AxisWobble {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        survey
-            .not_revolute(joint)
-            .or_else(|| survey.too_few_angles(joint, 6))
-            .or_else(|| axial_measurement_needed(survey, joint))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {
@@ -64,11 +59,4 @@ impl Effect for AxisWobble {
             (add_scaled(x, along, radius * wave), carry, columns)
         });
     }
-}
-
-/// What stands against every effect along the axis where only two coordinates were measured.
-pub(super) fn axial_measurement_needed(survey: &Survey, joint: usize) -> Option<String> {
-    let along_z = survey.joints[joint].frame.along[2].abs() > 1.0 - 1e-6;
-    (!survey.spatial && survey.joints.len() == 1 && along_z)
-        .then(|| "z was not measured, and the effect is along the axis".to_owned())
 }

@@ -1,8 +1,11 @@
 //! Base offset: the axis stands elsewhere in the measuring frame, `p += (dx, dy, dz)`.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 
 /// See the module.
 pub(super) struct BaseOffset;
@@ -13,39 +16,38 @@ const ABOUT: About = About {
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[
-        Quantity {
-            name: "x_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "y_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "z_mm",
-            inner: 1.0,
-        },
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
     ]),
-    setting: Setting::None,
     equation: "p = p + (x, y, z)",
     source: "ISO 9283, 5.6: the base frame as measured",
     cause: "the measuring frame was surveyed to a point beside the axis",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(50.0),
     usual_size: "0.1 to 5 mm",
     confused_with: "encoder eccentricity where only the angle is seen: the radius, or a second radius, parts them",
     check: "survey the base again",
+    needs: &[MOVED],
+    ..About::PLAIN
 };
+
+/// A robot that moved.
+const MOVED: Need = Need::of_samples("a joint that moved", |survey, _| {
+    let at_rest = survey.joints.iter().all(|j| j.values < 2);
+    at_rest.then(|| "the robot never moved: the offset cannot be told from the tool".to_owned())
+});
 
 impl Effect for BaseOffset {
     fn about(&self) -> &'static About {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
-        let at_rest = survey.joints.iter().all(|j| j.values < 2);
-        at_rest.then(|| "the robot never moved: the offset cannot be told from the tool".to_owned())
+    fn remedy(&self, _: &Robot, term: &Term) -> Option<String> {
+        let by = &term.coefficients;
+        Some(format!(
+            "move the base in the controller by ({:+.4}, {:+.4}, {:+.4}) mm, or survey it again",
+            by[0], by[1], by[2]
+        ))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

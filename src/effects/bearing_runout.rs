@@ -3,9 +3,11 @@
 //! The two directions are the joint frame's `across_1` and `across_2`: x and y for an axis along
 //! z. The coefficients are A cos φ and A sin φ; the order k is scanned.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Setting, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::{add_scaled, scaled};
 use crate::sincos::sin_cos_small as sin_cos;
 
@@ -16,32 +18,22 @@ const ABOUT: About = About {
     id: "bearing-runout",
     title: "Bearing runout",
     stage: Stage::Bearing,
-    per_joint: true,
-    form: Form::Harmonic(Quantity {
-        name: "amplitude_mm",
-        inner: 1.0,
-    }),
+    form: Form::Harmonic(Quantity::new("amplitude_mm", Unit::MM)),
     setting: Setting::Order { from: 2, to: 6 },
     equation: "centre moves by A (cos(order·q + φ), sin(order·q + φ))",
     source: "ISO 230-7: radial error motion E_XC, E_YC",
     cause: "raceways or seats of the bearing are not round",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(0.5),
     usual_size: "1 to 50 µm",
     confused_with: "the form of the target or the reflector's nest: a reversal parts them; a base offset with eccentricity: a second radius parts them",
     check: "the bearing's seat and preload",
+    needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
+    ..About::PLAIN
 };
 
 impl Effect for BearingRunout {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        survey
-            .not_revolute(joint)
-            .or_else(|| survey.too_few_angles(joint, 6))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -29,7 +29,7 @@ pub struct Lane {
     pub travel: f64,
     /// Load at the tool's origin, kg.
     pub load_kg: f64,
-    /// Temperature over 20 °C.
+    /// Temperature over 20 °C, of the joint where it was measured, else of the machine.
     pub warmth_c: f64,
     /// Time of the sample, s.
     pub time_s: f64,
@@ -37,6 +37,8 @@ pub struct Lane {
     pub setup: f64,
     /// Index of the target.
     pub target: f64,
+    /// Place of the sample in its block.
+    pub lane: usize,
 }
 
 /// A joint's value after an effect, and its derivatives.
@@ -96,7 +98,9 @@ pub struct Block<'a> {
     speed: Vec<Lanes>,
     travel: Vec<Lanes>,
     load_kg: Lanes,
-    warmth_c: Lanes,
+    warmth_c: Vec<Lanes>,
+    /// Measured torques; NaN where there is none.
+    torque_nm: Vec<Lanes>,
     time_s: Lanes,
     setup: Lanes,
     target: Lanes,
@@ -127,7 +131,8 @@ impl<'a> Block<'a> {
             speed: per_joint(),
             travel: per_joint(),
             load_kg: [0.0; LANES],
-            warmth_c: [0.0; LANES],
+            warmth_c: per_joint(),
+            torque_nm: per_joint(),
             time_s: [0.0; LANES],
             setup: [0.0; LANES],
             target: [0.0; LANES],
@@ -159,10 +164,14 @@ impl<'a> Block<'a> {
             copy(&mut self.speed[joint], inputs.speed[joint].as_deref(), 0.0);
             let travel = inputs.travel[joint].as_deref();
             copy(&mut self.travel[joint], travel, f64::INFINITY);
+            let own = inputs.joint_warmth_c.get(joint).and_then(Option::as_ref);
+            let warmth = own.or(inputs.warmth_c.as_ref());
+            copy(&mut self.warmth_c[joint], warmth.map(Vec::as_slice), 0.0);
+            let torque = inputs.torque_nm.get(joint).and_then(Option::as_deref);
+            copy(&mut self.torque_nm[joint], torque, f64::NAN);
             self.theta[joint] = self.q[joint];
         }
         copy(&mut self.load_kg, inputs.load_kg.as_deref(), 0.0);
-        copy(&mut self.warmth_c, inputs.warmth_c.as_deref(), 0.0);
         copy(&mut self.time_s, inputs.time_s.as_deref(), 0.0);
         copy(&mut self.setup, inputs.setup.as_deref(), 0.0);
         let homes = &inputs.reflectors_at_home;
@@ -193,16 +202,22 @@ impl<'a> Block<'a> {
             speed: self.speed[joint][i],
             travel: self.travel[joint][i],
             load_kg: self.load_kg[i],
-            warmth_c: self.warmth_c[i],
+            warmth_c: self.warmth_c[joint][i],
             time_s: self.time_s[i],
             setup: self.setup[i],
             target: self.target[i],
+            lane: i,
         }
     }
 
     /// Commanded value of a joint, rad or mm.
     pub(super) fn command(&self, joint: usize, lane: usize) -> f64 {
         self.q[joint][lane]
+    }
+
+    /// Measured torque about a joint, N·m; `None` where it was not measured.
+    pub(super) fn torque_nm(&self, joint: usize, lane: usize) -> Option<f64> {
+        Some(self.torque_nm[joint][lane]).filter(|torque| !torque.is_nan())
     }
 
     /// Load at the tool's origin, kg.
@@ -215,17 +230,6 @@ impl<'a> Block<'a> {
     pub fn turn<const N: usize>(&mut self, me: &Placed, f: impl Fn(f64, Lane) -> Turned<N>) {
         let joint = me.joint;
         let turned = TurnedLanes::of(|i| f(self.theta[joint][i], self.lane(joint, i)));
-        self.take_turn(me, &turned);
-    }
-
-    /// Like [`Block::turn`], for an effect that has worked something out for each sample.
-    #[inline]
-    pub fn turn_by_index<const N: usize>(
-        &mut self,
-        me: &Placed,
-        f: impl Fn(f64, usize) -> Turned<N>,
-    ) {
-        let turned = TurnedLanes::of(|i| f(self.theta[me.joint][i], i));
         self.take_turn(me, &turned);
     }
 

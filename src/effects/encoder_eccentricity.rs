@@ -5,9 +5,11 @@
 //! `sin(θ − q) = ε sin(q − φ)`, which gives θ without iteration: `θ = q + asin(ε sin(q − φ))`.
 //! The coefficients are a = ε cos φ and b = ε sin φ, so ε sin(q − φ) = a sin q − b cos q.
 
-use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
@@ -16,33 +18,24 @@ pub(super) struct EncoderEccentricity;
 const ABOUT: About = About {
     id: "encoder-eccentricity",
     title: "Encoder eccentricity",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Harmonic(Quantity {
-        name: "amplitude_deg",
-        inner: DEGREE,
-    }),
-    setting: Setting::None,
+    form: Form::Harmonic(Quantity::new("amplitude_deg", Unit::DEGREE)),
     equation: "q = atan2(sin θ + ε sin φ, cos θ + ε cos φ)",
     source: "geometry of an off-centre graduation; e = ρ ε for a ring of radius ρ",
     cause: "the encoder's ring or the gear that drives it is mounted off centre",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(0.5),
     usual_size: "10 µm of eccentricity on a ring of 50 mm radius is 0.011°",
     confused_with: "a base offset together with second-order bearing runout: a second reflector at another radius parts them; gravity wind-up: another load parts them",
     check: "centre the encoder ring, or average a second reading head at 180°",
+    needs: &[
+        Need::REVOLUTE,
+        Need::values::<4>("four values of the joint"),
+    ],
+    ..About::PLAIN
 };
 
 impl Effect for EncoderEccentricity {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        survey
-            .not_revolute(joint)
-            .or_else(|| survey.too_few_angles(joint, 4))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

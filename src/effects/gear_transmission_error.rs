@@ -3,9 +3,11 @@
 //!
 //! The coefficients are A cos φ and A sin φ; the order k is scanned.
 
-use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Setting};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
@@ -14,33 +16,22 @@ pub(super) struct GearTransmissionError;
 const ABOUT: About = About {
     id: "gear-transmission-error",
     title: "Gear transmission error",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Harmonic(Quantity {
-        name: "amplitude_deg",
-        inner: DEGREE,
-    }),
+    form: Form::Harmonic(Quantity::new("amplitude_deg", Unit::DEGREE)),
     setting: Setting::Order { from: 3, to: 360 },
     equation: "θ = q + A sin(order·q + φ)",
     source: "kinematic error of gears and strain-wave reducers, one harmonic",
     cause: "tooth or wave-generator errors in the reducer; the order tells which wheel",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(0.33),
     usual_size: "0.5′ to 2′",
     confused_with: "the order M − k where the poses are M equal steps of a turn: unequal steps part them",
     check: "compare the order with the reducer's tooth counts, then its preload and lubrication",
+    needs: &[Need::REVOLUTE, Need::values::<6>("six values of the joint")],
+    ..About::PLAIN
 };
 
 impl Effect for GearTransmissionError {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        survey
-            .not_revolute(joint)
-            .or_else(|| survey.too_few_angles(joint, 6))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -3,7 +3,7 @@
 //!
 //! Where a condition is missing an effect cannot act, so the cell takes the value at which it
 //! does not: side 0, speed 0, load 0 kg, 20 °C. A missing time is taken from the samples around
-//! it, which keeps the order.
+//! it, which keeps the order. A joint's own temperature counts before that of the machine.
 
 use std::borrow::Cow;
 
@@ -34,6 +34,10 @@ pub struct Inputs<'a> {
     pub load_kg: Option<Cow<'a, [f64]>>,
     /// Temperature over 20 °C.
     pub warmth_c: Option<Vec<f64>>,
+    /// The same of each joint, which counts for that joint before `warmth_c`.
+    pub joint_warmth_c: Vec<Option<Vec<f64>>>,
+    /// Measured torque about each joint, N·m.
+    pub torque_nm: Vec<Option<Cow<'a, [f64]>>>,
     /// Time, s.
     pub time_s: Option<Cow<'a, [f64]>>,
     /// Index of the measuring frame.
@@ -72,6 +76,12 @@ impl<'a> Inputs<'a> {
                 .collect(),
             load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
             warmth_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
+            joint_warmth_c: (0..q.len())
+                .map(|joint| of_joint(&samples.joint_temperature_c, joint).map(|t| warmth(t)))
+                .collect(),
+            torque_nm: (0..q.len())
+                .map(|joint| or_fill(of_joint(&samples.torque_nm, joint), 0.0))
+                .collect(),
             time_s: samples.time_s.as_ref().map(|t| with_gaps_bridged(t)),
             start_s: None,
             setup: samples
@@ -104,6 +114,12 @@ impl<'a> Inputs<'a> {
             travel: self.travel.iter().map(|t| t.as_deref().map(pick)).collect(),
             load_kg: self.load_kg.as_deref().map(owned),
             warmth_c: self.warmth_c.as_deref().map(pick),
+            joint_warmth_c: self
+                .joint_warmth_c
+                .iter()
+                .map(|t| t.as_deref().map(pick))
+                .collect(),
+            torque_nm: each(&self.torque_nm),
             time_s: self.time_s.as_deref().map(owned),
             setup: self.setup.as_deref().map(pick),
             target: self
@@ -128,6 +144,8 @@ impl<'a> Inputs<'a> {
             travel: vec![None; joints],
             load_kg: None,
             warmth_c: None,
+            joint_warmth_c: vec![None; joints],
+            torque_nm: vec![None; joints],
             time_s: None,
             setup: None,
             target: None,
@@ -169,6 +187,11 @@ fn joint_values(samples: &Samples, joint: usize, values: JointValues) -> Cow<'_,
         _ => commanded,
     };
     filled(chosen, 0.0)
+}
+
+/// A joint's own column, where there is one.
+fn of_joint(columns: &[Option<Vec<f64>>], joint: usize) -> Option<&Vec<f64>> {
+    columns.get(joint).and_then(Option::as_ref)
 }
 
 fn filled(column: &[f64], with: f64) -> Cow<'_, [f64]> {

@@ -1,8 +1,9 @@
 //! Instrument scale: `p (1 + s)` about the origin of the measuring frame.
 
-use super::about::{About, Form, Over, PPM, Quantity, Setting, Stage};
+use super::about::{About, Form, Owner, Quantity, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::scaled;
 
 /// See the module.
@@ -13,29 +14,21 @@ const ABOUT: About = About {
     title: "Instrument scale",
     stage: Stage::World,
     per_joint: false,
-    form: Form::Plain(&[Quantity {
-        name: "scale_ppm",
-        inner: PPM,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("scale_ppm", Unit::PPM)]),
     equation: "p = p (1 + s)",
     source: "ASME B89.4.19: scale error of a laser tracker",
     cause: "the instrument's distance scale, or its air temperature and pressure, is off",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(5000.0),
     usual_size: "10 to 500 ppm",
     confused_with: "the link's length: a scale bar parts them",
     check: "measure a scale bar; the instrument's weather station",
+    owner: Owner::Instrument,
+    ..About::PLAIN
 };
 
 impl Effect for InstrumentScale {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
-        None
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -1,6 +1,8 @@
 //! Joint compliance: `θ = q + C·τ(θ)`, τ gravity's torque about the joint at its true angle.
 //!
-//! The torque is that of the load, which hangs at the tool's origin, and of the links whose
+//! Where the joint's torque was measured it is that torque, at the angle where the joint stands, and
+//! nothing of the load and the masses is needed: C is then a plain factor. Else
+//! the torque is that of the load, which hangs at the tool's origin, and of the links whose
 //! masses are given. With the joint turned by θ the lever turns, so the equation is implicit;
 //! Newton's method solves it. The other joints stand at their commands: what their own errors
 //! change in the torque is of second order.
@@ -9,11 +11,13 @@
 //! the joint turns everything behind it rigidly, torque and slope at θ are those of the first
 //! moment Σ m (x − c), turned by θ.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
-use crate::kinematics::{Joint, JointKind};
-use crate::lanes::{LANES, add_scaled, cross, dot, minus, turned};
+use super::gravity::{first_moment, seen_by};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
+use crate::lanes::{LANES, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
 /// See the module.
@@ -22,14 +26,11 @@ pub(super) struct JointCompliance;
 const ABOUT: About = About {
     id: "joint-compliance",
     title: "Joint compliance",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "compliance_urad_per_nm",
-        inner: 1e-6,
-    }]),
-    setting: Setting::None,
-    equation: "θ = q + C·τ(θ), τ gravity's torque about the joint",
+    form: Form::Plain(&[Quantity::new(
+        "compliance_urad_per_nm",
+        Unit::MICRORADIAN_PER_NM,
+    )]),
+    equation: "θ = q + C·τ(θ), τ the measured torque, else gravity's about the joint",
     source: "a joint as a torsion spring; Khalil & Dombre, Modeling, Identification and Control of Robots, ch. 9",
     cause: "reducer, bearing and shaft wind up under the weight that hangs on the joint",
     over: Over::Load,
@@ -38,6 +39,35 @@ const ABOUT: About = About {
     usual_size: "1 to 100 µrad/(N·m)",
     confused_with: "encoder eccentricity under a single load: a second load parts them",
     check: "the payload entered in the controller; stiffness of the reducer in its data sheet",
+    needs: &[Need::REVOLUTE, TORQUE],
+    of_other_joints: true,
+    ..About::PLAIN
+};
+
+/// A torque about the joint: measured, or gravity's on what is known to hang there.
+const TORQUE: Need = Need {
+    what: "a measured torque of the joint, or gravity across its axis with a load or link masses",
+    unmet: |survey, joint| {
+        let own = &survey.joints[joint];
+        let weightless = survey.largest_load_kg <= 0.0 && !survey.link_masses;
+        let reason = match own.torque_range_nm {
+            Some(range) if range > 0.0 => return None,
+            Some(_) => "the measured torque never changed",
+            None if !survey.gravity => "the direction of gravity is not given",
+            None if !own.gravity_lever => "gravity is along the axis and has no torque about it",
+            None if weightless => "neither a load nor a link mass is given",
+            None => return None,
+        };
+        Some(reason.to_owned())
+    },
+    idle: |offered| {
+        let weight = offered.load || offered.link_masses;
+        match (offered.gravity, weight) {
+            (true, true) => None,
+            (true, false) => Some("the scenario has no load, and no link a mass"),
+            (false, _) => Some("the robot has no gravity"),
+        }
+    },
 };
 
 impl Effect for JointCompliance {
@@ -45,25 +75,19 @@ impl Effect for JointCompliance {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        if let Some(reason) = survey.not_revolute(joint) {
-            return Some(reason);
-        }
-        if !survey.gravity {
-            return Some("the direction of gravity is not given".to_owned());
-        }
-        if !survey.joints[joint].gravity_lever {
-            return Some("gravity is along the axis and has no torque about it".to_owned());
-        }
-        let weightless = survey.largest_load_kg <= 0.0 && !survey.link_masses;
-        weightless.then(|| "neither a load nor a link mass is given".to_owned())
-    }
-
     fn act(&self, me: &Placed, block: &mut Block) {
         let compliance = me.coefficients[0];
         let torques: [Torque; LANES] = std::array::from_fn(|i| Torque::of(block, me.joint, i));
-        block.turn_by_index(me, |start, i| {
-            let torque = &torques[i];
+        let measured: [Option<f64>; LANES] = std::array::from_fn(|i| block.torque_nm(me.joint, i));
+        block.turn(me, |start, at| {
+            if let Some(tau) = measured[at.lane] {
+                return Turned {
+                    to: start + compliance * tau,
+                    carry: 1.0,
+                    by: [tau],
+                };
+            }
+            let torque = &torques[at.lane];
             let mut theta = start;
             for _ in 0..NEWTON_STEPS {
                 let (tau, slope) = torque.at(theta);
@@ -97,43 +121,11 @@ struct Torque {
 impl Torque {
     /// The torque about a joint for one sample of a block.
     fn of(block: &Block, joint: usize, lane: usize) -> Self {
-        let robot = block.robot;
-        let joints = &robot.joints;
-        let tool = robot.base_from_tool.translation.vector.into();
-        let load = Weight {
-            mass_kg: block.load_kg(lane),
-            at_mm: tool,
-            behind: joints.len(),
-        };
-        let links = joints.iter().enumerate().skip(joint);
-        let links = links.filter_map(|(k, j)| {
-            j.link.map(|link| Weight {
-                mass_kg: link.mass_kg,
-                at_mm: link.centre_mm.coords.into(),
-                behind: k + 1,
-            })
-        });
-        let axis = &joints[joint].axis;
-        let origin = axis.point_mm.coords.into();
-        let mut moment = [0.0; 3];
-        for weight in links.chain([load]) {
-            let at_mm = (joint + 1..weight.behind).rev().fold(weight.at_mm, |x, k| {
-                moved(&joints[k], x, block.command(k, lane))
-            });
-            moment = add_scaled(moment, minus(at_mm, origin), weight.mass_kg * MM);
-        }
-        let gravity = robot.gravity_m_s2.map_or([0.0; 3], Into::into);
-        let gravity = (0..joint).fold(gravity, |g, k| {
-            let (sin, cos) = sin_cos(block.command(k, lane));
-            match joints[k].kind {
-                JointKind::Revolute => turned(g, direction(&joints[k]), -sin, cos),
-                JointKind::Prismatic => g,
-            }
-        });
+        let axis = &block.robot.joints[joint].axis;
         Self {
-            moment,
+            moment: first_moment(block, joint, lane),
             axis: axis.direction.into_inner().into(),
-            gravity,
+            gravity: seen_by(block, joint, lane),
         }
     }
 
@@ -147,39 +139,11 @@ impl Torque {
     }
 }
 
-/// One metre in a millimetre.
-const MM: f64 = 1e-3;
-
-/// A mass that hangs behind so many joints.
-struct Weight {
-    mass_kg: f64,
-    at_mm: [f64; 3],
-    behind: usize,
-}
-
-fn direction(joint: &Joint) -> [f64; 3] {
-    joint.axis.direction.into_inner().into()
-}
-
-fn moved(joint: &Joint, x: [f64; 3], value: f64) -> [f64; 3] {
-    match joint.kind {
-        JointKind::Revolute => {
-            let origin = joint.axis.point_mm.coords.into();
-            let (sin, cos) = sin_cos(value);
-            add_scaled(
-                turned(minus(x, origin), direction(joint), sin, cos),
-                origin,
-                1.0,
-            )
-        }
-        JointKind::Prismatic => add_scaled(x, direction(joint), value),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::effects::{Inputs, JointValues};
+    use crate::kinematics::JointKind;
     use crate::kinematics::testing::robot_and_pose;
     use crate::sessions::{Instrument, Samples, Session, Target};
     use proptest::prelude::*;

@@ -3,9 +3,11 @@
 //! The controller's counts per turn or the gear ratio are a little off, so the error grows in
 //! proportion to the angle.
 
-use super::about::{About, Form, Over, PPM, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 
 /// See the module.
 pub(super) struct JointScale;
@@ -13,31 +15,21 @@ pub(super) struct JointScale;
 const ABOUT: About = About {
     id: "joint-scale",
     title: "Joint scale",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "scale_ppm",
-        inner: PPM,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("scale_ppm", Unit::PPM)]),
     equation: "θ = (1 + k) q",
     source: "ISO 230-2: the slope of the positioning deviation",
     cause: "the gear ratio or the encoder's counts per turn are entered slightly wrong",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(5000.0),
     usual_size: "10 to 500 ppm",
     confused_with: "encoder eccentricity over less than a full turn: over a full turn they part",
     check: "compare the gear ratio and the counts per turn in the controller with the data sheets",
+    needs: &[Need::values::<2>("two values of the joint")],
+    ..About::PLAIN
 };
 
 impl Effect for JointScale {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        survey.too_few_angles(joint, 2)
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -3,41 +3,36 @@
 //! The joint's true zero is not where the controller believes it to be. Every calibration
 //! identifies it.
 
-use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Prior, Quantity, Role};
 use super::block::{Block, Turned};
-use super::{Effect, Placed, Survey};
+use super::units::Unit;
+use super::{Effect, Placed};
 
 /// See the module.
 pub(super) struct JointZeroOffset;
 
-const ABOUT: About = About {
+pub(super) const ABOUT: About = About {
     id: "joint-zero-offset",
     title: "Joint zero offset",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "offset_deg",
-        inner: DEGREE,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("offset_deg", Unit::DEGREE).sliding("offset_mm", Unit::MM)]),
     equation: "θ = q + θ0",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the reference mark or the homing position is not where the controller assumes it",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "0.01° to 0.5°",
     confused_with: "a turned measuring frame or a lateral tool offset: a datum target or a second reflector at another radius tells",
     check: "home the joint again and repeat three poses",
+    role: Role::JointZero,
+    priors: &[Prior {
+        sigma: 0.05,
+        sigma_on_slide: 20.0,
+        if_aligned: false,
+    }],
+    ..About::PLAIN
 };
 
 impl Effect for JointZeroOffset {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
-        None
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

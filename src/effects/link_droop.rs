@@ -1,8 +1,11 @@
 //! Link droop: the tool sinks along gravity in proportion to the load.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Over, Quantity, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
 /// See the module.
@@ -13,20 +16,17 @@ const ABOUT: About = About {
     title: "Link droop",
     stage: Stage::World,
     per_joint: false,
-    form: Form::Plain(&[Quantity {
-        name: "mm_per_kg",
-        inner: 1.0,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("mm_per_kg", Unit::MM_PER_KG)]),
     equation: "p = p + C·load along gravity",
     source: "the link as a linear spring under the load",
     cause: "the link or the structure bends under the load",
     over: Over::Load,
-    never_negative: false,
     implausible_above: Some(0.02),
     usual_size: "0.0001 to 0.002 mm/kg",
     confused_with: "the structure tilting as a whole: another lever arm parts them",
     check: "the bolts between base, column and link",
+    needs: &[Need::GRAVITY, Need::LOADS],
+    ..About::PLAIN
 };
 
 impl Effect for LinkDroop {
@@ -34,16 +34,8 @@ impl Effect for LinkDroop {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
-        if !survey.gravity {
-            Some("the direction of gravity is not given".to_owned())
-        } else if survey.loads == 0 {
-            Some("the session has no load".to_owned())
-        } else if survey.loads < 2 {
-            Some("the load never changed".to_owned())
-        } else {
-            None
-        }
+    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
+        Some("stiffen the link, or give the controller a payload model".to_owned())
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

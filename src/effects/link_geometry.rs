@@ -14,10 +14,13 @@
 //!
 //! Belongs to the calibration of every robot with several joints and is never a candidate.
 
-use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Prior, Quantity, Role, Stage};
 use super::block::Block;
 use super::measuring_frame::{left_jacobian, rotation};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, cross, dot, minus, scaled, times};
 
 /// See the module.
@@ -27,46 +30,42 @@ const ABOUT: About = About {
     id: "link-geometry",
     title: "Link geometry",
     stage: Stage::Bearing,
-    per_joint: true,
     form: Form::Plain(&[
-        Quantity {
-            name: "x_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "y_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "about_x_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "about_y_mrad",
-            inner: MILLIRADIAN,
-        },
+        Quantity::new("x_mm", Unit::MM).not_sliding(),
+        Quantity::new("y_mm", Unit::MM).not_sliding(),
+        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
     ]),
-    setting: Setting::None,
     equation: "T_i = exp of a small screw across the axis, before joint i",
     source: "Okamura & Park, Kinematic calibration using the product of exponentials formula, 1996",
     cause: "links are longer or shorter than drawn, axes are not square or not parallel",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "0.05 to 1 mm, 0.05 to 2 mrad",
     confused_with: "the zero of the joint before, where the axes are square to each other",
     check: "the kinematic data in the controller",
+    needs: &[SEVERAL_JOINTS],
+    role: Role::JointAxis,
+    priors: &[
+        Prior::of(1.0),
+        Prior::of(1.0),
+        Prior::of(2e-3),
+        Prior::of(2e-3),
+    ],
+    ..About::PLAIN
 };
+
+/// Several joints.
+const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
+    (survey.joints.len() == 1)
+        .then(|| "the robot has a single axis: axis tilt and base offset take its place".to_owned())
+});
 
 impl Effect for LinkGeometry {
     fn about(&self) -> &'static About {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
-        (survey.joints.len() == 1).then(|| {
-            "the robot has a single axis: axis tilt and base offset take its place".to_owned()
-        })
+    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
+        Some("enter the identified geometry as the controller's kinematic data".to_owned())
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

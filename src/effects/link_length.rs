@@ -3,33 +3,32 @@
 //! The tool moves by δ away from the axis, along the radius of its origin at home, and every
 //! reflector moves with it. An arm has link geometry instead.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Role, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::term::JointFrame;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
 /// See the module.
 pub(super) struct LinkLength;
 
-const ABOUT: About = About {
+pub(super) const ABOUT: About = About {
     id: "link-length",
     title: "Link length",
     stage: Stage::Tool,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "delta_mm",
-        inner: 1.0,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("delta_mm", Unit::MM)]),
     equation: "R = R0 + δ",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the tool or the link is longer or shorter than the controller's data",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "0.01 to 1 mm",
     confused_with: "the instrument's scale: a scale bar, or a second reflector at another radius, tells",
     check: "the tool data in the controller",
+    needs: &[Need::SINGLE_AXIS, Need::REVOLUTE, Need::RADIUS],
+    role: Role::ToolRadius,
+    ..About::PLAIN
 };
 
 impl Effect for LinkLength {
@@ -37,8 +36,13 @@ impl Effect for LinkLength {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        single_axis_with_radius(survey, joint)
+    fn remedy(&self, robot: &Robot, term: &Term) -> Option<String> {
+        let radius = JointFrame::new(robot, term.joint).radius_mm;
+        Some(format!(
+            "along the radius; set the tool's radius (l1) in the controller from {radius:.4} to \
+             {:.4} mm",
+            radius + term.coefficients[0]
+        ))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {
@@ -46,15 +50,4 @@ impl Effect for LinkLength {
         let delta = scaled(radial, me.coefficients[0]);
         block.displace(me, |_| (delta, [radial]));
     }
-}
-
-/// What stands against every effect of the tool's place about a single axis.
-pub(super) fn single_axis_with_radius(survey: &Survey, joint: usize) -> Option<String> {
-    if survey.joints.len() > 1 {
-        return Some("the robot has several joints: link geometry takes its place".to_owned());
-    }
-    survey.not_revolute(joint).or_else(|| {
-        (survey.joints[joint].frame.radius_mm == 0.0)
-            .then(|| "the tool lies on the axis and has no radius".to_owned())
-    })
 }

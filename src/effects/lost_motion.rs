@@ -3,11 +3,12 @@
 //! Friction and wind-up let the backlash build up over some travel f instead of at once; as
 //! f → 0 it becomes plain backlash.
 
-use super::about::{About, DEGREE, Form, Over, Quantity, Setting, Stage};
-use super::backlash::both_sides_needed;
+use super::about::{About, Condition, Form, Over, Quantity, Setting};
 use super::block::{Block, Turned};
+use super::needs::Need;
 use super::term::fade;
-use super::{Effect, Placed, Survey};
+use super::units::Unit;
+use super::{Effect, Placed};
 
 /// See the module.
 pub(super) struct LostMotion;
@@ -15,31 +16,26 @@ pub(super) struct LostMotion;
 const ABOUT: About = About {
     id: "lost-motion",
     title: "Lost motion",
-    stage: Stage::Joint,
-    per_joint: true,
-    form: Form::Fading(Quantity {
-        name: "width_deg",
-        inner: DEGREE,
-    }),
+    form: Form::Fading(Quantity::new("width_deg", Unit::DEGREE).sliding("width_mm", Unit::MM)),
     setting: Setting::Fade,
     equation: "θ = q − s·(width/2)(1 − 2 e^(−Δ/fade)), Δ travel since the reversal",
     source: "hysteresis loop of a reducer with friction, exponential build-up",
     cause: "friction in the reducer winds the drive up after each reversal",
-    over: Over::Side,
+    over: Over::Travel,
     never_negative: true,
     implausible_above: Some(0.33),
     usual_size: "0.5′ to 2′",
     confused_with: "backlash: approaches of three different lengths part them",
     check: "lubrication and preload of the reducer",
+    needs: &[Need::BOTH_SIDES],
+    told_by: &[Condition::Speed, Condition::Approach],
+    becomes: Some("backlash"),
+    ..About::PLAIN
 };
 
 impl Effect for LostMotion {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        both_sides_needed(survey, joint)
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -8,10 +8,11 @@
 //! the full turn, the one place where a rotation vector is singular. Turns are about the base's
 //! origin: a small one does not move the robot by the distance of the instrument.
 
-use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Owner, Prior, Quantity, Role, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::{add_scaled, cross, scaled, times};
 
 /// See the module.
@@ -23,50 +24,36 @@ const ABOUT: About = About {
     stage: Stage::World,
     per_joint: false,
     form: Form::Plain(&[
-        Quantity {
-            name: "about_x_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "about_y_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "about_z_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "x_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "y_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "z_mm",
-            inner: 1.0,
-        },
+        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_z_mrad", Unit::MILLIRADIAN),
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
     ]),
     setting: Setting::Setup,
     equation: "p = R(ω) p + t",
     source: "a rigid motion of the instrument",
     cause: "the instrument stands where it was put",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "any",
     confused_with: "the base frame: only reference points on the base tell",
     check: "measure reference points on the base in every setup",
+    role: Role::FreeFrame,
+    owner: Owner::Session,
+    priors: &[
+        Prior::of_aligned(0.02),
+        Prior::of_aligned(0.02),
+        Prior::of_aligned(0.02),
+        Prior::of_aligned(20.0),
+        Prior::of_aligned(20.0),
+        Prior::of_aligned(20.0),
+    ],
+    ..About::PLAIN
 };
 
 impl Effect for MeasuringFrame {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
-        None
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -2,8 +2,9 @@
 //! believes in: one file each, behind the trait [`Effect`], listed in [`CATALOGUE`].
 //!
 //! # To add an effect
-//! Write one file like its neighbours and add one line to [`CATALOGUE`]. Simulation,
-//! identification, diagnosis, the terminal and the window find it there.
+//! Write one file like its neighbours and add it to the list at [`CATALOGUE`]. Simulation,
+//! identification, diagnosis, design, the terminal and the window find it there, with everything
+//! that they ask of it ([`About`]); none of them decides by an effect's name.
 //!
 //! # How effects fit together
 //! A [`Block`](block::Block) of samples flows through the [`Stage`]s: joint effects change the
@@ -17,9 +18,11 @@ pub mod about;
 pub mod block;
 pub mod curve;
 pub mod inputs;
+pub mod needs;
 pub mod places;
 pub mod survey;
 pub mod term;
+pub mod units;
 
 mod axis_tilt;
 mod axis_wobble;
@@ -28,9 +31,11 @@ mod base_offset;
 mod bearing_runout;
 mod encoder_eccentricity;
 mod encoder_two_cycle;
+mod foundation_compliance;
 mod frame_drift;
 mod frame_shift;
 mod gear_transmission_error;
+mod gravity;
 mod instrument_scale;
 mod joint_compliance;
 mod joint_scale;
@@ -40,6 +45,7 @@ mod link_geometry;
 mod link_length;
 mod lost_motion;
 pub(crate) mod measuring_frame;
+mod screw_pitch;
 mod thermal_growth;
 mod thermal_zero_drift;
 mod tool_lateral_offset;
@@ -49,17 +55,23 @@ mod tracking_lag;
 mod unexplained;
 mod wrist_coupling;
 
-pub use about::{About, Form, Over, Quantity, Setting, Stage};
+pub use about::{
+    About, Condition, Form, Listed, OnSlide, Over, Owner, Prior, Quantity, Role, Setting, Stage,
+};
 pub use curve::Curve;
 pub use inputs::{Inputs, JointValues};
 pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
+pub use needs::{Need, Offered};
 pub use places::{UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
 pub use survey::Survey;
 pub use term::{Held, Parameter, Placed, Term, TermError};
 pub use tool_orientation::ToolOrientation;
 pub use tool_position::ToolPosition;
 pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
+pub use units::Unit;
+
+use crate::kinematics::{JointKind, Robot};
 
 /// One physical effect.
 pub trait Effect: Sync {
@@ -67,13 +79,26 @@ pub trait Effect: Sync {
     fn about(&self) -> &'static About;
 
     /// Whether there is such an effect on a joint at all, whatever is measured.
-    fn exists_on(&self, joint: usize) -> bool {
-        let _ = joint;
+    fn exists_on(&self, joint: usize, kind: JointKind) -> bool {
+        let _ = (joint, kind);
         true
     }
 
-    /// Why this session cannot show the effect on this joint; `None` where it can.
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String>;
+    /// Why this session cannot show the effect on this joint; `None` where it can: the first of
+    /// its needs that is not met.
+    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
+        let needs = self.about().needs.iter();
+        needs
+            .map(|need| (need.unmet)(survey, joint))
+            .find_map(|reason| reason)
+    }
+
+    /// What in the controller's data would remove the effect where commands of the joints cannot;
+    /// `None` where only work on the machine does.
+    fn remedy(&self, robot: &Robot, term: &Term) -> Option<String> {
+        let _ = (robot, term);
+        None
+    }
 
     /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
     fn act(&self, me: &Placed, block: &mut block::Block);
@@ -86,6 +111,7 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &encoder_eccentricity::EncoderEccentricity,
     &encoder_two_cycle::EncoderTwoCycle,
     &gear_transmission_error::GearTransmissionError,
+    &screw_pitch::ScrewPitch,
     &backlash::Backlash,
     &lost_motion::LostMotion,
     &tracking_lag::TrackingLag,
@@ -98,6 +124,7 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &bearing_runout::BearingRunout,
     &axis_wobble::AxisWobble,
     &link_droop::LinkDroop,
+    &foundation_compliance::FoundationCompliance,
     &axis_tilt::AxisTilt,
     &base_offset::BaseOffset,
     &instrument_scale::InstrumentScale,
@@ -125,6 +152,24 @@ pub fn find(id: &str) -> Option<&'static dyn Effect> {
     all.copied().find(|effect| effect.about().id == id)
 }
 
+/// The zero offset of a joint.
+pub fn joint_zero() -> &'static dyn Effect {
+    &joint_zero_offset::JointZeroOffset
+}
+
+/// The length from a single axis to the tool.
+pub fn tool_radius() -> &'static dyn Effect {
+    &link_length::LinkLength
+}
+
+/// The effects that every calibration of a single axis identifies.
+pub const OF_A_SINGLE_AXIS: [&str; 2] = [joint_zero_offset::ABOUT.id, link_length::ABOUT.id];
+
+/// The part of the effect of this name in every calibration; a name that is none has none.
+pub fn role(id: &str) -> Role {
+    find(id).map_or(Role::Candidate, |effect| effect.about().role)
+}
+
 /// Place of an effect among all: effects act in this order, that of the catalogue. The measuring
 /// frame acts before what is told in the instrument's own axes (its scale, a shift, a drift), and
 /// what else stands beside the catalogue acts after everything of its stage.
@@ -137,7 +182,10 @@ pub fn rank(effect: &dyn Effect) -> usize {
     };
     match place(id) {
         Some(place) => 2 * place + 1,
-        None if id == MeasuringFrame.about().id => 2 * place("instrument-scale").unwrap_or(0),
+        None if effect.about().role == Role::FreeFrame => {
+            let instruments = |e: &&dyn Effect| e.about().owner == Owner::Instrument;
+            2 * CATALOGUE.iter().position(instruments).unwrap_or(0)
+        }
         None => 2 * CATALOGUE.len() + beside(),
     }
 }

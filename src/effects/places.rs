@@ -9,11 +9,12 @@
 //! plane    normal (its largest component is kept), distance mm      socket   x, y, z mm
 //! ```
 
-use nalgebra::{Point3, Unit, Vector3};
+use nalgebra::{Point3, Vector3};
 
-use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Owner, Quantity, Role, Setting, Stage};
 use super::block::Block;
-use super::{Effect, Placed, Survey, Term};
+use super::units::Unit;
+use super::{Effect, Placed, Term};
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What kind of place.
@@ -50,17 +51,6 @@ pub struct UnknownPlane;
 /// A socket whose position is not known.
 pub struct UnknownSocket;
 
-const fn length(name: &'static str) -> Quantity {
-    Quantity { name, inner: 1.0 }
-}
-
-const fn turn(name: &'static str) -> Quantity {
-    Quantity {
-        name,
-        inner: MILLIRADIAN,
-    }
-}
-
 const fn about(id: &'static str, title: &'static str, form: Form, equation: &'static str) -> About {
     About {
         id,
@@ -72,12 +62,12 @@ const fn about(id: &'static str, title: &'static str, form: Form, equation: &'st
         equation,
         source: "what the measurements refer to",
         cause: "the session does not say where it is",
-        over: Over::Angle,
-        never_negative: false,
-        implausible_above: None,
         usual_size: "any",
         confused_with: "the base of the robot, where nothing else says where that stands",
         check: "measure it with another instrument",
+        role: Role::Place,
+        owner: Owner::Session,
+        ..About::PLAIN
     }
 }
 
@@ -85,10 +75,10 @@ static ANCHOR: About = about(
     "anchor",
     "Anchor",
     Form::Plain(&[
-        length("x_mm"),
-        length("y_mm"),
-        length("z_mm"),
-        length("offset_mm"),
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
+        Quantity::new("offset_mm", Unit::MM),
     ]),
     "distance = |p − a| + offset",
 );
@@ -96,12 +86,12 @@ static STATION: About = about(
     "station",
     "Station",
     Form::Plain(&[
-        turn("about_x_mrad"),
-        turn("about_y_mrad"),
-        turn("about_z_mrad"),
-        length("x_mm"),
-        length("y_mm"),
-        length("z_mm"),
+        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_z_mrad", Unit::MILLIRADIAN),
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
     ]),
     "direction = R(ω)ᵀ (p − s)",
 );
@@ -109,17 +99,21 @@ static PLANE: About = about(
     "plane",
     "Plane",
     Form::Plain(&[
-        length("normal_x"),
-        length("normal_y"),
-        length("normal_z"),
-        length("distance_mm"),
+        Quantity::new("normal_x", Unit::DIRECTION),
+        Quantity::new("normal_y", Unit::DIRECTION),
+        Quantity::new("normal_z", Unit::DIRECTION),
+        Quantity::new("distance_mm", Unit::MM),
     ]),
     "n·p = d",
 );
 static SOCKET: About = about(
     "socket",
     "Socket",
-    Form::Plain(&[length("x_mm"), length("y_mm"), length("z_mm")]),
+    Form::Plain(&[
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
+    ]),
     "p = s",
 );
 
@@ -128,10 +122,6 @@ macro_rules! place_effect {
         impl Effect for $type {
             fn about(&self) -> &'static About {
                 &$about
-            }
-
-            fn obstacle(&self, _: &Survey, _: usize) -> Option<String> {
-                Some("it is a place that measurements refer to, not a part of the robot".to_owned())
             }
 
             /// The robot does what it does wherever it is measured from.
@@ -163,20 +153,6 @@ impl PlaceKind {
         let id = term.effect.about().id;
         let mut all = Self::ALL.into_iter();
         all.find(|kind| kind.effect().about().id == id)
-    }
-}
-
-/// Whether an effect of this name is a place.
-pub fn is_place(id: &str) -> bool {
-    let mut all = PlaceKind::ALL.into_iter();
-    all.any(|kind| kind.effect().about().id == id)
-}
-
-/// Whether this coefficient of a place is a turn, or a part of a normal.
-pub fn turns(kind: PlaceKind, coefficient: usize) -> bool {
-    match kind {
-        PlaceKind::Anchor | PlaceKind::Socket => false,
-        PlaceKind::Station | PlaceKind::Plane => coefficient < 3,
     }
 }
 
@@ -280,8 +256,8 @@ pub fn term(
 }
 
 /// A normal as a place's coefficients have it, which need not be of unit length.
-pub(crate) fn unit_normal(coefficients: &[f64]) -> (Unit<Vector3<f64>>, f64) {
+pub(crate) fn unit_normal(coefficients: &[f64]) -> (nalgebra::Unit<Vector3<f64>>, f64) {
     let v = Vector3::new(coefficients[0], coefficients[1], coefficients[2]);
     let length = v.norm().max(f64::MIN_POSITIVE);
-    (Unit::new_unchecked(v / length), length)
+    (nalgebra::Unit::new_unchecked(v / length), length)
 }

@@ -28,6 +28,10 @@ pub struct JointSurvey {
     pub largest_speed: f64,
     /// Whether gravity is known and has a lever about the joint in some measured pose.
     pub gravity_lever: bool,
+    /// Range of the joint's own temperature, K; `None` where it was not measured.
+    pub warming_c: Option<f64>,
+    /// Range of the joint's measured torque, N·m; `None` where it was not measured.
+    pub torque_range_nm: Option<f64>,
 }
 
 /// See the module.
@@ -85,6 +89,11 @@ impl Survey {
         }
     }
 
+    /// Range of the temperature that counts for a joint, K; `None`: not measured.
+    pub fn warming_of(&self, joint: usize) -> Option<f64> {
+        self.joints[joint].warming_c.or(self.warming_c)
+    }
+
     /// The reason that stands against every effect that needs an angle of rotation.
     pub fn not_revolute(&self, joint: usize) -> Option<String> {
         (self.joints[joint].kind == JointKind::Prismatic)
@@ -124,6 +133,8 @@ fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
         speeds: distinct(speeds),
         largest_speed: slowest.abs().max(fastest.abs()),
         gravity_lever: lever,
+        warming_c: range(inputs.joint_warmth_c.get(joint).and_then(Option::as_deref)),
+        torque_range_nm: range(inputs.torque_nm.get(joint).and_then(Option::as_deref)),
     }
 }
 
@@ -170,6 +181,14 @@ fn extremes(values: &[f64]) -> (f64, f64) {
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
             (low.min(*v), high.max(*v))
         })
+}
+
+/// From the smallest to the largest value.
+fn range(values: Option<&[f64]>) -> Option<f64> {
+    values.map(|values| {
+        let (low, high) = extremes(values);
+        high - low
+    })
 }
 
 /// Number of different values, counted up to [`ENOUGH`].

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::units::wrapped_positive;
 
-use super::about::{DEGREE, Form, MILLIRADIAN, Quantity, Setting};
+use super::about::{Form, Quantity, Setting};
 use super::curve::Curve;
 use super::places::PlaceKind;
-use super::{Effect, UNEXPLAINED, find};
+use super::units::{DEGREE, MILLIRADIAN, Unit};
+use super::{Effect, Role, find};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
 /// absent.
@@ -139,7 +140,7 @@ impl Term {
         if joint == 0 || joint > joints {
             return Err(TermError::NoSuchJoint { joint, joints });
         }
-        if id == UNEXPLAINED {
+        if about.role == Role::Unexplained {
             let (effect, name) = (about.id, "curve");
             return Err(TermError::Missing { effect, name });
         }
@@ -158,7 +159,7 @@ impl Term {
             let turning = given.iter().find(|g| g.0 == quantity.name);
             let on_slide = quantity.on(JointKind::Prismatic);
             let sliding = given.iter().find(|g| g.0 == on_slide.name);
-            let inner = |g: &(&str, f64), q: Quantity| g.1 * q.inner;
+            let inner = |g: &(&str, f64), q: Quantity| g.1 * q.unit.inner;
             turning
                 .map(|g| inner(g, quantity))
                 .or_else(|| sliding.map(|g| inner(g, on_slide)))
@@ -170,8 +171,14 @@ impl Term {
                 effect: about.id,
                 name: quantity.name,
             };
-            term.setting = inner_value(quantity).ok_or(missing)?;
-            check_setting(effect, quantity.name, term.setting / quantity.inner)?;
+            let usual = || match about.setting {
+                Setting::Listed(listed) => (listed.usual)(joint - 1),
+                _ => None,
+            };
+            let usual = || usual().map(|value| value * quantity.unit.inner);
+            term.setting = inner_value(quantity).or_else(usual).ok_or(missing)?;
+            let outer = term.setting / quantity.unit.inner;
+            check_setting(effect, [joint - 1, joints], quantity.name, outer)?;
         }
         match about.form {
             Form::Plain(quantities) => {
@@ -180,7 +187,7 @@ impl Term {
                 }
             }
             Form::Harmonic(quantity) => {
-                let amplitude = value(quantity.name).unwrap_or(0.0) * quantity.inner;
+                let amplitude = value(quantity.name).unwrap_or(0.0) * quantity.unit.inner;
                 let phase = crate::units::rad_from_deg(value("phase_deg").unwrap_or(0.0));
                 term.coefficients = vec![amplitude * phase.cos(), amplitude * phase.sin()];
             }
@@ -201,8 +208,8 @@ impl Term {
         let about = self.effect.about();
         let mut parameters = Vec::new();
         if let Some(quantity) = setting_quantity(about.setting) {
-            let Quantity { name, inner } = quantity.on(kind);
-            let value = self.scanned() / inner;
+            let Quantity { name, unit, .. } = quantity.on(kind);
+            let value = self.scanned() / unit.inner;
             parameters.push(Parameter { name, value });
         }
         match about.form {
@@ -211,7 +218,7 @@ impl Term {
                     let quantity = quantity.on(kind);
                     parameters.push(Parameter {
                         name: quantity.name,
-                        value: coefficient / quantity.inner,
+                        value: coefficient / quantity.unit.inner,
                     });
                 }
             }
@@ -219,7 +226,7 @@ impl Term {
                 let (a, b) = (self.coefficients[0], self.coefficients[1]);
                 parameters.push(Parameter {
                     name: quantity.name,
-                    value: a.hypot(b) / quantity.inner,
+                    value: a.hypot(b) / quantity.unit.inner,
                 });
                 parameters.push(Parameter {
                     name: "phase_deg",
@@ -230,7 +237,7 @@ impl Term {
                 let quantity = quantity.on(kind);
                 parameters.push(Parameter {
                     name: quantity.name,
-                    value: self.coefficients[0] / quantity.inner,
+                    value: self.coefficients[0] / quantity.unit.inner,
                 });
             }
         }
@@ -277,6 +284,16 @@ impl Term {
             let before = self.coefficients[1] - by;
             let moved = before + by.clamp(-LONGEST_STEP, LONGEST_STEP);
             self.coefficients[1] = moved.clamp(-FARTHEST, FARTHEST);
+        }
+    }
+
+    /// The effect's name for reading; of a robot with several joints with the joint, counted from 1.
+    pub fn name_on(&self, robot: &crate::kinematics::Robot) -> String {
+        let about = self.effect.about();
+        if about.per_joint && robot.joints.len() > 1 {
+            format!("{} {}", about.id, self.joint + 1)
+        } else {
+            about.id.to_owned()
         }
     }
 
@@ -338,12 +355,18 @@ pub(super) fn fade(setting: f64, u: f64) -> f64 {
 
 /// Name and inner size of the scanned parameter, where the user sees one.
 pub fn setting_quantity(setting: Setting) -> Option<Quantity> {
-    let quantity = |name, inner| Some(Quantity { name, inner });
     match setting {
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
-        Setting::Order { .. } => quantity("order", 1.0),
-        Setting::Time => quantity("time_s", 1.0),
-        Setting::Fade => quantity("fade_deg", DEGREE),
+        Setting::Order { from, .. } => {
+            let unit = Unit::ONE.like(f64::from(from));
+            Some(Quantity::new("order", unit))
+        }
+        Setting::Time => Some(Quantity::new("time_s", Unit::SECOND.like(120.0))),
+        Setting::Fade => {
+            let degrees = Quantity::new("fade_deg", Unit::DEGREE.like(5.0));
+            Some(degrees.sliding("fade_mm", Unit::MM))
+        }
+        Setting::Listed(listed) => Some(listed.quantity),
     }
 }
 
@@ -365,6 +388,16 @@ pub fn names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
     names
 }
 
+/// An effect's parameters at values that can be seen in a simulation.
+pub fn parameters_to_see(effect: &dyn Effect) -> Vec<(&'static str, f64)> {
+    let about = effect.about();
+    let quantities = setting_quantity(about.setting).into_iter();
+    let quantities = quantities.chain(about.form.quantities().iter().copied());
+    let shown = quantities.map(|q| (q.name, q.unit.example));
+    let phase = matches!(about.form, Form::Harmonic(_)).then_some(("phase_deg", 30.0));
+    shown.chain(phase).collect()
+}
+
 /// Names of what identification solves for, one for each coefficient; an amplitude and its phase
 /// stand for their two parts.
 pub fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'static str> {
@@ -380,7 +413,12 @@ pub fn coefficient_names_on(effect: &dyn Effect, kind: JointKind) -> Vec<&'stati
     names
 }
 
-fn check_setting(effect: &dyn Effect, name: &'static str, given: f64) -> Result<(), TermError> {
+fn check_setting(
+    effect: &dyn Effect,
+    [joint, joints]: [usize; 2],
+    name: &'static str,
+    given: f64,
+) -> Result<(), TermError> {
     let about = effect.about();
     let expected = match about.setting {
         Setting::Order { from, to } => {
@@ -392,6 +430,9 @@ fn check_setting(effect: &dyn Effect, name: &'static str, given: f64) -> Result<
         }
         Setting::Fade => (given < 0.0 || !given.is_finite()).then(|| "zero or more".to_owned()),
         Setting::Time => (!given.is_finite()).then(|| "a time".to_owned()),
+        Setting::Listed(listed) => {
+            (!(listed.takes)(given, joint, joints)).then(|| listed.expected.to_owned())
+        }
         Setting::None | Setting::Setup | Setting::Target | Setting::Place => None,
     };
     match expected {

@@ -1,9 +1,11 @@
 //! Thermal growth: `R (1 + α (T − 20 °C))`, R from the joint's axis to the measured reflector.
 
-use super::about::{About, Form, Over, PPM, Quantity, Setting, Stage};
+use super::about::{About, Condition, Form, Over, Quantity, Stage};
 use super::block::Block;
-use super::thermal_zero_drift::temperature_needed;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus, scaled};
 
 /// See the module.
@@ -13,21 +15,18 @@ const ABOUT: About = About {
     id: "thermal-growth",
     title: "Thermal growth",
     stage: Stage::Link,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "ppm_per_degc",
-        inner: PPM,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("ppm_per_degc", Unit::PPM_PER_KELVIN)]),
     equation: "R (1 + α (T − 20 °C))",
     source: "linear thermal expansion; ISO 230-3",
     cause: "the arm grows as it warms up: steel by some 12 ppm/K, aluminium by 23",
     over: Over::Temperature,
-    never_negative: false,
     implausible_above: Some(230.0),
     usual_size: "0.12 to 0.23 mm per metre and 10 K",
     confused_with: "a drift in time while the machine warms up: a cool-down run parts them",
     check: "let the machine warm up before measuring, or enter the arm's expansion in the controller",
+    needs: &[Need::REVOLUTE, Need::TEMPERATURE],
+    told_by: &[Condition::Temperature],
+    ..About::PLAIN
 };
 
 impl Effect for ThermalGrowth {
@@ -35,10 +34,8 @@ impl Effect for ThermalGrowth {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        survey
-            .not_revolute(joint)
-            .or_else(|| temperature_needed(survey))
+    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
+        Some("let the machine warm up, or enter the arm's expansion in the controller".to_owned())
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

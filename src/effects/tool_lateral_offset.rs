@@ -1,9 +1,11 @@
 //! Tool lateral offset: the tool is displaced across the radius, in the joint's positive sense.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Stage};
 use super::block::Block;
-use super::link_length::single_axis_with_radius;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
 use crate::lanes::scaled;
 
 /// See the module.
@@ -13,34 +15,34 @@ const ABOUT: About = About {
     id: "tool-lateral-offset",
     title: "Tool lateral offset",
     stage: Stage::Tool,
-    per_joint: true,
-    form: Form::Plain(&[Quantity {
-        name: "delta_mm",
-        inner: 1.0,
-    }]),
-    setting: Setting::None,
+    form: Form::Plain(&[Quantity::new("delta_mm", Unit::MM)]),
     equation: "the tool at home moves by δ across the radius",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the tool is mounted beside the radius that the controller assumes",
-    over: Over::Angle,
-    never_negative: false,
     implausible_above: Some(10.0),
     usual_size: "0.01 to 1 mm",
     confused_with: "the joint's zero offset: only a second reflector at another radius tells",
     check: "the tool flange and the tool data in the controller",
+    needs: &[Need::SINGLE_AXIS, Need::REVOLUTE, Need::RADIUS, TWO_TARGETS],
+    ..About::PLAIN
 };
+
+/// A second reflector.
+const TWO_TARGETS: Need = Need::of_samples("two reflectors", |survey, _| {
+    (survey.targets < 2)
+        .then(|| "with one reflector it cannot be told from the joint's zero offset".to_owned())
+});
 
 impl Effect for ToolLateralOffset {
     fn about(&self) -> &'static About {
         &ABOUT
     }
 
-    fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
-        single_axis_with_radius(survey, joint).or_else(|| {
-            (survey.targets < 2).then(|| {
-                "with one reflector it cannot be told from the joint's zero offset".to_owned()
-            })
-        })
+    fn remedy(&self, _: &Robot, term: &Term) -> Option<String> {
+        Some(format!(
+            "move the tool in the controller's tool data by {:+.4} mm across the radius",
+            term.coefficients[0]
+        ))
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -4,11 +4,13 @@
 //! Belongs to the calibration of a robot with several joints where orientation is measured, or where
 //! several targets of known arrangement show it; never a candidate.
 
-use super::about::{About, Form, MILLIRADIAN, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Prior, Quantity, Role, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::measuring_frame::{left_jacobian, rotation};
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::{add_scaled, cross, minus, times};
 
 /// See the module.
@@ -20,46 +22,41 @@ const ABOUT: About = About {
     stage: Stage::Tool,
     per_joint: false,
     form: Form::Plain(&[
-        Quantity {
-            name: "about_x_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "about_y_mrad",
-            inner: MILLIRADIAN,
-        },
-        Quantity {
-            name: "about_z_mrad",
-            inner: MILLIRADIAN,
-        },
+        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_z_mrad", Unit::MILLIRADIAN),
     ]),
-    setting: Setting::None,
     equation: "M = M R(ω)",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the tool is mounted turned, or its data in the controller are",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "0.1 to 50 mrad",
     confused_with: "the zero of the last joint, which turns the tool as well",
     check: "the tool data in the controller",
+    needs: &[SEVERAL_JOINTS, THREE_TARGETS],
+    role: Role::ToolTurn,
+    priors: &[Prior::of(0.1); 3],
+    ..About::PLAIN
 };
+
+/// Several joints.
+const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
+    (survey.joints.len() == 1)
+        .then(|| "the robot has a single axis: its zero offset takes its place".to_owned())
+});
+
+/// Enough targets to tell how the tool is turned.
+const THREE_TARGETS: Need = Need::of_samples("three targets, or orientation", |survey, _| {
+    (survey.targets < 3).then(|| {
+        format!(
+            "orientation is not measured, and {} of three targets on the tool",
+            survey.targets
+        )
+    })
+});
 
 impl Effect for ToolOrientation {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
-        if survey.joints.len() == 1 {
-            return Some("the robot has a single axis: its zero offset takes its place".to_owned());
-        }
-        (survey.targets < 3).then(|| {
-            format!(
-                "orientation is not measured, and {} of three targets on the tool",
-                survey.targets
-            )
-        })
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -5,10 +5,12 @@
 //! term's setting says whose part it is: 0 what all targets share, else the target, counted
 //! from 1. Coefficients are in the tool frame, mm.
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Prior, Quantity, Role, Setting, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
-use super::{Effect, Placed, Survey};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed};
 use crate::lanes::{scaled, times};
 
 /// See the module.
@@ -20,39 +22,32 @@ const ABOUT: About = About {
     stage: Stage::Tool,
     per_joint: false,
     form: Form::Plain(&[
-        Quantity {
-            name: "x_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "y_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "z_mm",
-            inner: 1.0,
-        },
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
     ]),
     setting: Setting::Target,
     equation: "target = target + (x, y, z) in the tool frame",
     source: "Mooring, Roth & Driels, Fundamentals of Manipulator Calibration, 1991",
     cause: "the tool data in the controller, or the place of the target on the tool",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "0.1 to 50 mm",
     confused_with: "the zero of the last joint, where all targets sit at one distance from its axis",
     check: "measure the targets on the tool",
+    needs: &[SEVERAL_JOINTS],
+    role: Role::ToolPlace,
+    priors: &[Prior::of(50.0); 3],
+    ..About::PLAIN
 };
+
+/// Several joints.
+const SEVERAL_JOINTS: Need = Need::of_samples("several joints", |survey, _| {
+    (survey.joints.len() == 1)
+        .then(|| "the robot has a single axis: link length takes its place".to_owned())
+});
 
 impl Effect for ToolPosition {
     fn about(&self) -> &'static About {
         &ABOUT
-    }
-
-    fn obstacle(&self, survey: &Survey, _: usize) -> Option<String> {
-        (survey.joints.len() == 1)
-            .then(|| "the robot has a single axis: link length takes its place".to_owned())
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

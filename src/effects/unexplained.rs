@@ -10,11 +10,12 @@
 
 use std::sync::Arc;
 
-use super::about::{About, Form, Over, Quantity, Setting, Stage};
+use super::about::{About, Form, Quantity, Role, Stage};
 use super::base_offset::AXES;
 use super::block::Block;
 use super::curve::Curve;
 use super::term::JointFrame;
+use super::units::Unit;
 use super::{Effect, Placed, Survey, Term};
 use crate::kinematics::JointKind;
 use crate::lanes::{add_scaled, cross, minus, turned};
@@ -29,18 +30,15 @@ const ABOUT: About = About {
     id: UNEXPLAINED,
     title: "Unexplained",
     stage: Stage::Link,
-    per_joint: true,
     form: Form::Plain(&[]),
-    setting: Setting::None,
     equation: "p = exp([ξ] s_t(q)) (p + s_r(q) r + s_a(q) a)",
     source: "penalised regression: Wood, Generalized Additive Models, 2017; cubic weights: Catmull & Rom 1974",
     cause: "unknown: no effect of the catalogue explains it",
-    over: Over::Angle,
-    never_negative: false,
-    implausible_above: None,
     usual_size: "any",
     confused_with: "whatever was not measured: it holds for the measured range and the conditions of the session",
     check: "look at the machine where the joint stands in that range: scale, bearing, cables, cover",
+    role: Role::Unexplained,
+    ..About::PLAIN
 };
 
 impl Effect for Unexplained {
@@ -90,18 +88,9 @@ const DIRECTIONS: About = About {
     id: "unexplained-directions",
     title: "Directions of what is unexplained",
     form: Form::Plain(&[
-        Quantity {
-            name: "motion_rad",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "radial_mm",
-            inner: 1.0,
-        },
-        Quantity {
-            name: "axial_mm",
-            inner: 1.0,
-        },
+        Quantity::new("motion_rad", Unit::RADIAN),
+        Quantity::new("radial_mm", Unit::MM),
+        Quantity::new("axial_mm", Unit::MM),
     ]),
     ..ABOUT
 };

@@ -35,6 +35,7 @@ pub(super) const FORMAT: Format = Format {
     title: "C99 header with a lookup function",
     extension: "h",
     rules: Some(&RULES),
+    suits: super::any_robot,
     exporter: &TableFile {
         rules: &RULES,
         write,

@@ -83,6 +83,11 @@ impl Corrected {
         }
     }
 
+    /// The motion of the tool by a model's effects, at home; `None` where it is not rigid.
+    pub(super) fn motion(model: &Model) -> Option<Pose> {
+        motion_at_home(model)
+    }
+
     /// The chain that a model's links form at home.
     fn chain(model: &Model) -> Option<(Robot, Vec<Pose>)> {
         let mut robot = model.robot.clone();

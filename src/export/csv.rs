@@ -35,6 +35,7 @@ pub(super) const FORMAT: Format = Format {
     title: "CSV table with JSON metadata",
     extension: "csv",
     rules: Some(&RULES),
+    suits: super::any_robot,
     exporter: &TableFile {
         rules: &RULES,
         write,

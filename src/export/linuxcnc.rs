@@ -47,6 +47,7 @@ pub(super) const FORMAT: Format = Format {
     title: "LinuxCNC COMP_FILE",
     extension: "comp",
     rules: Some(&RULES),
+    suits: super::any_robot,
     exporter: &TableFile {
         rules: &RULES,
         write,

@@ -4,8 +4,8 @@
 //! Write one file like its neighbours and add one line to [`EXPORTERS`]; the terminal, the window
 //! and the report find it there. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
 //! directions, ends, turns) and brings a function that writes and one that reads; choosing the
-//! entries, checking, and saying what the controller leaves is the same for all. Anything else
-//! has the trait [`Exporter`] itself, as the URDF does.
+//! entries, checking, and saying what the controller leaves is the same for all. A description of
+//! the corrected robot writes a [`chain`] and reads it back ([`description`]), as the URDF does.
 //!
 //! # Signs
 //! The trap of every compensation table is its sign. Here everything starts from the correction:
@@ -15,23 +15,37 @@
 //! [`gap_left`] the gap that it leaves on a session, [`Left`] what it leaves over the measured range.
 
 mod c_header;
+mod chain;
 mod corrected;
 mod csv;
+mod description;
+mod dh;
+mod dh_rows;
+mod euler;
+mod frames;
 mod grid;
 mod knots;
 mod left;
+mod lerobot;
 mod linuxcnc;
+mod mjcf;
+mod names;
+mod options;
 mod read_back;
 mod rules;
 mod sheet;
 pub(crate) mod sidecar;
 mod sinumerik;
+mod steps;
 mod table_file;
 mod twincat_cnc;
 mod twincat_nc;
+mod ur_kinematics;
 mod urdf;
 
 pub use left::{Allowance, Left};
+pub use lerobot::lerobot_calibration;
+pub use options::{Motors, Options, Reference, Zeros};
 pub use read_back::{ReadBack, gap_left, gap_to};
 pub use rules::{Directions, Rules, Says, Spacing};
 pub use sheet::Sheet;
@@ -62,6 +76,8 @@ pub struct Format {
     pub extension: &'static str,
     /// What it is, where it is a table.
     pub rules: Option<&'static Rules>,
+    /// Whether it is for robots like this one. (Others are refused, or have something simpler.)
+    pub suits: fn(&Robot) -> bool,
     /// What makes it.
     pub exporter: &'static dyn Exporter,
 }
@@ -75,7 +91,20 @@ pub const EXPORTERS: &[Format] = &[
     twincat_cnc::FORMAT,
     sinumerik::FORMAT,
     urdf::FORMAT,
+    mjcf::FORMAT,
+    dh::FORMAT,
+    ur_kinematics::FORMAT,
+    frames::FORMAT,
+    lerobot::FORMAT,
 ];
+
+fn any_robot(_: &Robot) -> bool {
+    true
+}
+
+fn several_joints(robot: &Robot) -> bool {
+    robot.joints.len() > 1
+}
 
 /// The format of this name.
 pub fn find(id: &str) -> Option<&'static Format> {
@@ -95,6 +124,8 @@ pub struct Job<'a> {
     pub conditions: Conditions,
     /// Name of the file to be written, without its folder.
     pub file_name: &'a str,
+    /// What a description of the robot is asked for besides.
+    pub options: Options<'a>,
 }
 
 impl<'a> Job<'a> {
@@ -106,6 +137,7 @@ impl<'a> Job<'a> {
             step: None,
             conditions: Conditions::default(),
             file_name,
+            options: Options::default(),
         }
     }
 

@@ -31,6 +31,9 @@ pub(super) struct Sidecar {
     unit: &'static str,
     unit_of_the_numbers: &'static str,
     sign: &'static str,
+    /// How much of what was identified it carries.
+    level: &'static str,
+    level_in_words: &'static str,
     example: Example,
     in_the_controller: Vec<String>,
     tried: Option<&'static str>,
@@ -122,6 +125,8 @@ impl Sidecar {
             unit: sheet.unit(),
             unit_of_the_numbers: rules.unit(sheet.kind),
             sign: rules.says.sentence(),
+            level: "effects-of-a-joint",
+            level_in_words: "everything that this joint can correct, its zero offset included",
             example: Example::new(job, sheet, rules),
             in_the_controller,
             tried: rules.label,

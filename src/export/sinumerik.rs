@@ -45,6 +45,7 @@ pub(super) const FORMAT: Format = Format {
     title: "SINUMERIK ENC_COMP archive",
     extension: "arc",
     rules: Some(&RULES),
+    suits: super::any_robot,
     exporter: &TableFile {
         rules: &RULES,
         write,

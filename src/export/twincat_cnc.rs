@@ -47,6 +47,7 @@ pub(super) const FORMAT: Format = Format {
     title: "TwinCAT CNC (ISG) list",
     extension: "lis",
     rules: Some(&RULES),
+    suits: super::any_robot,
     exporter: &TableFile {
         rules: &RULES,
         write,

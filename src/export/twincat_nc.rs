@@ -48,6 +48,7 @@ pub(super) const FORMAT: Format = Format {
     title: "TwinCAT NC structured text",
     extension: "st",
     rules: Some(&RULES),
+    suits: super::any_robot,
     exporter: &TableFile {
         rules: &RULES,
         write,

@@ -12,6 +12,9 @@
 //! frames · tool · targets · zero offsets 1 … n · tool orientation · link geometry 1 … n
 //! ```
 //!
+//! (where orientation is measured the tool's comes before the zero offsets; places that measurements
+//! refer to and that are not known, [`crate::effects::places`], before everything)
+//!
 //! and where nothing of one is left beside those before it (modified Gram–Schmidt, twice, Björck 1967)
 //! the last of those that make it up is held at zero: the last of the kind that has a good part in it, lest a zero
 //! offset of 70 mm of lever stand for a shift and become large. So the same robot gives the same values in every session that shows it, and
@@ -35,12 +38,12 @@ use std::borrow::Cow;
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{
-    Effect, Inputs, LinkGeometry, MeasuringFrame, Setting, Term, ToolOrientation, ToolPosition,
-    find,
+    Effect, Inputs, LinkGeometry, MeasuringFrame, Role, Setting, Term, ToolOrientation,
+    ToolPosition, joint_zero, role,
 };
 use crate::kinematics::{JointKind, Robot};
 use crate::model::Model;
-use crate::effects::places::{self, PlaceKind};
+use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
 use super::alignment::best_rigid_motion;
@@ -51,16 +54,6 @@ use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
 use super::unidentifiable::coefficient_names;
-
-/// Effects that belong to every calibration: of a single joint the first two.
-pub const BASE_EFFECTS: [&str; 6] = [
-    "joint-zero-offset",
-    "link-length",
-    "link-geometry",
-    "tool-position",
-    "tool-orientation",
-    "measuring-frame",
-];
 
 /// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
 const NEVER_ALIGNED_RAD: f64 = 0.1;
@@ -75,9 +68,6 @@ const GOOD_PART: f64 = 0.3;
 const NAMED_PART: f64 = 0.02;
 /// A column that moves the samples by less than this is rounding, mm for a step of 1 mm or 1 mrad.
 const ROUNDING_MM: f64 = 1e-6;
-/// A direction whose prior moves the samples by less than this part of their noise is left to the
-/// prior where priors have no rows.
-const WEAK: f64 = 0.25;
 /// The gauge is found from so many samples at most.
 const MOST_SAMPLES: usize = 3000;
 /// Noise where nobody says, mm: what a tracker has.
@@ -94,7 +84,7 @@ pub fn is_arm(session: &Session) -> bool {
 
 /// Whether an effect belongs to every calibration of this session's robot.
 pub fn belongs(id: &str) -> bool {
-    BASE_EFFECTS.contains(&id)
+    role(id).is_of_every_calibration()
 }
 
 /// The terms of the base model that are beside the effects of the catalogue: frames, tool, links.
@@ -127,9 +117,9 @@ pub fn terms(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool
 /// All of it: zero offsets, frames, tool, links.
 pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool) -> Model {
     let mut all = Vec::new();
-    if let Some(zero) = find("joint-zero-offset").filter(|_| exists("joint-zero-offset")) {
+    if exists(joint_zero().about().id) {
         let joints = 0..session.robot.joints.len();
-        all.extend(joints.map(|joint| Term::absent(zero, joint, 0.0)));
+        all.extend(joints.map(|joint| Term::absent(joint_zero(), joint, 0.0)));
     }
     all.extend(terms(session, problem, exists));
     Model::new(session.robot.clone(), all)
@@ -363,7 +353,7 @@ fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
 /// and that in words. Links that are held altogether are left out.
 fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
     let names = coefficient_names(start);
-    let places = in_order(start);
+    let places = in_order(problem, start);
     let mut rows = columns(problem, start);
     add_targets(problem, start, &mut rows);
     let reach_mm = reach_mm(&start.robot);
@@ -444,40 +434,6 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
     (Model::new(start.robot.clone(), terms), held)
 }
 
-/// The model with every coefficient of its base held where it is that a fit without the rows of the
-/// priors could not keep where it belongs.
-pub fn with_weak_held(problem: &Problem, model: &Model) -> Model {
-    let rows = columns(problem, model);
-    let thinning = problem.samples() as f64 / (rows.nrows() / 3).max(1) as f64;
-    // The columns are in mm, weighed beside the axis that is known best.
-    let largest = problem.axis_weights.iter().copied().fold(0.0, f64::max);
-    let unit = if problem.noise.is_some() {
-        1.0 / largest.sqrt()
-    } else {
-        1.0
-    };
-    let noise = problem.priors.variance.sqrt() * unit;
-    let mut basis = Basis::new(rows.nrows());
-    let mut terms = model.terms().to_vec();
-    for (rank, place) in in_order(model).into_iter().enumerate() {
-        let term = &terms[place.term];
-        if term.held.contains(place.coefficient) {
-            continue;
-        }
-        let column = rows.column(place.column).into_owned();
-        let free = basis.reject(&column);
-        let seen = free.norm() * thinning.sqrt();
-        let prior = problem.priors.sigma(model, term, place.coefficient);
-        let weak = prior.is_some_and(|sigma| seen * sigma < WEAK * noise);
-        if free.norm() > COPY * column.norm() && !weak {
-            basis.push(rank, &column, &free);
-        } else {
-            terms[place.term].held = terms[place.term].held.with(place.coefficient);
-        }
-    }
-    Model::new(model.robot.clone(), terms)
-}
-
 /// How far the tool is from the farthest axis at home: what a turn of 1 rad may do, mm.
 fn reach_mm(robot: &Robot) -> f64 {
     let tool = robot.base_from_tool.translation.vector;
@@ -493,6 +449,7 @@ enum Class {
     Frame,
     Tool,
     Target,
+    ToolTurn,
     Zero,
     Turn,
     Link,
@@ -509,30 +466,27 @@ struct Place {
 }
 
 /// The coefficients of the base model that are not held, in the order of preference.
-fn in_order(model: &Model) -> Vec<Place> {
+fn in_order(problem: &Problem, model: &Model) -> Vec<Place> {
+    // Where orientation is measured, what the last joint shares with the tool belongs to the tool.
+    let attitude = problem.observed.as_ref().is_some_and(Layer::shows_attitude);
     let mut all = Vec::new();
     let mut first = 0;
     for (index, term) in model.terms().iter().enumerate() {
-        let place = PlaceKind::of(term);
-        let class = match term.effect.about().id {
-            _ if place.is_some() => Some(Class::Place),
-            "measuring-frame" => Some(Class::Frame),
-            "tool-position" if term.setting == 0.0 => Some(Class::Tool),
-            "tool-position" => Some(Class::Target),
-            "joint-zero-offset" => Some(Class::Zero),
-            "tool-orientation" => Some(Class::Turn),
-            "link-geometry" => Some(Class::Link),
-            _ => None,
+        let about = term.effect.about();
+        let class = match about.role {
+            Role::Place => Some(Class::Place),
+            Role::FreeFrame => Some(Class::Frame),
+            Role::ToolPlace if term.setting == 0.0 => Some(Class::Tool),
+            Role::ToolPlace => Some(Class::Target),
+            Role::JointZero => Some(Class::Zero),
+            Role::ToolTurn if attitude => Some(Class::ToolTurn),
+            Role::ToolTurn => Some(Class::Turn),
+            Role::JointAxis => Some(Class::Link),
+            Role::ToolRadius | Role::Candidate | Role::Unexplained => None,
         };
         for coefficient in 0..term.coefficients.len() {
-            let turns = match class {
-                Some(Class::Frame) => coefficient < 3,
-                Some(Class::Link) => coefficient >= 2,
-                Some(Class::Turn) => true,
-                Some(Class::Place) => place.is_some_and(|kind| places::turns(kind, coefficient)),
-                Some(Class::Zero) => model.robot.joints[term.joint].kind == JointKind::Revolute,
-                _ => false,
-            };
+            let kind = model.robot.joints[term.joint].kind;
+            let turns = about.form.turns(coefficient, kind);
             if let Some(class) = class.filter(|_| !term.held.contains(coefficient)) {
                 all.push(Place {
                     class,
@@ -603,7 +557,7 @@ fn add_targets(problem: &Problem, model: &Model, rows: &mut DMatrix<f64>) {
         Some(Sigma::PerAxis(noise)) => noise.into_iter().fold(f64::INFINITY, f64::min),
         None => USUAL_NOISE_MM,
     };
-    let own: Vec<usize> = in_order(model)
+    let own: Vec<usize> = in_order(problem, model)
         .iter()
         .filter(|place| place.class == Class::Target)
         .map(|place| place.column)

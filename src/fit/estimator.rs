@@ -158,7 +158,12 @@ pub fn noise_beside(problem: &Problem, model: &Model, beside: &[f64]) -> Noise {
         columns.set_column(own + k, shape);
     }
     let stated = problem.session.instrument.sigma_mm;
-    Noise::estimate(stated, &rows, &residual, &columns)
+    let noise = Noise::estimate_with_alternatives(stated, &rows, &residual, &columns);
+    if problem.shows_time() {
+        noise
+    } else {
+        noise.made_white()
+    }
 }
 
 /// A long problem with some stretches of its samples only.

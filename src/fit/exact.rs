@@ -6,16 +6,19 @@
 
 use nalgebra::DMatrix;
 
+use crate::effects::places::PlaceKind;
 use crate::effects::{
-    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, Setting, Survey, Term, find,
+    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, OF_A_SINGLE_AXIS, Role, Setting,
+    Survey, Term, find, role,
 };
 use crate::model::Model;
-use crate::effects::places::PlaceKind;
 use crate::sessions::{Session, Sigma};
 
 use super::IdentifyError;
 use super::estimator::fit_without_outliers;
+use super::expected::expected_error;
 use super::gap::{Deviations, Spread, deviations};
+use super::levels::levels;
 use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
 use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
@@ -25,7 +28,7 @@ use super::unidentifiable::{name_on_joint, undetermined_combinations};
 use super::{alignment, base_model, observed, scan};
 
 /// The effects that every calibration identifies.
-pub const DEFAULT_EFFECTS: [&str; 2] = ["joint-zero-offset", "link-length"];
+pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
 
 /// Fits the named effects, each on every joint where it can be tested.
 ///
@@ -96,6 +99,8 @@ pub(super) struct Fresh<'a> {
     pub(super) not_identifiable: Vec<NotIdentifiable>,
     /// What else there is to say.
     notes: Vec<String>,
+    /// Whether it holds the base model of several joints.
+    arm: bool,
 }
 
 impl<'a> Fresh<'a> {
@@ -127,6 +132,7 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
+            arm: base.is_some(),
         })
     }
 
@@ -137,9 +143,18 @@ impl<'a> Fresh<'a> {
             nominal,
             not_identifiable,
             notes,
+            arm,
         } = self;
         let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
         answer.notes.extend(notes);
+        if arm && base_model::is_arm(session) {
+            // Cells that are left out are those of points.
+            if problem.observed.is_none() {
+                answer.levels = levels(&problem, &answer.model);
+            }
+            let covariance = answer.covariance.as_ref();
+            answer.expected = covariance.and_then(|c| expected_error(&problem, &answer.model, c));
+        }
         answer
     }
 }
@@ -176,7 +191,7 @@ pub(super) fn prepare<'a>(
     let mut terms = Vec::new();
     let base = base_model::is_arm(session) && asks_for_base(effects);
     for id in effects {
-        if base && id == "link-length" {
+        if base && role(id) == Role::ToolRadius {
             continue;
         }
         let effect = find(id).ok_or_else(|| IdentifyError::UnknownEffect(id.clone()))?;
@@ -270,6 +285,8 @@ pub fn report(
             samples: 0,
         }),
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
+        levels: Vec::new(),
+        expected: None,
         outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(problem),
         noise_mm: noise_by_axis(problem, &after, rank),
@@ -370,8 +387,13 @@ pub fn covariance_of(problem: &Problem, solution: &Solution) -> Option<DMatrix<f
 /// With more samples the noise is known well enough to take it as known.
 const MOST_TO_AVERAGE: usize = 5000;
 
-/// The covariance averaged over the noises that the residuals allow, each with the size that it
-/// leaves (Draper 1995): an interval that takes an estimated noise for the true one is too narrow.
+/// The covariance averaged over the noises that the residuals allow, each with the size and the
+/// solution that it leaves (Draper 1995): an interval that takes an estimated noise for the true one
+/// is too narrow.
+///
+/// ```text
+/// C = Σ_j w_j (C_j + δ_j δ_jᵀ),   δ_j the step from the solution to that under noise j
+/// ```
 fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DMatrix<f64>> {
     let known = problem.noise.as_ref()?;
     let possible = known.possible();
@@ -383,8 +405,9 @@ fn averaged(problem: &Problem, solution: &Solution, freedom: usize) -> Option<DM
     for (share, noise) in possible {
         let mut other = problem.clone();
         other.set_noise(&noise);
-        let (spectrum, cost) = spectrum_at(&other, solution);
-        let own = spectrum.inverse() * (share * cost.max(0.0) / freedom as f64);
+        let (spectrum, cost, step) = spectrum_at(&other, solution);
+        let variance = cost.max(0.0) / freedom as f64;
+        let own = (spectrum.inverse() * variance + &step * step.transpose()) * share;
         sum = Some(sum.map_or(own.clone(), |sum| sum + own));
     }
     sum

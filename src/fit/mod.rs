@@ -3,7 +3,10 @@
 
 pub mod alignment;
 pub mod base_model;
+pub mod cells;
+pub mod expected;
 pub mod gap;
+pub mod levels;
 pub(crate) mod linear;
 pub mod noise;
 pub mod normal;

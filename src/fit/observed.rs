@@ -3,10 +3,10 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::{Effect, Held, MeasuringFrame, Term, ToolOrientation};
+use crate::effects::places::PlaceKind;
+use crate::effects::{Held, MeasuringFrame, Role, Term, ToolOrientation};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
-use crate::effects::places::PlaceKind;
 use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
@@ -69,11 +69,19 @@ pub(super) fn places_alone(model: &Model) -> Model {
 
 /// What the kinds of measurement leave open whatever the poses are; nothing for plain points.
 pub(super) fn open(problem: &Problem) -> Open {
-    problem.observed.as_ref().map(gauge::open).unwrap_or_default()
+    problem
+        .observed
+        .as_ref()
+        .map(gauge::open)
+        .unwrap_or_default()
 }
 
 /// Holds a size that no measurement shows by the priors, and says so.
-pub(super) fn hold_size(problem: &mut Problem, model: &Model, said: &mut Vec<NotIdentifiable>) -> Model {
+pub(super) fn hold_size(
+    problem: &mut Problem,
+    model: &Model,
+    said: &mut Vec<NotIdentifiable>,
+) -> Model {
     let Some(layer) = problem.observed.as_ref().filter(|_| open(problem).size) else {
         return model.clone();
     };
@@ -121,7 +129,7 @@ pub(super) fn with_base_held(
     for term in &mut terms {
         let own = names[first..].iter().take(term.coefficients.len());
         first += term.coefficients.len();
-        if term.effect.about().id != MeasuringFrame.about().id {
+        if term.effect.about().role != Role::FreeFrame {
             continue;
         }
         for (k, name) in own.enumerate() {
@@ -145,7 +153,7 @@ pub(super) fn with_base_held(
 fn with_length_held(model: &Model) -> Model {
     let terms = model.terms().iter().map(|term| {
         let mut term = term.clone();
-        if term.effect.about().id == super::DEFAULT_EFFECTS[1] {
+        if term.effect.about().role == Role::ToolRadius {
             term.held = Held::default().with(0);
         }
         term

@@ -2,13 +2,16 @@
 
 use nalgebra::DMatrix;
 
+use crate::effects::term::setting_quantity;
 use crate::effects::{Effect, Inputs, find};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
 
+use super::expected::Expected;
 use super::gap::Spread;
+use super::levels::Level;
 use super::noise::Noise;
 use super::problem::Unusable;
 
@@ -39,7 +42,9 @@ pub const IMPLAUSIBLE: &str = "implausibly large: more than ten times what is us
 impl Estimate {
     /// Whether it is a whole number, which was chosen and has no interval: an order of 2.
     pub fn is_whole_number(&self) -> bool {
-        self.name == "order" && self.ci95.is_none() && self.value.fract() == 0.0
+        let setting = find(self.effect).and_then(|e| setting_quantity(e.about().setting));
+        let counts = setting.is_some_and(|q| q.name == self.name && q.unit.symbol.is_empty());
+        counts && self.ci95.is_none() && self.value.fract() == 0.0
     }
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.
@@ -48,7 +53,7 @@ impl Estimate {
             return false;
         };
         // A sliding joint has other units, and no limit is known for those.
-        let is_size = about.form.sizes().iter().any(|q| q.name == self.name);
+        let is_size = about.form.quantities().iter().any(|q| q.name == self.name);
         let limit = about.implausible_above.filter(|_| is_size);
         let least = self.ci95.map_or(self.value.abs(), |[low, high]| {
             f64::max(low, -high).max(0.0)
@@ -150,6 +155,11 @@ pub struct Identification {
     pub gap: Gap,
     /// The gap over the samples that the session holds out, if any.
     pub held_out: Option<Gap>,
+    /// What each level of correction would bring; of a robot with several joints.
+    pub levels: Vec<Level>,
+    /// The error that the uncertainty of the parameters makes over the joint ranges; of a robot with
+    /// several joints.
+    pub expected: Option<Expected>,
     /// Suspected outliers, largest first.
     pub outliers: Vec<Outlier>,
     /// Samples that could not be used.

@@ -20,20 +20,6 @@ use crate::model::Model;
 
 use super::normal::Normal;
 
-/// A zero offset, rad …
-const ZERO_RAD: f64 = 0.05;
-/// … and of a joint that slides, mm.
-const ZERO_MM: f64 = 20.0;
-/// A link, mm and rad.
-const LINK_MM: f64 = 1.0;
-const LINK_RAD: f64 = 2e-3;
-/// The tool, mm and rad.
-const TOOL_MM: f64 = 50.0;
-const TOOL_RAD: f64 = 0.1;
-/// The frame of an instrument that was aligned with the base, mm and rad.
-const FRAME_MM: f64 = 20.0;
-const FRAME_RAD: f64 = 0.02;
-
 /// A prior that is missed by so many σ was wrong, and is let go.
 const MISSED: f64 = 4.0;
 
@@ -68,23 +54,18 @@ impl Priors {
             return None;
         }
         let about = term.effect.about();
-        let slides = model.robot.joints[term.joint].kind == JointKind::Prismatic;
         if of_one_target(term) {
             return self.targets_mm;
         }
         if !self.weak {
             return None;
         }
-        match about.id {
-            "joint-zero-offset" => Some(if slides { ZERO_MM } else { ZERO_RAD }),
-            "link-geometry" => Some(if coefficient < 2 { LINK_MM } else { LINK_RAD }),
-            "tool-position" => Some(TOOL_MM),
-            "tool-orientation" => Some(TOOL_RAD),
-            "measuring-frame" if self.aligned => {
-                Some(if coefficient < 3 { FRAME_RAD } else { FRAME_MM })
-            }
-            _ => None,
-        }
+        let prior = about.priors.get(coefficient)?;
+        let holds = self.aligned || !prior.if_aligned;
+        holds.then(|| match model.robot.joints[term.joint].kind {
+            JointKind::Revolute => prior.sigma,
+            JointKind::Prismatic => prior.sigma_on_slide,
+        })
     }
 
     /// Adds the rows of the priors to the normal equations of the samples.

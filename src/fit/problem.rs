@@ -160,6 +160,12 @@ impl<'a> Problem<'a> {
         samples.iter().map(|i| self.time(*i)).collect()
     }
 
+    /// Whether the order of the samples can be taken for time: poses of several joints without a clock
+    /// are listed in any order, and what the model lacks along a path is no frame that wanders.
+    pub fn shows_time(&self) -> bool {
+        self.has_clock || self.session.robot.joints.len() < 2
+    }
+
     /// When a sample was measured, as [`times`](Self::times) has it.
     #[inline]
     pub fn time(&self, sample: usize) -> f64 {

@@ -105,6 +105,8 @@ pub fn identify_regional(
         not_identifiable: Vec::new(),
         gap,
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
+        levels: Vec::new(),
+        expected: None,
         outliers: outliers(&after, suspected.iter().copied()),
         left_out: left_out(&problem),
         noise_mm: None,

@@ -9,7 +9,7 @@
 
 use nalgebra::DVector;
 
-use crate::effects::{Setting, Term};
+use crate::effects::{Setting, Survey, Term};
 use crate::lanes::LANES;
 use crate::model::Model;
 
@@ -24,12 +24,7 @@ const MOST_BLOCKS: usize = 192;
 
 /// The nominal model with all the terms, those with a setting at their best one.
 pub fn with_best_settings(problem: &Problem, nominal: &Model, terms: Vec<Term>) -> Model {
-    let is_scanned = |t: &Term| {
-        !matches!(
-            t.effect.about().setting,
-            Setting::None | Setting::Setup | Setting::Target | Setting::Place
-        )
-    };
+    let is_scanned = |t: &Term| t.effect.about().setting.is_scanned();
     let (scanned, plain): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(is_scanned);
     let mut model = plain
         .into_iter()
@@ -51,6 +46,10 @@ pub fn settings(problem: &Problem, term: &Term) -> Vec<f64> {
         Setting::Order { from, to } => (from..=to).map(f64::from).collect(),
         Setting::Fade => fades(problem, term.joint),
         Setting::Time => times(problem),
+        Setting::Listed(listed) => {
+            let survey = Survey::new(problem.session, &problem.inputs);
+            (listed.tried)(&survey, term.joint)
+        }
     }
 }
 

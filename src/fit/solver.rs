@@ -13,11 +13,10 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
+use crate::effects::Role;
 use crate::effects::block::Block;
-use crate::kinematics::JointKind;
 use crate::lanes::LANES;
 use crate::model::Model;
-use crate::effects::places::{self, PlaceKind};
 
 use super::normal::{Normal, Sums, Whitening};
 use super::problem::Problem;
@@ -422,15 +421,18 @@ const LEAST_TOLD: f64 = 4.0;
 /// Where the noise is not known yet: rounding of the coordinates, mm, in every sample.
 const ROUNDING_MM: f64 = 1e-6;
 
-/// The spectrum of a problem with another noise at a solution, and the cost there.
-pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64) {
+/// The spectrum of a problem with another noise at a solution, the cost there, and the step to the
+/// solution under that noise.
+pub(super) fn spectrum_at(problem: &Problem, solution: &Solution) -> (Spectrum, f64, DVector<f64>) {
     let state = State {
         model: solution.model.clone(),
         beside: solution.beside.clone(),
     };
     let blocks: Vec<usize> = (0..problem.inputs.len()).step_by(LANES).collect();
     let normal = sum(problem, &state, &blocks, Sums::All);
-    (spectrum_of(problem, &normal, &state), normal.cost)
+    let spectrum = spectrum_of(problem, &normal, &state);
+    let step = spectrum.step(&normal.gradient, 0.0);
+    (spectrum, normal.cost, step)
 }
 
 fn spectrum_of(problem: &Problem, normal: &Normal, state: &State) -> Spectrum {
@@ -475,22 +477,15 @@ fn bounded(model: &Model, step: DVector<f64>) -> DVector<f64> {
     for term in model.terms() {
         let (about, own) = (term.effect.about(), first);
         first += term.coefficients.len();
-        let place = PlaceKind::of(term);
-        if !super::base_model::belongs(about.id) && place.is_none() {
+        if !about.role.is_of_every_calibration() {
             continue;
         }
         for k in 0..term.coefficients.len() {
-            // A place may be as far off as it likes; only a turn is not linear.
-            if place.is_some_and(|kind| !places::turns(kind, k)) {
+            let turns = about.form.turns(k, model.robot.joints[term.joint].kind);
+            if about.role == Role::Place && !turns {
+                // A place may be as far off as it likes; only a turn is not linear.
                 continue;
             }
-            let turns = match about.id {
-                "joint-zero-offset" => model.robot.joints[term.joint].kind == JointKind::Revolute,
-                "measuring-frame" => k < 3,
-                "link-geometry" => k >= 2,
-                "tool-orientation" => true,
-                _ => place.is_some(),
-            };
             let most = if turns { LONGEST_TURN } else { LONGEST_MOVE_MM };
             let size = step[own + k].abs();
             if size > most {

@@ -62,10 +62,9 @@ pub fn estimates(
     // estimated, and whoever scans them says how sure that is.
     let fading = matches!(about.form, Form::Fading(_));
     let settings = usize::from(!fading && setting_quantity(about.setting).is_some());
-    // It does not matter where a slide runs, only in which direction.
     let matters = |name: &str| {
-        let slides = kind == JointKind::Prismatic && about.id == "link-geometry";
-        !(slides && name.ends_with("_mm"))
+        let mut quantities = about.form.quantities().iter();
+        quantities.all(|q| q.name != name || q.matters_on(kind))
     };
     let label = |of: Setting| {
         let label = term.label.as_deref().filter(|_| about.setting == of);
@@ -122,18 +121,18 @@ fn half_widths(
             .enumerate()
             .map(|(k, quantity)| {
                 (!undetermined[k])
-                    .then(|| factor * covariance[(k, k)].sqrt() / quantity.on(kind).inner)
+                    .then(|| factor * covariance[(k, k)].sqrt() / quantity.on(kind).unit.inner)
             })
             .collect(),
         Form::Fading(quantity) => {
             let quantity = quantity.on(kind);
             let fade = setting_quantity(term.effect.about().setting).map_or(1.0, |setting| {
-                term.settled().setting / setting.on(kind).inner
+                term.settled().setting / setting.on(kind).unit.inner
             });
             let deviation = |k: usize| factor * covariance[(k, k)].sqrt();
             // An uncertainty beyond a factor of e is none that an interval could tell.
             let of_fade = (!undetermined[1] && deviation(1) < 1.0).then(|| fade * deviation(1));
-            let of_size = (!undetermined[0]).then(|| deviation(0) / quantity.inner);
+            let of_size = (!undetermined[0]).then(|| deviation(0) / quantity.unit.inner);
             vec![of_fade, of_size]
         }
         Form::Harmonic(quantity) => {
@@ -149,13 +148,13 @@ fn half_widths(
             };
             if amplitude == 0.0 {
                 let largest = covariance[(0, 0)].max(covariance[(1, 1)]);
-                return vec![Some(factor * largest.sqrt() / quantity.inner), None];
+                return vec![Some(factor * largest.sqrt() / quantity.unit.inner), None];
             }
             let radial = variance(a / amplitude, b / amplitude).sqrt();
             let around = variance(-b / amplitude, a / amplitude).sqrt() / amplitude;
             let phase = deg_from_rad(factor * around);
             vec![
-                Some(factor * radial / quantity.inner),
+                Some(factor * radial / quantity.unit.inner),
                 (phase < 180.0).then_some(phase),
             ]
         }

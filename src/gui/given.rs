@@ -157,6 +157,8 @@ impl Given {
                 samples: verified.map_or(0, |v| v.samples),
             },
             held_out: None,
+            levels: Vec::new(),
+            expected: None,
             outliers: verified.map_or_else(Vec::new, |v| {
                 v.outliers
                     .iter()

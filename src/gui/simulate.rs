@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use nalgebra::{Point3, Vector3};
 
-use crate::effects::term::parameter_names;
-use crate::effects::{CATALOGUE, Setting, Term};
+use crate::effects::term::{parameter_names, parameters_to_see};
+use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::sessions::{Instrument, Session, Sigma};
 use crate::simulation::{
@@ -43,25 +43,8 @@ impl Chosen {
     /// An effect at values that can be seen.
     pub(crate) fn new(id: &'static str) -> Option<Self> {
         let effect = crate::effects::find(id)?;
-        let setting = effect.about().setting;
-        let value = |name: &str| match (name, setting) {
-            ("order", Setting::Order { from, .. }) => f64::from(from),
-            ("scale_ppm" | "ppm_per_degc" | "compliance_urad_per_nm", _) => 50.0,
-            ("phase_deg", _) => 30.0,
-            ("time_s", _) => 120.0,
-            ("fade_deg", _) => 5.0,
-            ("delay_s", _) => 0.01,
-            ("deg_per_degc", _) => 0.002,
-            ("ratio", _) => 0.001,
-            (name, _) if name.ends_with("_deg") => 0.05,
-            (name, _) if name.ends_with("_mrad") => 1.0,
-            _ => 0.2,
-        };
-        let names = parameter_names(effect).into_iter();
-        Some(Self {
-            id,
-            parameters: names.map(|name| (name, value(name))).collect(),
-        })
+        let parameters = parameters_to_see(effect);
+        Some(Self { id, parameters })
     }
 }
 
@@ -114,7 +97,7 @@ impl Form {
     /// Effects that can be chosen: all but the two that have fields of their own.
     pub(crate) fn offered() -> impl Iterator<Item = (&'static str, &'static str)> {
         let all = CATALOGUE.iter().map(|effect| effect.about());
-        all.filter(|about| about.id != "joint-zero-offset" && about.id != "link-length")
+        all.filter(|about| about.role == Role::Candidate)
             .map(|about| (about.id, about.title))
     }
 
@@ -182,10 +165,10 @@ impl Form {
             check(infinite, chosen.id, "every field needs a number");
         }
         for term in self.parts() {
-            let place = match term.0 {
-                "joint-zero-offset" => field::OFFSET,
-                "link-length" => field::LENGTH,
-                id => id,
+            let place = match role(term.0) {
+                Role::JointZero => field::OFFSET,
+                Role::ToolRadius => field::LENGTH,
+                _ => term.0,
             };
             if let Err(says) = term.1 {
                 check(true, place, &says);
@@ -197,9 +180,14 @@ impl Form {
     /// The effects by their names, as terms or why they are none.
     fn parts(&self) -> impl Iterator<Item = (&'static str, Result<Term, String>)> {
         let own = [
-            ("joint-zero-offset", vec![("offset_deg", self.offset_deg)]),
-            ("link-length", vec![("delta_mm", self.length_error_mm)]),
+            (joint_zero(), self.offset_deg),
+            (tool_radius(), self.length_error_mm),
         ];
+        let own = own.map(|(effect, value)| {
+            let names = parameter_names(effect).into_iter();
+            let parameters = names.map(|name| (name, value)).collect();
+            (effect.about().id, parameters)
+        });
         let chosen = self.effects.iter().map(|c| (c.id, c.parameters.clone()));
         own.into_iter().chain(chosen).map(|(id, parameters)| {
             let term = Term::from_parameters(id, 1, &parameters, 1);
@@ -258,16 +246,19 @@ impl Form {
         });
         scenario.seed = self.seed;
         // What the chosen effects depend on has to vary, or they would not show.
-        let has = |id: &str| self.effects.iter().any(|chosen| chosen.id == id);
+        let follows = |over: Over| {
+            let mut chosen = self.effects.iter().filter_map(|chosen| find(chosen.id));
+            chosen.any(|effect| effect.about().over == over)
+        };
         let conditions = &mut scenario.circumstances;
         conditions.seconds_per_pose = Some(SECONDS_PER_POSE);
-        if has("tracking-lag") {
+        if follows(Over::Speed) {
             conditions.speeds = [0.0, 5.0, 20.0].map(rad_from_deg).to_vec();
         }
-        if has("link-droop") || has("joint-compliance") {
+        if follows(Over::Load) {
             conditions.loads_kg = vec![0.0, 3.0, 6.0];
         }
-        if has("thermal-growth") || has("thermal-zero-drift") {
+        if follows(Over::Temperature) {
             conditions.temperature = Some(Temperature::WarmUp {
                 from_c: 20.0,
                 to_c: 26.0,
@@ -293,6 +284,7 @@ impl Form {
             joints: vec![joint],
             base_from_tool: Pose::translation(self.radius_mm, 0.0, 300.0),
             gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
+            source: crate::kinematics::RobotSource::Axes,
         })
     }
 }

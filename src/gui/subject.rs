@@ -379,8 +379,7 @@ impl Subject {
 }
 
 fn is_single_revolute(session: &Session) -> bool {
-    let joints = &session.robot.joints;
-    joints.len() == 1 && joints[0].kind == JointKind::Revolute
+    matches!(session.robot.joints.as_slice(), [joint] if joint.kind == JointKind::Revolute)
 }
 
 fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
@@ -408,7 +407,7 @@ fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<Not
             1
         };
         let mut obstacles = (0..joints)
-            .filter(|joint| effect.exists_on(*joint))
+            .filter(|joint| effect.exists_on(*joint, survey.joints[*joint].kind))
             .map(|joint| effect.obstacle(survey, joint));
         let Some(first) = obstacles.next() else {
             continue;

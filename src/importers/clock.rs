@@ -442,6 +442,7 @@ mod tests {
             ],
             base_from_tool: Pose::translation(400.0, 0.0, 300.0),
             gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
         }
     }
 

@@ -138,6 +138,8 @@ pub(crate) fn session_heading(quantity: Quantity, unit: Option<Unit>) -> String 
         Quantity::Direction(joint) => format!("dir{}", joint + 1),
         Quantity::Speed(joint) if suffix.is_empty() => format!("speed{}", joint + 1),
         Quantity::Speed(joint) => format!("speed{}{suffix}_s", joint + 1),
+        Quantity::Torque(joint) => format!("torque{}_nm", joint + 1),
+        Quantity::JointTemperature(joint) => format!("temperature{}_c", joint + 1),
         Quantity::Load => "load_kg".to_owned(),
         Quantity::Temperature => "temperature_c".to_owned(),
         Quantity::Time => "time_s".to_owned(),

@@ -36,7 +36,7 @@ impl Robot {
 
     /// Where a point that is fixed in the tool frame stands in the base frame at `q`, mm.
     ///
-    /// Only the point is moved. For many poses of one robot use [`super::PointMap`].
+    /// Only the point is moved.
     ///
     /// # Panics
     /// If `q` does not have one value per joint.
@@ -108,6 +108,15 @@ mod tests {
         }
 
         #[test]
+        fn a_robot_with_another_home_counts_from_there((robot, q) in robot_and_pose()) {
+            let half: Vec<f64> = q.iter().map(|value| 0.4 * value).collect();
+            let rest: Vec<f64> = q.iter().zip(&half).map(|(q, half)| q - half).collect();
+            let there = robot.rehomed(&half).base_from_tool(&rest);
+            let off = there.to_homogeneous() - robot.base_from_tool(&q).to_homogeneous();
+            prop_assert!(off.norm() < 1e-9, "{off}");
+        }
+
+        #[test]
         fn at_home_the_tool_is_at_home((robot, q) in robot_and_pose()) {
             let home = vec![0.0; q.len()];
             prop_assert_eq!(robot.base_from_tool(&home).translation, robot.base_from_tool.translation);
@@ -141,13 +150,28 @@ mod tests {
     #[test]
     #[should_panic(expected = "1 joint values for a robot with 2 joints")]
     fn a_pose_that_was_not_checked_is_a_bug_and_says_so() {
-        let column = super::super::half_angle::RotatingColumn {
-            l1_mm: 1.0,
-            l2_mm: 0.0,
-            l3_mm: 0.0,
-        };
-        let mut robot = column.robot();
+        let mut robot = super::super::testing::column();
         robot.joints.push(robot.joints[0].clone());
         let _ = robot.base_from_tool(&[0.0]);
+    }
+
+    /// The source paper's half-angle form of a column that turns about z, its equations (1) to (3):
+    /// with λ0 = cos(θ/2), λ3 = sin(θ/2) the lamp is at ((2λ0² − 1) l1, 2λ0λ3 l1, l2 + l3).
+    #[test]
+    fn the_papers_half_angle_form_is_the_product_of_exponentials_over_the_whole_circle() {
+        let column = super::super::testing::column();
+        for tenth_deg in -7200..=7200 {
+            let theta = f64::from(tenth_deg).to_radians() / 10.0;
+            let (lambda3, lambda0) = (0.5 * theta).sin_cos();
+            let (cosine, sine) = (2.0 * lambda0 * lambda0 - 1.0, 2.0 * lambda0 * lambda3);
+            let lamp = Point3::new(cosine * 250.0, sine * 250.0, 300.0);
+            let by_exponentials = column.point_in_base(&[theta], &Point3::origin());
+            assert!((lamp - by_exponentials).norm() < 5e-13, "{tenth_deg}");
+            let turn = column
+                .base_from_tool(&[theta])
+                .rotation
+                .to_rotation_matrix();
+            assert!((turn[(0, 0)] - cosine).abs() < 1e-15 && (turn[(1, 0)] - sine).abs() < 1e-15);
+        }
     }
 }

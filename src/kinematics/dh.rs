@@ -5,16 +5,16 @@
 //! modified:  T_i(q) = Rx(α_i) Tx(a_i) Rz(θ_i + q) Tz(d_i)       the joint turns about z of frame i
 //! ```
 //!
-//! The modified rows are Craig's: a and α of a row are those he writes a_{i−1} and α_{i−1}. Every row
-//! is a revolute joint; θ is its angle at home. The tool is the frame behind the last row. Each row
-//! is a complete rigid motion with its own joint in it, so the conventions may be mixed in one
-//! chain: each row is read by its own.
+//! The modified rows are Craig's: a and α of a row are those he writes a_{i−1} and α_{i−1}. A row
+//! whose joint slides has d + q in place of θ + q; θ and d are those at home. The tool is the
+//! frame behind the last row. Each row is a complete rigid motion with its own joint in it, so the
+//! conventions may be mixed in one chain: each row is read by its own.
 //!
 //! Sources: Denavit & Hartenberg 1955 (in Paul's form, 1981); Craig, *Introduction to Robotics*, 1986.
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
-use super::robot::{Axis, Joint, JointKind, KinematicsError, Pose, Robot};
+use super::robot::{Axis, Joint, JointKind, KinematicsError, Pose, Robot, RobotSource};
 
 /// Which of the two customs a row follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,19 +25,33 @@ pub enum DhConvention {
     Modified,
 }
 
-/// One row of a Denavit–Hartenberg table, one revolute joint.
+/// One row of a Denavit–Hartenberg table, one joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DhRow {
     /// Length of the common normal, mm.
     pub a_mm: f64,
     /// Twist of the axes about it, rad.
     pub alpha_rad: f64,
-    /// Offset along the joint's axis, mm.
+    /// Offset along the joint's axis, at home, mm.
     pub d_mm: f64,
-    /// Angle of the joint at home, rad.
+    /// Angle about the joint's axis, at home, rad.
     pub theta_rad: f64,
     /// Which custom the row follows.
     pub convention: DhConvention,
+    /// Whether the joint turns or slides.
+    pub kind: JointKind,
+}
+
+impl DhRow {
+    /// The part across the joint, `Tx(a) Rx(α)`.
+    fn link(&self) -> Pose {
+        about(Vector3::x_axis(), self.alpha_rad) * Pose::translation(self.a_mm, 0.0, 0.0)
+    }
+
+    /// The part along the joint at home, `Rz(θ) Tz(d)`.
+    fn joint(&self) -> Pose {
+        about(Vector3::z_axis(), self.theta_rad) * Pose::translation(0.0, 0.0, self.d_mm)
+    }
 }
 
 /// The robot of a Denavit–Hartenberg table, joints named `joint 1` and so on, gravity unknown.
@@ -48,7 +62,6 @@ pub fn robot_from_dh(name: impl Into<String>, rows: &[DhRow]) -> Result<Robot, K
     if rows.is_empty() {
         return Err(KinematicsError::NoJoints);
     }
-    let mut base_from_frame = Pose::identity();
     let mut joints = Vec::with_capacity(rows.len());
     for (index, row) in rows.iter().enumerate() {
         let numbers = [row.a_mm, row.alpha_rad, row.d_mm, row.theta_rad];
@@ -57,26 +70,57 @@ pub fn robot_from_dh(name: impl Into<String>, rows: &[DhRow]) -> Result<Robot, K
                 what: format!("a number in Denavit–Hartenberg row {}", index + 1),
             });
         }
-        let link = about(Vector3::x_axis(), row.alpha_rad) * Pose::translation(row.a_mm, 0.0, 0.0);
-        let turn = about(Vector3::z_axis(), row.theta_rad) * Pose::translation(0.0, 0.0, row.d_mm);
-        let (base_from_axis, base_from_next) = match row.convention {
-            DhConvention::Standard => (base_from_frame, base_from_frame * turn * link),
-            DhConvention::Modified => (base_from_frame * link, base_from_frame * link * turn),
-        };
+    }
+    let (frames, base_from_tool) = frames(rows);
+    for (index, (row, [base_from_axis, _])) in rows.iter().zip(frames).enumerate() {
         let axis = Axis::through(
             base_from_axis.rotation * Vector3::z(),
             Point3::from(base_from_axis.translation.vector),
         )?;
         let name = format!("joint {}", index + 1);
-        joints.push(Joint::new(name, JointKind::Revolute, axis));
-        base_from_frame = base_from_next;
+        joints.push(Joint::new(name, row.kind, axis));
     }
     Ok(Robot {
         name: name.into(),
         joints,
-        base_from_tool: base_from_frame,
+        base_from_tool,
         gravity_m_s2: None,
+        source: RobotSource::Dh {
+            base_from_first: Pose::identity(),
+            rows: rows.to_vec(),
+        },
     })
+}
+
+/// At home in the base frame: for each row the frame before its joint and the one behind it, both
+/// with z along the joint; and the frame behind the last row.
+fn frames(rows: &[DhRow]) -> (Vec<[Pose; 2]>, Pose) {
+    let mut base_from_frame = Pose::identity();
+    let mut frames = Vec::with_capacity(rows.len());
+    for row in rows {
+        let (link, joint) = (row.link(), row.joint());
+        match row.convention {
+            DhConvention::Standard => {
+                frames.push([base_from_frame, base_from_frame * joint]);
+                base_from_frame *= joint * link;
+            }
+            DhConvention::Modified => {
+                let before = base_from_frame * link;
+                frames.push([before, before * joint]);
+                base_from_frame = before * joint;
+            }
+        }
+    }
+    (frames, base_from_frame)
+}
+
+/// The frame behind each joint of a table at home, in the base frame, z along the joint.
+pub(super) fn link_frames(rows: &[DhRow]) -> Vec<Pose> {
+    frames(rows)
+        .0
+        .into_iter()
+        .map(|[_, behind]| behind)
+        .collect()
 }
 
 fn about(axis: nalgebra::Unit<Vector3<f64>>, angle_rad: f64) -> Pose {
@@ -93,9 +137,13 @@ mod tests {
     /// The row as its convention prints it, entry by entry.
     #[rustfmt::skip]
     fn printed_matrix(row: &DhRow, q: f64) -> Matrix4<f64> {
-        let (st, ct) = (row.theta_rad + q).sin_cos();
+        let (turned, slid) = match row.kind {
+            JointKind::Revolute => (q, 0.0),
+            JointKind::Prismatic => (0.0, q),
+        };
+        let (st, ct) = (row.theta_rad + turned).sin_cos();
         let (sa, ca) = row.alpha_rad.sin_cos();
-        let (a, d) = (row.a_mm, row.d_mm);
+        let (a, d) = (row.a_mm, row.d_mm + slid);
         match row.convention {
             DhConvention::Standard => Matrix4::new(
                 ct, -st * ca,  st * sa, a * ct,
@@ -126,9 +174,9 @@ mod tests {
             -400.0..400.0,
             -3.0..3.0,
             any::<bool>(),
-            -4.0..4.0,
+            (prop::bool::weighted(0.75), -4.0..4.0),
         )
-            .prop_map(|(a_mm, alpha_rad, d_mm, theta_rad, standard, q)| {
+            .prop_map(|(a_mm, alpha_rad, d_mm, theta_rad, standard, (turns, q))| {
                 let convention = if standard {
                     DhConvention::Standard
                 } else {
@@ -141,6 +189,11 @@ mod tests {
                         d_mm,
                         theta_rad,
                         convention,
+                        kind: if turns {
+                            JointKind::Revolute
+                        } else {
+                            JointKind::Prismatic
+                        },
                     },
                     q,
                 )
@@ -175,6 +228,7 @@ mod tests {
             d_mm: 0.0,
             theta_rad: 0.0,
             convention: DhConvention::Standard,
+            kind: JointKind::Revolute,
         };
         let bad = DhRow {
             d_mm: f64::NAN,

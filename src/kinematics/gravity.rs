@@ -161,6 +161,7 @@ mod tests {
             joints: vec![Joint::new("shoulder", JointKind::Revolute, axis)],
             base_from_tool: Pose::translation(1000.0, 0.0, 0.0),
             gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
+            source: crate::kinematics::RobotSource::Axes,
         };
         let torque = |robot: &Robot, q: f64| robot.gravity_torque_nm(&[q], 10.0, 0);
         assert!((torque(&robot, 0.0).unwrap() + 98.1).abs() < 1e-12);
@@ -190,6 +191,7 @@ mod tests {
             joints: vec![before, Joint::new("lift", JointKind::Prismatic, vertical)],
             base_from_tool: Pose::identity(),
             gravity_m_s2: Some(Vector3::new(0.0, 0.0, -10.0)),
+            source: crate::kinematics::RobotSource::Axes,
         };
         let force = robot.gravity_torque_nm(&[0.0, 100.0], 3.0, 1).unwrap();
         assert!((force + 30.0).abs() < 1e-12);

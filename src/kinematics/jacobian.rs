@@ -1,18 +1,16 @@
-//! Derivatives of the tool's pose and of a point by the joint values.
+//! Derivatives of the tool's pose and of points by the joint values.
 //!
 //! ```text
-//! space:  J_s = [Ad(A_0) ξ1 … Ad(A_{n−1}) ξn],   A_i = exp([ξ1] q1) … exp([ξi] qi)
-//! body:   J_b = Ad(T⁻¹) J_s
-//! point:  ∂p/∂q_i = ω_i × p + v_i,   (ω_i, v_i) column i of J_s
+//! J_s = [Ad(A_0) ξ1 … Ad(A_{n−1}) ξn],   A_i = exp([ξ1] q1) … exp([ξi] qi)
+//! ∂p/∂q_i = ω_i × p + v_i,   (ω_i, v_i) column i of J_s
 //! ```
 //!
 //! Rows of a twist are (ω, v), rad and mm; a column is per rad (revolute) or per mm (prismatic).
-//! The space twist has the velocity of the body's point at the base origin, the body twist that of
-//! the tool's origin, in tool coordinates.
+//! The linear part is the velocity of the body's point at the base origin.
 //!
 //! Source: Lynch & Park, *Modern Robotics*, 2017, section 5.1.
 
-use nalgebra::{Matrix3xX, Matrix6xX, Point3};
+use nalgebra::Matrix6xX;
 
 use super::robot::{Pose, Robot};
 use super::screw::{Twist, joint_motion};
@@ -45,35 +43,6 @@ impl Robot {
         columns(&self.joint_twists(q))
     }
 
-    /// The Jacobian of the tool's pose as twists in the tool frame, 6 × n.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
-    pub fn body_jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
-        let tool_from_base = self.base_from_tool(q).inverse();
-        let in_tool: Vec<Twist> = self
-            .joint_twists(q)
-            .iter()
-            .map(|twist| twist.transformed_by(&tool_from_base))
-            .collect();
-        columns(&in_tool)
-    }
-
-    /// The Jacobian of the position, in the base frame, of a point fixed in the tool frame, 3 × n,
-    /// mm per rad or mm.
-    ///
-    /// # Panics
-    /// If `q` does not have one value per joint.
-    pub fn position_jacobian(&self, q: &[f64], point_in_tool: &Point3<f64>) -> Matrix3xX<f64> {
-        let point = self.point_in_base(q, point_in_tool);
-        let velocities: Vec<_> = self
-            .joint_twists(q)
-            .iter()
-            .map(|twist| twist.velocity_at(&point))
-            .collect();
-        Matrix3xX::from_columns(&velocities)
-    }
-
     /// In how many independent ways the joints move the tool in a generic pose: at most 6.
     ///
     /// Fewer than there are joints means that some joints stand in for each other everywhere.
@@ -104,15 +73,14 @@ impl Robot {
     }
 }
 
-pub(super) fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
+fn columns(twists: &[Twist]) -> Matrix6xX<f64> {
     let columns: Vec<_> = twists.iter().map(Twist::to_vector).collect();
     Matrix6xX::from_columns(&columns)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{beside, robot_and_pose, space_twist_between, target};
-    use super::*;
+    use super::super::testing::{beside, robot_and_pose, space_twist_between};
     use proptest::prelude::*;
 
     /// Central differences lose about h² and ε/h; this step balances the two at 1 m of reach.
@@ -120,41 +88,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_position_jacobian_agrees_with_central_differences(
-            (robot, q) in robot_and_pose(), p in target(),
-        ) {
-            let jacobian = robot.position_jacobian(&q, &p);
-            for joint in 0..q.len() {
-                let ahead = robot.point_in_base(&beside(&q, joint, STEP), &p);
-                let behind = robot.point_in_base(&beside(&q, joint, -STEP), &p);
-                let numerical = (ahead - behind) / (2.0 * STEP);
-                prop_assert!((jacobian.column(joint) - numerical).norm() < 2e-6);
-            }
-        }
-
-        #[test]
-        fn the_pose_jacobians_agree_with_central_differences((robot, q) in robot_and_pose()) {
+        fn the_jacobian_agrees_with_central_differences((robot, q) in robot_and_pose()) {
             let space = robot.space_jacobian(&q);
-            let body = robot.body_jacobian(&q);
             for joint in 0..q.len() {
                 let ahead = robot.base_from_tool(&beside(&q, joint, STEP));
                 let behind = robot.base_from_tool(&beside(&q, joint, -STEP));
                 let numerical = space_twist_between(&behind, &ahead).to_vector() / (2.0 * STEP);
                 prop_assert!((space.column(joint) - numerical).norm() < 5e-6);
-                let numerical =
-                    super::super::screw::log(&(behind.inverse() * ahead)).to_vector() / (2.0 * STEP);
-                prop_assert!((body.column(joint) - numerical).norm() < 5e-6);
-            }
-        }
-
-        #[test]
-        fn the_body_twist_is_the_velocity_of_the_tools_origin((robot, q) in robot_and_pose()) {
-            let origin = robot.position_jacobian(&q, &Point3::origin());
-            let body = robot.body_jacobian(&q);
-            let base_from_tool = robot.base_from_tool(&q).rotation;
-            for joint in 0..q.len() {
-                let linear: nalgebra::Vector3<f64> = body.fixed_view::<3, 1>(3, joint).into();
-                prop_assert!((base_from_tool * linear - origin.column(joint)).norm() < 1e-9);
             }
         }
     }

@@ -18,17 +18,14 @@
 //! - [`screw`]: [`Twist`]s, their exponential and logarithm, the adjoint, the motion of one joint.
 //! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
 //!   ([`Robot::point_in_base`]).
-//! - [`point_map`]: the point alone for many poses, with everything constant computed beforehand,
-//!   on [`crate::sincos`], sines and cosines of several joints at once.
-//! - [`jacobian`]: derivatives by joint values; [`geometry`]: small screws of base, joint axes and
-//!   tool, what they do to a robot, and derivatives by them.
+//! - [`jacobian`]: derivatives by joint values.
 //! - [`gravity`]: gravity's torque about a joint and its gradient.
-//! - [`dh`] and [`urdf`]: robots from Denavit–Hartenberg rows and from URDF files.
-//! - [`half_angle`]: the source paper's form, one proven case of all this.
+//! - [`dh`], [`urdf`] and [`mjcf`]: robots from Denavit–Hartenberg rows, from URDF and from MJCF
+//!   files ([`robot_from_file`]).
 //!
 //! ```
 //! use nalgebra::{Point3, Vector3};
-//! use truepose::kinematics::{Axis, Joint, JointKind, Pose, Robot};
+//! use truepose::kinematics::{Axis, Joint, JointKind, Pose, Robot, RobotSource};
 //!
 //! let axis = Axis::through(Vector3::new(0.0, 0.0, 2.0), Point3::origin())?;
 //! let robot = Robot {
@@ -36,6 +33,7 @@
 //!     joints: vec![Joint::new("pan", JointKind::Revolute, axis)],
 //!     base_from_tool: Pose::translation(250.0, 0.0, 300.0),
 //!     gravity_m_s2: None,
+//!     source: RobotSource::Axes,
 //! };
 //! let quarter_turn = [std::f64::consts::FRAC_PI_2];
 //! let tool_mm = robot.point_in_base(&quarter_turn, &Point3::origin());
@@ -44,27 +42,28 @@
 //! ```
 
 pub mod chain;
+pub mod description;
 pub mod dh;
-pub mod geometry;
 pub mod gravity;
-pub mod half_angle;
 pub mod jacobian;
-pub mod point_map;
+pub mod mjcf;
 mod problems;
 pub mod quaternion;
 pub mod robot;
 pub mod screw;
+mod tree;
 pub mod urdf;
-mod urdf_document;
+mod xml;
 
 #[cfg(test)]
 pub(crate) mod testing;
 
+pub use description::{DescribedRobot, DescriptionFormat, robot_from_file};
 pub use dh::{DhConvention, DhRow, robot_from_dh};
-pub use geometry::GeometryDelta;
-pub use point_map::PointMap;
+pub use mjcf::robot_from_mjcf;
 pub use robot::{
-    Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, pose_from_parts,
+    Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
+    pose_from_parts,
 };
 pub use screw::Twist;
-pub use urdf::{robot_from_urdf, robot_from_urdf_file};
+pub use urdf::robot_from_urdf;

@@ -5,6 +5,7 @@
 
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
+use super::dh::{DhRow, link_frames};
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// The pose of one frame in another: `base_from_tool` maps tool coordinates to base coordinates.
@@ -218,6 +219,25 @@ impl Joint {
     }
 }
 
+/// How a robot was described, as far as the axes alone do not say it: exports answer in the same
+/// terms. Nothing is computed with it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum RobotSource {
+    /// As joint axes.
+    #[default]
+    Axes,
+    /// As Denavit–Hartenberg rows, one for each joint, behind a first frame.
+    Dh {
+        /// The frame before the first row, in the base frame.
+        base_from_first: Pose,
+        /// The rows.
+        rows: Vec<DhRow>,
+    },
+    /// As links of a URDF or MJCF file: the frame behind each joint at home, in the base frame, its
+    /// origin on the joint's axis.
+    Links(Vec<Pose>),
+}
+
 /// A serial chain from base to tool, at home.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Robot {
@@ -229,12 +249,65 @@ pub struct Robot {
     pub base_from_tool: Pose,
     /// Gravity in the base frame, m/s²; `None`: unknown, effects of gravity cannot be tested.
     pub gravity_m_s2: Option<Vector3<f64>>,
+    /// How it was described.
+    pub source: RobotSource,
 }
 
 impl Robot {
     /// How many joints the robot has, and so how many values a pose has.
     pub fn joint_count(&self) -> usize {
         self.joints.len()
+    }
+
+    /// The frame behind each joint at home, in the base frame, its origin on the joint's axis: as the
+    /// description has it, else turned like the base.
+    pub fn link_frames(&self) -> Vec<Pose> {
+        let described = match &self.source {
+            RobotSource::Axes => Vec::new(),
+            RobotSource::Dh {
+                base_from_first,
+                rows,
+            } => {
+                let frames = link_frames(rows).into_iter();
+                frames.map(|frame| base_from_first * frame).collect()
+            }
+            RobotSource::Links(frames) => frames.clone(),
+        };
+        // A robot that was changed since is described by its axes alone.
+        let on_axis = |(frame, joint): (&Pose, &Joint)| {
+            let off = frame.translation.vector - joint.axis.point_mm.coords;
+            let reach = 1.0 + off.norm() + joint.axis.point_mm.coords.norm();
+            off.cross(&joint.axis.direction).norm() < 1e-9 * reach
+        };
+        let same = described.len() == self.joints.len();
+        if same && described.iter().zip(&self.joints).all(on_axis) {
+            return described;
+        }
+        let points = self.joints.iter().map(|joint| joint.axis.point_mm.coords);
+        points.map(Pose::from).collect()
+    }
+
+    /// The same robot with its home where it stands at `at`: its values are counted from there.
+    ///
+    /// # Panics
+    /// If `at` does not have one value per joint.
+    #[must_use]
+    pub fn rehomed(&self, at: &[f64]) -> Self {
+        let motions = self.motions_from_home(at);
+        let mut robot = self.clone();
+        for (index, joint) in robot.joints.iter_mut().enumerate() {
+            joint.axis = joint.axis.moved_by(&motions[index]);
+            if let Some(link) = &mut joint.link {
+                link.centre_mm = motions[index + 1] * link.centre_mm;
+            }
+            if let Some(limits) = &mut joint.limits {
+                limits.from -= at[index];
+                limits.to -= at[index];
+            }
+        }
+        robot.base_from_tool = self.base_from_tool(at);
+        robot.source = RobotSource::Axes;
+        robot
     }
 
     /// Whether `q` has one finite value per joint.

@@ -30,6 +30,7 @@ pub(crate) fn robot_of(joints: Vec<Joint>) -> Robot {
         joints,
         base_from_tool: Pose::translation(300.0, 10.0, 5.0),
         gravity_m_s2: None,
+        source: crate::kinematics::RobotSource::Axes,
     }
 }
 
@@ -98,6 +99,7 @@ pub(crate) fn robot_and_pose() -> impl Strategy<Value = (Robot, Vec<f64>)> {
             joints: joints.into_iter().map(|(joint, _)| joint).collect(),
             base_from_tool: screw::exp(&tool),
             gravity_m_s2: Some(gravity),
+            source: crate::kinematics::RobotSource::Axes,
         };
         (robot, q)
     })

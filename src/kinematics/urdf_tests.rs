@@ -1,6 +1,7 @@
 //! Tests of the URDF reader: a robot worked out by hand, every refusal, and noise.
 
 use super::*;
+use crate::kinematics::Range;
 use proptest::prelude::*;
 
 const ARM: &str = r#"<?xml version="1.0"?>
@@ -95,7 +96,7 @@ fn every_refusal_names_the_file_and_what_was_expected() {
     };
     let cases = [
         (refusal("not xml at all"), "line 1"),
-        (refusal(&ARM[..ARM.len() - 9]), "never closed"),
+        (refusal(&ARM[..ARM.len() - 9]), "well-formed XML"),
         (
             with("type=\"revolute\"", "type=\"floating\""),
             "a floating joint",
@@ -119,7 +120,7 @@ fn every_refusal_names_the_file_and_what_was_expected() {
             with("<parent link=\"base\"/>", "<parent link=\"tool\"/>"),
             "no chain of joints",
         ),
-        (with("<parent link=\"base\"/>", ""), "missing field"),
+        (with("<parent link=\"base\"/>", ""), "without <parent>"),
         (
             with("link name=\"camera\"", "link name=\"upper\""),
             "two links called 'upper'",
@@ -136,7 +137,7 @@ fn every_refusal_names_the_file_and_what_was_expected() {
         assert!(message.contains("expected"), "{message}");
     }
     let unknown = read(ARM, "wold", "tool").unwrap_err().to_string();
-    assert!(unknown.contains("no link 'wold' for the base; expected one of 'base'"));
+    assert!(unknown.contains("no link 'wold' for the base; expected one of 'world'"));
     let upside_down = read(ARM, "tool", "world").unwrap_err().to_string();
     assert!(upside_down.contains("no chain of joints from 'tool' to 'world'"));
     let still = read(ARM, "slide", "tool").unwrap_err().to_string();
@@ -150,12 +151,12 @@ fn a_file_that_is_missing_or_a_folder_or_binary_is_refused() {
     std::fs::write(&binary, [0xff, 0xfe, 0x00]).unwrap();
     let missing = folder.path().join("missing.urdf");
     for path in [folder.path(), &binary, &missing] {
-        let refused = robot_from_urdf_file(path, "a", "b").unwrap_err();
+        let refused = crate::kinematics::robot_from_file(path, None, "a", "b").unwrap_err();
         assert_eq!(refused.diagnostics[0].place.file.as_deref(), Some(path));
     }
     let good = folder.path().join("arm.urdf");
     std::fs::write(&good, ARM).unwrap();
-    assert!(robot_from_urdf_file(&good, "world", "tool").is_ok());
+    assert!(crate::kinematics::robot_from_file(&good, None, "world", "tool").is_ok());
 }
 
 /// Pieces that XML readers stumble over.

@@ -213,7 +213,11 @@ pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures>
             fitted: errors(true),
             held_out: errors(false),
             outliers: items.iter().filter(|i| layer.suspected[**i]).count(),
-            rows: items.iter().filter(|i| layer.used[**i]).map(|i| layer.items[*i].rows).sum(),
+            rows: items
+                .iter()
+                .filter(|i| layer.used[**i])
+                .map(|i| layer.items[*i].rows)
+                .sum(),
             stated_sigma: stated.map(|s| s * factor),
             found_sigma: spread(layer, kind, &now).map(|s| s * layer.sigma[kind] * factor),
         });

@@ -22,8 +22,8 @@ use crate::kinematics::JointKind;
 use crate::lanes::cross;
 use crate::model::Model;
 
-use crate::effects::places::{Place, PlaceKind, stated};
 use super::{KINDS, Layer, Looks};
+use crate::effects::places::{Place, PlaceKind, stated};
 
 /// What is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -20,8 +20,8 @@ use crate::lanes::{LANES, Lanes, Lanes3, cross, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
 
-use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use super::{KINDS, Kind, Looks, Residual, Seen};
+use crate::effects::places::{MOST, Place, PlaceKind, stated};
 
 /// One observation of one sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -360,7 +360,13 @@ pub fn predictions(
         let kind = KINDS.iter().position(|kind| kind.about().looks == looks);
         let kind = kind.unwrap_or(0);
         let samples = 0..session.samples.len();
-        let items: Vec<Item> = samples.map(|sample| Item { kind, sample, rows: 0 }).collect();
+        let items: Vec<Item> = samples
+            .map(|sample| Item {
+                kind,
+                sample,
+                rows: 0,
+            })
+            .collect();
         stream(session, &inputs, &items, looks)
     };
     let mut seen = Vec::with_capacity(session.samples.len());

@@ -30,8 +30,8 @@ pub mod start;
 
 pub(crate) mod kinds;
 
-use crate::sessions::{Instrument, Session};
 use crate::effects::places::{MOST, Place};
+use crate::sessions::{Instrument, Session};
 
 pub use layer::{Item, Layer, RowBlock};
 

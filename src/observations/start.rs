@@ -12,8 +12,8 @@ use crate::model::Model;
 use crate::sessions::Session;
 
 use super::kinds::orientation::measured;
-use crate::effects::places::{self, MOST, Place, PlaceKind, stated};
 use super::{KINDS, Layer, Looks, Residual, Seen};
+use crate::effects::places::{self, MOST, Place, PlaceKind, stated};
 
 /// As many observations of a place say where it is.
 const MOST_ITEMS: usize = 200;

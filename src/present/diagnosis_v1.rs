@@ -117,8 +117,8 @@ struct Found {
 
 #[derive(Debug, Serialize)]
 struct Equivalent {
-    explanation: Vec<&'static str>,
-    instead: Vec<&'static str>,
+    explanation: Vec<String>,
+    instead: Vec<String>,
     odds: f64,
     separate_by: String,
 }
@@ -144,7 +144,7 @@ struct Unexplained {
     rms_mm: f64,
     #[serde(rename = "where")]
     place: Option<Place>,
-    resembles: Vec<&'static str>,
+    resembles: Vec<String>,
     says: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     noise: Option<StatedNoise>,

@@ -51,8 +51,8 @@ pub struct Document {
 
 #[derive(Debug, Serialize)]
 struct Open {
-    explanation: Vec<&'static str>,
-    instead: Vec<&'static str>,
+    explanation: Vec<String>,
+    instead: Vec<String>,
 }
 
 #[derive(Debug, Serialize)]

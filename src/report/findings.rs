@@ -6,7 +6,7 @@ use crate::effects;
 use super::accuracy::sides;
 use super::document::{Block, Section, Table, clean};
 use super::numbers::{in_words, mm, plain, short, three_digits};
-use super::parts::{fact, title};
+use super::parts::{fact, title, title_of};
 use super::session::{MOST_ROWS, Told};
 use crate::diagnosis::Sight;
 
@@ -68,11 +68,7 @@ impl Told<'_> {
                 facts.push(fact("Where", clean(&place.says())));
             }
             if !d.unexplained.resembles.is_empty() {
-                let names = d
-                    .unexplained
-                    .resembles
-                    .iter()
-                    .map(|n| title(n, None, self.robot()));
+                let names = d.unexplained.resembles.iter().map(|n| title_of(n));
                 facts.push(fact(
                     "Resembles in part",
                     names.collect::<Vec<_>>().join(", "),

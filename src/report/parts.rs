@@ -18,6 +18,19 @@ pub(super) fn title(effect: &str, joint: Option<usize>, robot: &Robot) -> String
     }
 }
 
+/// A name in words that may end with its joint, `id joint`.
+pub(super) fn title_of(name: &str) -> String {
+    match name.split_once(' ') {
+        Some((id, joint)) => {
+            let title = effects::find(id).map_or(id, |e| e.about().title);
+            format!("{title}, joint {joint}")
+        }
+        None => effects::find(name)
+            .map_or(name, |e| e.about().title)
+            .to_owned(),
+    }
+}
+
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
     let mut facts = vec![("Robot".to_owned(), or_unnamed(&robot.name))];

@@ -69,6 +69,8 @@ pub(crate) fn samples(
         q_read: vec![None; joints],
         dir: vec![None; joints],
         speed: vec![None; joints],
+        torque_nm: vec![None; joints],
+        joint_temperature_c: vec![None; joints],
         line: table.line,
         ..Samples::default()
     };
@@ -91,6 +93,10 @@ pub(crate) fn samples(
                     Quantity::Commanded(joint) => put(&mut samples.q, joint, values),
                     Quantity::ReadBack(joint) => put(&mut samples.q_read, joint, Some(values)),
                     Quantity::Speed(joint) => put(&mut samples.speed, joint, Some(values)),
+                    Quantity::Torque(joint) => put(&mut samples.torque_nm, joint, Some(values)),
+                    Quantity::JointTemperature(joint) => {
+                        put(&mut samples.joint_temperature_c, joint, Some(values));
+                    }
                     Quantity::Direction(joint) => {
                         column.check_directions(&values);
                         put(&mut samples.dir, joint, Some(values));

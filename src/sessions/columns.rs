@@ -29,6 +29,10 @@ pub(crate) enum Quantity {
     Target,
     Direction(usize),
     Speed(usize),
+    /// Measured torque of a joint.
+    Torque(usize),
+    /// Temperature of a joint.
+    JointTemperature(usize),
     Load,
     Temperature,
     Time,
@@ -164,6 +168,14 @@ fn known_with_unit(heading: &str) -> Option<(Quantity, Unit)> {
             Unit::from_suffix(unit)?,
         ));
     }
+    if let Some(rest) = heading.strip_prefix("torque") {
+        let joint = joint_index(rest.strip_suffix("_nm")?)?;
+        return Some((Quantity::Torque(joint), Unit::Fixed));
+    }
+    if let Some(rest) = heading.strip_prefix("temperature") {
+        let joint = joint_index(rest.strip_suffix("_c")?)?;
+        return Some((Quantity::JointTemperature(joint), Unit::Fixed));
+    }
     let (name, suffix) = heading.rsplit_once('_')?;
     let unit = Unit::from_suffix(suffix)?;
     let quantity = match name {
@@ -218,6 +230,16 @@ fn hint(heading: &str) -> Option<String> {
         "time" | "t" => "time_s".to_owned(),
         _ if name.strip_prefix('q').and_then(joint_index).is_some() => {
             format!("{name}_deg, {name}_rad or, for a sliding joint, {name}_mm")
+        }
+        _ if name.strip_prefix("torque").and_then(joint_index).is_some() => {
+            format!("{name}_nm")
+        }
+        _ if name
+            .strip_prefix("temperature")
+            .and_then(joint_index)
+            .is_some() =>
+        {
+            format!("{name}_c")
         }
         _ if name.strip_prefix("speed").and_then(joint_index).is_some() => {
             format!("{name}_deg_s, {name}_rad_s or, for a sliding joint, {name}_mm_s")
@@ -305,6 +327,8 @@ pub(crate) fn check_joint(
     let (Quantity::Commanded(joint)
     | Quantity::ReadBack(joint)
     | Quantity::Speed(joint)
+    | Quantity::Torque(joint)
+    | Quantity::JointTemperature(joint)
     | Quantity::Direction(joint)) = quantity
     else {
         return;
@@ -397,6 +421,8 @@ fn highest_joint(headings: &[Heading]) -> usize {
                 Quantity::Commanded(joint)
                 | Quantity::ReadBack(joint)
                 | Quantity::Speed(joint)
+                | Quantity::Torque(joint)
+                | Quantity::JointTemperature(joint)
                 | Quantity::Direction(joint),
                 _,
             ) => Some(joint + 1),
@@ -437,6 +463,12 @@ mod tests {
         assert_eq!(unit("x_in"), Some((Quantity::X, 25.4)));
         assert_eq!(unit("speed2_mm_s"), Some((Quantity::Speed(1), 1.0)));
         assert_eq!(unit("dir3"), Some((Quantity::Direction(2), 1.0)));
+        assert_eq!(unit("torque2_nm"), Some((Quantity::Torque(1), 1.0)));
+        assert_eq!(
+            unit("temperature4_c"),
+            Some((Quantity::JointTemperature(3), 1.0))
+        );
+        assert_eq!(unit("temperature_c"), Some((Quantity::Temperature, 1.0)));
         for stranger in [
             "x",
             "x_deg",
@@ -444,6 +476,9 @@ mod tests {
             "q01_deg",
             "qx_mm",
             "speed1_deg",
+            "torque1",
+            "torque_nm",
+            "temperature0_c",
             "dir",
             "",
             "_mm",

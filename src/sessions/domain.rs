@@ -136,6 +136,11 @@ pub struct Samples {
     pub dir: Vec<Option<Vec<f64>>>,
     /// Signed joint speed while measuring, rad/s or mm/s; 0 at standstill.
     pub speed: Vec<Option<Vec<f64>>>,
+    /// Measured torque about each joint (along it, where it slides), N·m (N): positive where it
+    /// pushes the joint to larger values. Fewer columns than joints: the others were not measured.
+    pub torque_nm: Vec<Option<Vec<f64>>>,
+    /// Temperature of each joint, °C. Fewer columns than joints: as `torque_nm`.
+    pub joint_temperature_c: Vec<Option<Vec<f64>>>,
     /// Load at the tool's origin, kg.
     pub load_kg: Option<Vec<f64>>,
     /// Temperature, °C.

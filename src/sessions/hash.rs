@@ -61,6 +61,17 @@ fn samples(canonical: &mut Canonical, samples: &Samples) {
             canonical.column(name, column.as_deref());
         }
     }
+    // Columns that came later count where they are there, so that older hashes stay.
+    for (name, columns) in [
+        ("torque", &samples.torque_nm),
+        ("joint temperature", &samples.joint_temperature_c),
+    ] {
+        for (joint, column) in columns.iter().enumerate() {
+            if let Some(column) = column {
+                canonical.numbers(&format!("{name} {joint}"), column);
+            }
+        }
+    }
     canonical.numbers("x", &samples.x_mm);
     canonical.numbers("y", &samples.y_mm);
     canonical.column("z", samples.z_mm.as_deref());

@@ -4,6 +4,7 @@
 //! made. The diagnosis tries them as hypotheses, and the window offers the one that it believed.
 
 use super::{Samples, Session, Setups};
+use crate::kinematics::JointKind;
 
 /// A change that takes a mistake back.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +16,29 @@ pub enum Mend {
         /// What its values are multiplied by.
         factor: f64,
     },
+    /// The values of every joint that turns times this: π/180 for a unit.
+    ScaleJoints {
+        /// What their values are multiplied by.
+        factor: f64,
+    },
+    /// Two joints (counted from 0) change places.
+    ExchangeJoints {
+        /// One.
+        first: usize,
+        /// The other.
+        second: usize,
+    },
+    /// The value of a joint (counted from 0) and so many times that of another: a parallelogram.
+    CoupleJoint {
+        /// The joint, counted from 0.
+        joint: usize,
+        /// The other one, counted from 0.
+        from: usize,
+        /// How much of it is added.
+        factor: f64,
+    },
+    /// The values read back become the commanded ones.
+    TakeReadBack,
     /// The commanded and read-back values of a joint and this.
     TurnHome {
         /// The joint, counted from 0.
@@ -43,6 +67,24 @@ impl Mend {
                 format!("Read joint {} as degrees", joint + 1)
             }
             Self::ScaleJoint { joint, .. } => format!("Read joint {} as radians", joint + 1),
+            Self::ScaleJoints { factor } if *factor < 1.0 => {
+                "Read all joints as degrees".to_owned()
+            }
+            Self::ScaleJoints { .. } => "Read all joints as radians".to_owned(),
+            Self::ExchangeJoints { first, second } => {
+                format!("Exchange joints {} and {}", first + 1, second + 1)
+            }
+            Self::CoupleJoint {
+                joint,
+                from,
+                factor,
+            } if *factor < 0.0 => {
+                format!("Subtract joint {} from joint {}", from + 1, joint + 1)
+            }
+            Self::CoupleJoint { joint, from, .. } => {
+                format!("Add joint {} to joint {}", from + 1, joint + 1)
+            }
+            Self::TakeReadBack => "Start from the values read back".to_owned(),
             Self::TurnHome { joint, by_rad } => {
                 format!(
                     "Turn the home of joint {} by {:.0}°",
@@ -73,8 +115,36 @@ impl Mend {
 
     /// Changes the session. What the session does not have (a joint, a sample) is passed over.
     pub fn apply(&self, session: &mut Session) {
+        let turning = |j: usize| {
+            session
+                .robot
+                .joints
+                .get(j)
+                .is_some_and(|j| j.kind == JointKind::Revolute)
+        };
+        let turning: Vec<usize> = (0..session.samples.q.len())
+            .filter(|j| turning(*j))
+            .collect();
         let samples = &mut session.samples;
         match self {
+            Self::ScaleJoints { factor } => {
+                for joint in turning {
+                    scale_joint(samples, joint, *factor);
+                }
+            }
+            Self::ExchangeJoints { first, second } => exchange(samples, *first, *second),
+            Self::CoupleJoint {
+                joint,
+                from,
+                factor,
+            } => couple(samples, *joint, *from, *factor),
+            Self::TakeReadBack => {
+                for (q, read) in samples.q.iter_mut().zip(&samples.q_read) {
+                    if let Some(read) = read {
+                        q.clone_from(read);
+                    }
+                }
+            }
             Self::ScaleJoint { joint, factor } => scale_joint(samples, *joint, *factor),
             Self::TurnHome { joint, by_rad } => {
                 let turn = |column: &mut Vec<f64>| column.iter_mut().for_each(|q| *q += by_rad);
@@ -111,7 +181,39 @@ fn scale_joint(samples: &mut Samples, joint: usize, factor: f64) {
     samples.q_read[joint].iter_mut().for_each(scale);
     samples.speed[joint].iter_mut().for_each(scale);
     if factor < 0.0 {
+        let turn = |column: &mut Vec<f64>| column.iter_mut().for_each(|v| *v = -*v);
         samples.dir[joint].iter_mut().for_each(scale);
+        let torque = samples.torque_nm.get_mut(joint);
+        torque.into_iter().flatten().for_each(turn);
+    }
+}
+
+fn exchange(samples: &mut Samples, first: usize, second: usize) {
+    if first.max(second) < samples.q.len() {
+        samples.q.swap(first, second);
+        samples.q_read.swap(first, second);
+        samples.dir.swap(first, second);
+        samples.speed.swap(first, second);
+    }
+}
+
+fn couple(samples: &mut Samples, joint: usize, from: usize, factor: f64) {
+    if joint == from || joint.max(from) >= samples.q.len() {
+        return;
+    }
+    let add = |to: &mut Vec<f64>, other: &[f64]| {
+        for (value, other) in to.iter_mut().zip(other) {
+            *value += factor * other;
+        }
+    };
+    let other = samples.q[from].clone();
+    add(&mut samples.q[joint], &other);
+    for columns in [&mut samples.q_read, &mut samples.speed] {
+        if let Some(other) = columns[from].clone()
+            && let Some(own) = &mut columns[joint]
+        {
+            add(own, &other);
+        }
     }
 }
 

@@ -3,8 +3,8 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::sessions::assemble::Locate;
-use crate::sessions::number::quoted;
 use crate::sessions::domain::{Session, has_missing};
+use crate::sessions::number::quoted;
 use crate::sessions::references::{ObservedColumns, References};
 use crate::sessions::table::Names;
 
@@ -73,6 +73,10 @@ impl<'a> NamedColumn<'a> {
             let found = format!("{name} is not declared");
             findings.push(Diagnostic::error(locate(index, row), found, &expected));
         }
+        // What was refused must not be missed besides.
+        let known = known.iter().zip(&cells.list);
+        let known = known.map(|(known, name)| known.or((!name.is_empty()).then_some(0)));
+        let known: Vec<Option<u32>> = known.collect();
         let rows = 0..cells.index.len();
         rows.map(|row| known[of(row)]).collect()
     }
@@ -177,7 +181,9 @@ impl Session {
         if turned.is_some_and(|q| q[0].iter().any(|v| !v.is_nan())) {
             return false;
         }
-        let columns = [&samples.x_mm, &samples.y_mm].into_iter().chain(&samples.z_mm);
+        let columns = [&samples.x_mm, &samples.y_mm]
+            .into_iter()
+            .chain(&samples.z_mm);
         !columns.into_iter().any(|c| has_missing(c)) || samples.partly_measured().is_empty()
     }
 
@@ -201,7 +207,8 @@ impl Session {
         let instrument = &self.instrument;
         let count = |has: &dyn Fn(usize) -> bool| (0..samples.len()).filter(|i| has(*i)).count();
         let number = |c: &Option<Vec<f64>>| {
-            c.as_ref().map_or(0, |c| c.iter().filter(|v| !v.is_nan()).count())
+            c.as_ref()
+                .map_or(0, |c| c.iter().filter(|v| !v.is_nan()).count())
         };
         let name = |c: &Option<Vec<Option<u32>>>| c.iter().flatten().flatten().count();
         let sigma_mm = instrument.sigma_mm.is_some();
@@ -234,7 +241,12 @@ impl Session {
                 "sigma_direction_urad",
                 instrument.sigma_direction.is_some(),
             ),
-            kind(name(&own.socket), ["target in a socket", "targets in sockets"], "sigma_mm", sigma_mm),
+            kind(
+                name(&own.socket),
+                ["target in a socket", "targets in sockets"],
+                "sigma_mm",
+                sigma_mm,
+            ),
             kind(
                 name(&own.plane),
                 ["touch", "touches"],

@@ -22,7 +22,13 @@ impl Samples {
             retain(column, &kept);
         }
         self.z_mm.iter_mut().for_each(keep);
-        for columns in [&mut self.q_read, &mut self.dir, &mut self.speed] {
+        for columns in [
+            &mut self.q_read,
+            &mut self.dir,
+            &mut self.speed,
+            &mut self.torque_nm,
+            &mut self.joint_temperature_c,
+        ] {
             columns.iter_mut().flatten().for_each(keep);
         }
         self.orientation_wxyz.iter_mut().flatten().for_each(keep);
@@ -78,7 +84,12 @@ impl Samples {
             (&mut self.q_read, more.q_read),
             (&mut self.dir, more.dir),
             (&mut self.speed, more.speed),
+            (&mut self.torque_nm, more.torque_nm),
+            (&mut self.joint_temperature_c, more.joint_temperature_c),
         ] {
+            let joints = columns.len().max(more.len());
+            columns.resize(joints, None);
+            let more = more.into_iter().chain(std::iter::repeat(None));
             for (column, more) in columns.iter_mut().zip(more) {
                 extend(column, more, before, added);
             }

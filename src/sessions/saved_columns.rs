@@ -194,6 +194,16 @@ pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
             );
         }
     }
+    for (of_joints, name, unit) in [
+        (&samples.torque_nm, "torque", "nm"),
+        (&samples.joint_temperature_c, "temperature", "c"),
+    ] {
+        for (i, values) in of_joints.iter().enumerate() {
+            if let Some(values) = values {
+                columns.add(format!("{name}{}_{unit}", i + 1), Values::plain(values));
+            }
+        }
+    }
     for (name, values) in [
         ("load_kg", &samples.load_kg),
         ("temperature_c", &samples.temperature_c),

@@ -118,7 +118,10 @@ fn instrument(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
 /// How many measurements of which kind there are, where points are not all.
 fn kinds(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     if let Some(counts) = session.kinds_in_words() {
-        findings.push(Diagnostic::note(file.clone(), format!("measured: {counts}")));
+        findings.push(Diagnostic::note(
+            file.clone(),
+            format!("measured: {counts}"),
+        ));
     }
 }
 

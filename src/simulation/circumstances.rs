@@ -11,6 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::motion::side;
 use super::scenario::{Circumstances, Scenario, Stop, Temperature};
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::sessions::{Lines, ObservedColumns, Samples};
 
 /// The samples of these stops, their points still at zero.
@@ -47,7 +48,11 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
             }
             target.push(t);
             load.push(hand.load_kg);
-            temperature.push(hand.temperature_c.unwrap_or_else(|| warmed_up(c, now)));
+            temperature.push(hand.temperature_c.unwrap_or_else(|| {
+                c.temperature
+                    .as_ref()
+                    .map_or(REFERENCE_TEMPERATURE_C, |t| warmed_up(t, now))
+            }));
             time.push(now);
         }
         before.clone_from(&stop.q);
@@ -59,6 +64,15 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
             .map(|values| is.then_some(values))
             .collect()
     };
+    let torque_nm = if c.torques {
+        torques(scenario, &q, &load)
+    } else {
+        vec![None; joints]
+    };
+    let warmed = |t: &Temperature| time.iter().map(|now| warmed_up(t, *now)).collect();
+    let of_joints = c.joint_temperatures.iter();
+    let mut joint_temperature_c: Vec<_> = of_joints.map(|t| t.as_ref().map(warmed)).collect();
+    joint_temperature_c.resize(joints, None);
     Samples {
         q,
         q_read: vec![None; joints],
@@ -72,6 +86,8 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
         speed: given(speed, !c.speeds.is_empty()),
         load_kg: (!c.loads_kg.is_empty()).then_some(load),
         temperature_c: c.temperature.is_some().then_some(temperature),
+        torque_nm,
+        joint_temperature_c,
         time_s: c.seconds_per_pose.is_some().then_some(time),
         setups: None,
         held_out: None,
@@ -123,17 +139,30 @@ fn deal(c: &Circumstances, stops: usize, random: &mut ChaCha8Rng) -> Vec<Hand> {
     hands
 }
 
-fn warmed_up(c: &Circumstances, time_s: f64) -> f64 {
-    match c.temperature {
-        Some(Temperature::WarmUp {
+/// Gravity's torque about each joint, as a sensor without errors shows it, N·m.
+fn torques(scenario: &Scenario, q: &[Vec<f64>], load_kg: &[f64]) -> Vec<Option<Vec<f64>>> {
+    let of_joint = |joint: usize| {
+        let at = |sample: usize| {
+            let pose: Vec<f64> = q.iter().map(|q| q[sample]).collect();
+            let robot = &scenario.robot;
+            robot.gravity_torque_nm(&pose, load_kg[sample], joint)
+        };
+        (0..load_kg.len()).map(at).collect()
+    };
+    (0..q.len()).map(of_joint).collect()
+}
+
+fn warmed_up(temperature: &Temperature, time_s: f64) -> f64 {
+    match *temperature {
+        Temperature::WarmUp {
             from_c,
             to_c,
             time_constant_s,
-        }) => {
+        } => {
             let exact = to_c + (from_c - to_c) * (-time_s / time_constant_s).exp();
             // What the thermometer shows is what the machine has: hundredths of a degree.
             (exact * 100.0).round() / 100.0
         }
-        _ => crate::effects::inputs::REFERENCE_TEMPERATURE_C,
+        Temperature::Values(_) => REFERENCE_TEMPERATURE_C,
     }
 }

@@ -11,11 +11,11 @@ use rand_distr::{Distribution, StandardNormal};
 use super::scenario::{Measure, Scenario, Unknown};
 use super::{SimulateError, Stream, random};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
-use crate::effects::{Inputs, JointValues, Term, find};
+use crate::effects::places::{MOST, Place, PlaceKind, stated};
+use crate::effects::{Inputs, JointValues, Term, joint_zero};
 use crate::lanes::dot;
 use crate::model::Model;
 use crate::observations::layer::predictions;
-use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use crate::observations::{KINDS, Kind, Seen};
 use crate::sessions::{References, Session};
 
@@ -26,42 +26,51 @@ const THERE_MM: f64 = 1e-9;
 /// The longest step of a joint, rad; of one that slides as many times a metre.
 const LONGEST: f64 = 0.3;
 
-/// The kinds and the places of one way to measure.
-fn parts(measure: Measure, references: &References) -> (&'static [&'static str], Option<PlaceKind>, usize) {
-    let count = |n: usize| n.max(1);
+/// The kinds that one way to measure has.
+fn kinds_of(measure: Measure) -> &'static [&'static str] {
     match measure {
-        Measure::Point => (&["point"], None, 1),
-        Measure::Pose => (&["point", "orientation"], None, 1),
-        Measure::Distance => {
-            let n = count(references.anchors.len());
-            (&["distance"], Some(PlaceKind::Anchor), n)
-        }
-        Measure::Bearing => {
-            let n = count(references.stations.len());
-            (&["bearing"], Some(PlaceKind::Station), n)
-        }
-        Measure::Pointing => {
-            let stations = references.stations.len();
-            let kind = (stations > 0).then_some(PlaceKind::Station);
-            (&["pointing"], kind, count(stations))
-        }
-        Measure::Socket => {
-            let n = count(references.sockets.len());
-            (&["socket"], Some(PlaceKind::Socket), n)
-        }
-        Measure::Touch => {
-            let n = count(references.planes.len());
-            (&["touch"], Some(PlaceKind::Plane), n)
-        }
+        Measure::Point => &["point"],
+        Measure::Pose => &["point", "orientation"],
+        Measure::Distance => &["distance"],
+        Measure::Bearing => &["bearing"],
+        Measure::Pointing => &["pointing"],
+        Measure::Socket => &["socket"],
+        Measure::Touch => &["touch"],
     }
 }
 
-/// How one sample is measured: the way, and the index of its place.
-fn turn_of(scenario: &Scenario, sample: usize) -> (Measure, usize) {
+/// The places that one way to measure refers to.
+fn places_of(measure: Measure, all: &References) -> Vec<Place> {
+    let listed = all.pointing.as_ref().and_then(|p| p.stations.as_ref());
+    let points = |station: &usize| listed.is_none_or(|listed| listed.contains(station));
+    let (kind, indices): (_, Vec<usize>) = match measure {
+        Measure::Point | Measure::Pose => return Vec::new(),
+        Measure::Distance => (PlaceKind::Anchor, (0..all.anchors.len()).collect()),
+        Measure::Bearing => {
+            let pointing = all.pointing.is_some();
+            let sees = |station: &usize| !(pointing && points(station));
+            let stations = (0..all.stations.len()).filter(sees);
+            (PlaceKind::Station, stations.collect())
+        }
+        Measure::Pointing => {
+            let stations = (0..all.stations.len()).filter(points);
+            (PlaceKind::Station, stations.collect())
+        }
+        Measure::Socket => (PlaceKind::Socket, (0..all.sockets.len()).collect()),
+        Measure::Touch => (PlaceKind::Plane, (0..all.planes.len()).collect()),
+    };
+    let place = |index| Place { kind, index };
+    indices.into_iter().map(place).collect()
+}
+
+/// How one sample is measured: the way, and its place where it has one.
+fn turn_of(scenario: &Scenario, sample: usize) -> (Measure, Option<Place>) {
     let ways = scenario.measure.len();
     let measure = scenario.measure[sample % ways];
-    let places = parts(measure, &scenario.instrument.references).2;
-    (measure, sample / ways % places)
+    let places = places_of(measure, &scenario.instrument.references);
+    let turn = sample / ways;
+    let place = (!places.is_empty()).then(|| places[turn % places.len()]);
+    (measure, place)
 }
 
 /// Measures every sample in its own way; `outliers` are those that go wrong. The session leaves
@@ -86,7 +95,7 @@ pub fn measure(
     let points = scenario.noise.map_or(0.0, |noise| noise.sigma_mm);
     for sample in 0..count {
         let (measure, place) = turn_of(scenario, sample);
-        if matches!(measure, Measure::Socket | Measure::Touch) {
+        if let (Measure::Socket | Measure::Touch, Some(place)) = (measure, place) {
             let wild = if outliers.contains(&sample) {
                 scenario.outliers.map_or(0.0, |o| o.mm)
             } else {
@@ -97,18 +106,20 @@ pub fn measure(
                 _ => points,
             };
             let off = noises[sample].map(|n| sigma * n + wild);
-            brought(scenario, model, session, sample, (measure, place, off))?;
+            brought(scenario, model, session, sample, (place, off))?;
         }
     }
     let seen = predictions(session, JointValues::Commanded, model);
-    if scenario.measure.iter().all(|m| !matches!(m, Measure::Point | Measure::Pose)) {
+    if scenario
+        .measure
+        .iter()
+        .all(|m| !matches!(m, Measure::Point | Measure::Pose))
+    {
         session.samples.z_mm = Some(vec![f64::NAN; count]);
     }
     for sample in 0..count {
-        let (measure, index) = turn_of(scenario, sample);
+        let (measure, place) = turn_of(scenario, sample);
         let references = &session.instrument.references;
-        let (kinds, kind, _) = parts(measure, references);
-        let place = kind.map(|kind| Place { kind, index });
         let at = place.map_or([None; MOST], |place| stated(references, place));
         let at = at.map(|v| v.unwrap_or(0.0));
         let seen = Seen {
@@ -123,9 +134,17 @@ pub fn measure(
                 z[sample] = f64::NAN;
             }
         }
-        let wild = outliers.contains(&sample).then_some(scenario.outliers).flatten();
-        for own in kinds.iter().filter_map(|name| KINDS.iter().find(|k| k.about().name == *name)) {
-            let unit = if own.about().name == "orientation" { turned[sample] } else { noises[sample] };
+        let wild = outliers
+            .contains(&sample)
+            .then_some(scenario.outliers)
+            .flatten();
+        let kinds = kinds_of(measure).iter();
+        for own in kinds.filter_map(|name| KINDS.iter().find(|k| k.about().name == *name)) {
+            let unit = if own.about().name == "orientation" {
+                turned[sample]
+            } else {
+                noises[sample]
+            };
             let Some(noise) = noise_of(*own, scenario, &seen, unit) else {
                 continue;
             };
@@ -162,12 +181,10 @@ fn brought(
     model: &Model,
     session: &mut Session,
     sample: usize,
-    (measure, index, off): (Measure, usize, [f64; 3]),
+    (Place { kind, index }, off): (Place, [f64; 3]),
 ) -> Result<(), SimulateError> {
     let joints = session.robot.joints.len();
-    let Some(zero) = find("joint-zero-offset") else {
-        return Ok(());
-    };
+    let zero = joint_zero();
     // A joint moves the target as its zero offset does; the nominal robot's slopes are near enough.
     let probed = (0..joints).fold(Model::nominal(model.robot.clone()), |m, joint| {
         m.with_term(Term::absent(zero, joint, 0.0))
@@ -177,8 +194,8 @@ fn brought(
     let mut own = inputs.select(&[sample]);
     for _ in 0..STEPS {
         let at = model.predict(&own).get(0);
-        let (left, rows) = match measure {
-            Measure::Touch => {
+        let (left, rows) = match kind {
+            PlaceKind::Plane => {
                 let Some((normal, distance)) = references.planes[index].known else {
                     return Ok(());
                 };
@@ -190,7 +207,10 @@ fn brought(
                     return Ok(());
                 };
                 let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
-                (left, vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+                (
+                    left,
+                    vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                )
             }
         };
         if left.iter().all(|v: &f64| v.abs() < THERE_MM) {
@@ -221,10 +241,7 @@ fn brought(
             own.q[joint].to_mut()[0] += shorten * step[joint];
         }
     }
-    let name = match measure {
-        Measure::Touch => &references.planes[index].name,
-        _ => &references.sockets[index].name,
-    };
+    let name = crate::effects::places::name(references, Place { kind, index });
     let found = format!("'{name}' is not reached from stop {}", sample + 1);
     let place = FilePlace::default().in_field("measure");
     let expected = "places within reach, and poses near them";

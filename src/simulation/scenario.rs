@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::effects::{Setting, Stage, Term};
+use crate::effects::{Offered, Term};
 use crate::kinematics::Robot;
 use crate::sessions::{Instrument, Region, Target};
 
@@ -164,6 +164,10 @@ pub struct Circumstances {
     pub loads_kg: Vec<f64>,
     /// Temperature.
     pub temperature: Option<Temperature>,
+    /// Temperature of joints, one entry for each joint from the first on; `None`: not measured.
+    pub joint_temperatures: Vec<Option<Temperature>>,
+    /// Whether the torques about the turning joints are measured: gravity's, of load and links.
+    pub torques: bool,
     /// Time from stop to stop, s; `None`: the session has no time.
     pub seconds_per_pose: Option<f64>,
 }
@@ -357,27 +361,32 @@ impl Scenario {
             time.is_none_or(positive),
             "a time above 0 s",
         );
-        let warm_up = match &c.temperature {
-            Some(Temperature::WarmUp {
-                from_c,
-                to_c,
-                time_constant_s,
-            }) => {
-                let finite = from_c.is_finite() && to_c.is_finite();
-                wrong(
-                    "conditions.temperature_c",
-                    finite && positive(*time_constant_s),
-                    "finite temperatures and a time constant above 0 s",
-                );
-                true
+        let of_joints = c.joint_temperatures.iter().flatten();
+        let temperatures = c
+            .temperature
+            .iter()
+            .map(|t| ("conditions.temperature_c", t));
+        let temperatures =
+            temperatures.chain(of_joints.map(|t| ("conditions.joint_temperatures_c", t)));
+        let mut warm_up = false;
+        for (field, temperature) in temperatures {
+            match temperature {
+                Temperature::WarmUp {
+                    from_c,
+                    to_c,
+                    time_constant_s,
+                } => {
+                    let finite = from_c.is_finite() && to_c.is_finite();
+                    let expected = "finite temperatures and a time constant above 0 s";
+                    wrong(field, finite && positive(*time_constant_s), expected);
+                    warm_up = true;
+                }
+                Temperature::Values(values) => {
+                    let finite = values.iter().all(|v| v.is_finite());
+                    wrong(field, finite, "finite temperatures");
+                }
             }
-            Some(Temperature::Values(values)) => {
-                let finite = values.iter().all(|v| v.is_finite());
-                wrong("conditions.temperature_c", finite, "finite temperatures");
-                false
-            }
-            None => false,
-        };
+        }
         wrong(
             "conditions.seconds_per_pose",
             !warm_up || time.is_some(),
@@ -410,7 +419,11 @@ impl Scenario {
                 problems.push(Diagnostic::error(field(at), "not where it is", expected));
             }
         };
-        wrong("measure", !self.measure.is_empty(), "at least one way to measure");
+        wrong(
+            "measure",
+            !self.measure.is_empty(),
+            "at least one way to measure",
+        );
         for measure in &self.measure {
             match measure {
                 Measure::Point | Measure::Pose => {}
@@ -426,11 +439,13 @@ impl Scenario {
                 Measure::Bearing => wrong(
                     "stations",
                     !all.stations.is_empty()
+                        && all.pointing.as_ref().is_none_or(|p| p.stations.is_some())
                         && all
                             .stations
                             .iter()
                             .all(|s| s.position_mm.is_some() && s.attitude.is_some()),
-                    "stations with position_mm and quaternion_wxyz; \"unknown\" hides them",
+                    "stations with position_mm and quaternion_wxyz that are not those of pointing; \
+                     \"unknown\" hides them",
                 ),
                 Measure::Pointing => wrong(
                     "pointing",
@@ -453,31 +468,28 @@ impl Scenario {
 
     /// Why an effect cannot show in this scenario.
     fn why_idle(&self, term: &Term) -> Option<&'static str> {
-        let about = term.effect.about();
+        let offered = self.offered();
+        let needs = term.effect.about().needs.iter();
+        needs
+            .map(|need| (need.idle)(&offered))
+            .find_map(|idle| idle)
+    }
+
+    /// What its conditions offer to effects.
+    fn offered(&self) -> Offered {
         let c = &self.circumstances;
-        let from_a_side = match &self.poses {
-            Poses::List(stops) => stops.iter().any(|s| s.dir.is_some()),
-            _ => true,
-        };
-        let of_time = about.id == "frame-drift" || about.setting == Setting::Time;
-        let of_warmth = about.id.starts_with("thermal");
-        if of_time && c.seconds_per_pose.is_none() {
-            Some("the scenario has no seconds_per_pose")
-        } else if of_warmth && c.temperature.is_none() {
-            Some("the scenario has no temperature")
-        } else if about.id == "link-droop"
-            && (c.loads_kg.is_empty() || self.robot.gravity_m_s2.is_none())
-        {
-            Some("the scenario has no load, or the robot no gravity")
-        } else if about.id == "tracking-lag" && c.speeds.iter().all(|v| *v == 0.0) {
-            Some("every pose is measured at standstill")
-        } else if about.stage == Stage::Joint
-            && ["backlash", "lost-motion"].contains(&about.id)
-            && !from_a_side
-        {
-            Some("the list does not say from which side the poses are reached")
-        } else {
-            None
+        Offered {
+            time: c.seconds_per_pose.is_some(),
+            temperature: c.temperature.is_some()
+                || c.joint_temperatures.iter().any(Option::is_some),
+            load: !c.loads_kg.is_empty(),
+            link_masses: self.robot.joints.iter().any(|j| j.link.is_some()),
+            gravity: self.robot.gravity_m_s2.is_some(),
+            speed: c.speeds.iter().any(|v| *v != 0.0),
+            sides: match &self.poses {
+                Poses::List(stops) => stops.iter().any(|s| s.dir.is_some()),
+                _ => true,
+            },
         }
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::Isometry3;
 
 use crate::diagnosis::Mend;
-use crate::effects::{JointValues, Term, find};
+use crate::effects::{JointValues, Term, joint_zero};
 use crate::fit::alignment::best_rigid_motion;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
@@ -124,8 +124,7 @@ fn misaligned_frame(session: &Session) -> Option<Isometry3<f64>> {
         return None;
     }
     let problem = Problem::new(session, JointValues::Commanded);
-    let zero = find("joint-zero-offset")?;
-    let terms = (0..session.robot.joints.len()).map(|j| Term::absent(zero, j, 0.0));
+    let terms = (0..session.robot.joints.len()).map(|j| Term::absent(joint_zero(), j, 0.0));
     let start = Model::new(session.robot.clone(), terms.collect());
     let fitted = solve(&problem, &start).model;
     let predicted = fitted.predict(&problem.inputs);
@@ -136,5 +135,5 @@ fn misaligned_frame(session: &Session) -> Option<Isometry3<f64>> {
 }
 
 /// Ten times what is usual for a tilt or an offset of the base.
-const LEAST_TURN_DEG: f64 = 1.5;
-const LEAST_MOVE_MM: f64 = 60.0;
+pub(super) const LEAST_TURN_DEG: f64 = 1.5;
+pub(super) const LEAST_MOVE_MM: f64 = 60.0;

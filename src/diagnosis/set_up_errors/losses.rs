@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use nalgebra::Vector3;
 
 use crate::diagnosis::{Mend, Options};
-use crate::effects::{Term, find};
+use crate::effects::{Term, joint_zero};
 use crate::fit::problem::{Problem, unusable};
 use crate::fit::{base_model, fit_without_outliers};
 use crate::model::Model;
@@ -41,8 +41,8 @@ pub(super) fn mislocked(session: &Session, options: &Options, problems: &mut Vec
         let start = base_model::start(session, &problem, |_| true);
         base_model::fit(&mut problem, &start, true).solution.model
     } else {
-        let terms = find("joint-zero-offset").map(|e| Term::absent(e, 0, 0.0));
-        let start = Model::new(session.robot.clone(), terms.into_iter().collect());
+        let zero = Term::absent(joint_zero(), 0, 0.0);
+        let start = Model::new(session.robot.clone(), vec![zero]);
         fit_without_outliers(&mut problem, &start).model
     };
     let off: Vec<usize> = (0..problem.fit.len())

@@ -5,13 +5,15 @@
 //! the base fit is made again, and the change is believed if the gap falls to a small part of
 //! what it was and only then makes sense for a robot. The search goes on with the mended session.
 
+mod arm_hypotheses;
+mod arms;
 mod hypotheses;
 mod losses;
 mod read_back;
 
 use std::borrow::Cow;
 
-use crate::effects::{Term, find};
+use crate::effects::{Role, Term, joint_zero, tool_radius};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
@@ -21,6 +23,8 @@ use crate::sessions::{Samples, Session, Setups};
 use crate::units::rad_from_deg;
 
 use super::{Mend, Options};
+use crate::effects::JointValues;
+use crate::fit::base_model;
 
 use hypotheses::{Hypothesis, hypotheses};
 use losses::{losses, mislocked};
@@ -63,13 +67,19 @@ pub fn mend<'a>(session: &'a Session, options: &Options) -> Mended<'a> {
     let mut problems = Vec::new();
     losses(session, &mut problems);
     let mut mended: Cow<'a, Session> = Cow::Borrowed(session);
-    // One blunder may hide another: at most two in a row.
-    for _ in 0..2 {
-        let Some((better, problem)) = gross_blunder(&mended, options) else {
-            break;
-        };
-        problems.push(problem);
-        mended = Cow::Owned(better);
+    if base_model::is_arm(session) {
+        if let Some(better) = arms::corrected(session, options.joint_values, &mut problems) {
+            mended = Cow::Owned(better);
+        }
+    } else {
+        // One blunder may hide another: at most two in a row.
+        for _ in 0..2 {
+            let Some((better, problem)) = gross_blunder(&mended, options) else {
+                break;
+            };
+            problems.push(problem);
+            mended = Cow::Owned(better);
+        }
     }
     if let Some(brought_up) = read_back::lagging(&mended, options, &mut problems) {
         mended = Cow::Owned(brought_up);
@@ -77,6 +87,28 @@ pub fn mend<'a>(session: &'a Session, options: &Options) -> Mended<'a> {
     mislocked(&mended, options, &mut problems);
     Mended {
         session: mended,
+        problems,
+    }
+}
+
+/// The gross mistakes alone, for an identification: a robot with several joints is identified without
+/// them, one joint as it stands.
+pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_> {
+    let mut problems = Vec::new();
+    if base_model::is_arm(session) {
+        let better = arms::corrected(session, joint_values, &mut problems);
+        return Mended {
+            session: better.map_or(Cow::Borrowed(session), Cow::Owned),
+            problems,
+        };
+    }
+    let options = Options {
+        joint_values,
+        ..Options::default()
+    };
+    problems.extend(gross_blunder(session, &options).map(|found| found.1));
+    Mended {
+        session: Cow::Borrowed(session),
         problems,
     }
 }
@@ -140,12 +172,12 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
     let problem = Problem::new(session, options.joint_values);
     let mut terms = Vec::new();
     for joint in 0..session.robot.joints.len() {
-        terms.push(Term::absent(find("joint-zero-offset")?, joint, 0.0));
+        terms.push(Term::absent(joint_zero(), joint, 0.0));
     }
     if let [joint] = session.robot.joints.as_slice()
         && joint.kind == JointKind::Revolute
     {
-        terms.push(Term::absent(find("link-length")?, 0, 0.0));
+        terms.push(Term::absent(tool_radius(), 0, 0.0));
     }
     terms.extend(crate::fit::free_frames(session, &problem));
     let start = Model::new(session.robot.clone(), terms);
@@ -163,7 +195,7 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
         .model
         .terms()
         .iter()
-        .filter(|t| t.effect.about().id == "joint-zero-offset");
+        .filter(|t| t.effect.about().role == Role::JointZero);
     let largest = offsets
         .filter(|t| session.robot.joints[t.joint].kind == JointKind::Revolute)
         .map(|t| t.coefficients[0].sin().atan2(t.coefficients[0].cos()).abs())
@@ -174,7 +206,7 @@ fn base_gap(session: &Session, options: &Options) -> Option<f64> {
         .model
         .terms()
         .iter()
-        .filter(|t| t.effect.about().id == "link-length")
+        .filter(|t| t.effect.about().role == Role::ToolRadius)
         .map(|t| (t.coefficients[0].abs() - LARGEST_STRETCH * size).max(0.0))
         .fold(0.0, f64::max);
     Some(median + beyond * size + stretched)
@@ -188,12 +220,18 @@ const LARGEST_STRETCH: f64 = 0.2;
 
 /// Every so many-th sample, so that a trial is quick.
 fn thinned(session: &Session) -> Session {
-    let n = session.samples.len();
-    let keep: Vec<usize> = if n <= MOST_SAMPLES {
-        (0..n).collect()
-    } else {
-        (0..MOST_SAMPLES).map(|k| k * n / MOST_SAMPLES).collect()
-    };
+    thinned_to(session, MOST_SAMPLES)
+}
+
+fn thinned_to(session: &Session, most: usize) -> Session {
+    let held_out = session.samples.held_out.as_deref();
+    let mut keep: Vec<usize> = (0..session.samples.len())
+        .filter(|i| held_out.is_none_or(|h| !h[*i]))
+        .collect();
+    let n = keep.len();
+    if n > most {
+        keep = (0..most).map(|k| keep[k * n / most]).collect();
+    }
     let old = &session.samples;
     let pick = |c: &Vec<f64>| -> Vec<f64> { keep.iter().map(|i| c[*i]).collect() };
     let each = |c: &[Option<Vec<f64>>]| c.iter().map(|c| c.as_ref().map(pick)).collect();

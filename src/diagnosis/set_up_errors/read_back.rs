@@ -9,10 +9,10 @@
 //! back better than the commands, the joint lags and nothing is wrong with the data.
 
 use crate::diagnosis::Options;
-use crate::effects::{JointValues, Term, find};
+use crate::effects::{JointValues, Role, Term, find};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::fit::{DEFAULT_EFFECTS, fit_without_outliers, free_frames};
+use crate::fit::{DEFAULT_EFFECTS, base_model, fit_without_outliers, free_frames};
 use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::sessions::Session;
@@ -136,12 +136,17 @@ fn left_mm(session: &Session, values: JointValues) -> f64 {
     let single = matches!(joints, [joint] if joint.kind == JointKind::Revolute);
     let base = DEFAULT_EFFECTS.iter().filter_map(|id| find(id));
     let mut terms: Vec<Term> = base
-        .filter(|e| single || e.about().id == "joint-zero-offset")
+        .filter(|e| single || e.about().role == Role::JointZero)
         .flat_map(|e| (0..session.robot.joints.len()).map(move |j| Term::absent(e, j, 0.0)))
         .collect();
     terms.extend(free_frames(session, &problem));
     let start = Model::new(session.robot.clone(), terms);
-    let fitted = fit_without_outliers(&mut problem, &start);
+    let fitted = if base_model::is_arm(session) {
+        let start = base_model::start(session, &problem, |_| true);
+        base_model::fit(&mut problem, &start, true).solution
+    } else {
+        fit_without_outliers(&mut problem, &start)
+    };
     let left = deviations(&problem, &fitted.model);
     let spread = Spread::of(&left.length_mm, |i| problem.used[i], |_| false);
     spread.map_or(f64::INFINITY, |s| s.rms_mm)

@@ -99,9 +99,9 @@ impl Workbench {
         let joint = self.chart_joint();
         let found = self.diagnosis().map(terms).unwrap_or_default();
         let added = self.document().added.iter().map(|a| &a.term);
-        let gears = added.chain(found.iter().flatten()).filter(|term| {
-            term.joint == joint && term.effect.about().id == "gear-transmission-error"
-        });
+        let gears = added
+            .chain(found.iter().flatten())
+            .filter(|term| term.joint == joint && term.effect.about().setting.takes_fractions());
         let orders = gears.map(|term| crate::gui::units::whole(term.setting));
         let mut orders: Vec<usize> = orders.collect();
         orders.sort_unstable();

@@ -6,9 +6,7 @@ use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::gui::files::EXAMPLES;
-use crate::kinematics::{
-    Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_urdf_file,
-};
+use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
 use crate::sessions;
 use crate::units::rad_from_deg;
 
@@ -101,6 +99,7 @@ impl TypedAxis {
             }],
             base_from_tool,
             gravity_m_s2: self.gravity_down.then(|| Vector3::new(0.0, 0.0, -9.81)),
+            source: crate::kinematics::RobotSource::Axes,
         })
     }
 }
@@ -116,7 +115,7 @@ impl RobotFrom {
         Self::File { path, base, tip }
     }
 
-    /// Whether this is a file that only URDF describes.
+    /// Whether this is a file of links: URDF or MJCF.
     pub(crate) fn is_urdf(path: &str) -> bool {
         let ending = Path::new(path.trim()).extension();
         ending.is_some_and(|e| e.eq_ignore_ascii_case("urdf") || e.eq_ignore_ascii_case("xml"))
@@ -135,7 +134,8 @@ impl RobotFrom {
             Self::File { path, .. } if path.trim().is_empty() => None,
             Self::File { path, base, tip } if Self::is_urdf(path) => {
                 let path = Path::new(path.trim());
-                Some(robot_from_urdf_file(path, base.trim(), tip.trim()))
+                let read = robot_from_file(path, None, base.trim(), tip.trim());
+                Some(read.map(|described| described.robot))
             }
             Self::File { path, .. } => Some(from_file(Path::new(path.trim()))),
             Self::Typed(typed) => Some(typed.robot().map_err(|because| {

@@ -68,7 +68,8 @@ fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, "Format");
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
-        for format in EXPORTERS {
+        let robot = &workbench.subject().session.robot;
+        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             let response = ui.radio(format.id == choice.format, format.title);
             if response.clicked() && format.id != choice.format {
                 commands.push(Command::Edit(Edit::Export(ExportChoice {

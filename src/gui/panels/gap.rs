@@ -107,10 +107,10 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
 }
 
 /// What was found so far; a later step may exchange it for something likelier.
-fn names_so_far(ui: &mut Ui, found: &[&str]) {
-    for id in found {
-        let title = crate::effects::find(id).map_or(*id, |effect| effect.about().title);
-        ui.indent(("found so far", id), |ui| ui.label(title));
+fn names_so_far(ui: &mut Ui, found: &[String]) {
+    for name in found {
+        let title = super::findings::title_of(name);
+        ui.indent(("found so far", name), |ui| ui.label(title));
     }
     if !found.is_empty() {
         widgets::hint(ui, "so far; a likelier name may take the place of one");

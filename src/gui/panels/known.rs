@@ -4,6 +4,7 @@
 use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
 
 use crate::effects::find;
+use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
 use crate::gui::commands::Workbench;
 use crate::gui::known::Known;
@@ -12,6 +13,7 @@ use crate::gui::tokens::{Palette, size, space, strong};
 use crate::gui::units::trimmed;
 use crate::gui::view::Step;
 use crate::gui::widgets;
+use crate::kinematics::JointKind;
 use crate::units::deg_from_rad;
 
 /// Shows it, what belongs to the step first.
@@ -36,7 +38,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
             covers(ui, workbench);
         }
         Step::Export => {
-            formats(ui);
+            formats(ui, workbench);
             gap(ui, workbench);
         }
     }
@@ -106,27 +108,14 @@ fn covers(ui: &mut Ui, workbench: &Workbench) {
         if let Some([from, to]) = known.hole {
             widgets::fact(ui, "widest hole", format!("{} … {}", at(from), at(to)));
         }
-        let joint = &survey.joints[0];
-        let [down, up] = joint.from_sides;
-        let sides = match (down, up) {
-            (0, 0) => "not recorded".to_owned(),
-            (0, up) => format!("{up} below, none above"),
-            (down, 0) => format!("none below, {down} above"),
-            (down, up) => format!("{up} below, {down} above"),
-        };
-        widgets::fact(ui, "came from", sides);
-        let speed = if turns {
-            format!("{}°/s", trimmed(deg_from_rad(joint.largest_speed), 1))
-        } else {
-            format!("{} mm/s", trimmed(joint.largest_speed, 1))
-        };
-        let speeds = match joint.speeds {
-            0 => "not recorded".to_owned(),
-            1 if joint.largest_speed == 0.0 => "standstill".to_owned(),
-            1 => format!("{speed} throughout"),
-            _ => format!("up to {speed}"),
-        };
-        widgets::fact(ui, "speed", speeds);
+        for (k, joint) in survey.joints.iter().enumerate() {
+            let of_joint = match survey.joints.len() {
+                1 => String::new(),
+                _ => format!(", joint {}", k + 1),
+            };
+            widgets::fact(ui, &format!("came from{of_joint}"), sides(joint));
+            widgets::fact(ui, &format!("speed{of_joint}"), speeds(joint));
+        }
         widgets::fact(ui, "load", range(known.load_kg, "kg", 2));
         widgets::fact(ui, "temperature", range(known.temperature_c, "°C", 1));
         let time = survey
@@ -246,7 +235,7 @@ fn search(ui: &mut Ui) {
 }
 
 /// What can be written, before there is anything to write.
-fn formats(ui: &mut Ui) {
+fn formats(ui: &mut Ui, workbench: &Workbench) {
     widgets::card(ui, |ui| {
         title(ui, "Nothing to export yet");
         widgets::hint(
@@ -255,10 +244,35 @@ fn formats(ui: &mut Ui) {
              convention in words, the gap that it leaves, and what no joint can remove",
         );
         ui.add_space(space::TIGHT);
-        for format in EXPORTERS {
+        let robot = &workbench.subject().session.robot;
+        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
             ui.label(format.title);
         }
     });
+}
+
+/// From which sides a joint was approached, and how often.
+fn sides(joint: &JointSurvey) -> String {
+    match joint.from_sides {
+        [0, 0] => "not recorded".to_owned(),
+        [0, up] => format!("{up} below, none above"),
+        [down, 0] => format!("none below, {down} above"),
+        [down, up] => format!("{up} below, {down} above"),
+    }
+}
+
+/// How fast a joint was while it was measured.
+fn speeds(joint: &JointSurvey) -> String {
+    let speed = match joint.kind {
+        JointKind::Revolute => format!("{}°/s", trimmed(deg_from_rad(joint.largest_speed), 1)),
+        JointKind::Prismatic => format!("{} mm/s", trimmed(joint.largest_speed, 1)),
+    };
+    match joint.speeds {
+        0 => "not recorded".to_owned(),
+        1 if joint.largest_speed == 0.0 => "standstill".to_owned(),
+        1 => format!("{speed} throughout"),
+        _ => format!("up to {speed}"),
+    }
 }
 
 #[cfg(test)]

@@ -261,7 +261,7 @@ fn estimate(ui: &mut Ui, name: &str, value: &str, half: &str) {
 /// A parameter's name and its unit, as people write them.
 pub(super) fn named(parameter: &str) -> (String, &'static str) {
     const UNITS: [(&str, &str); 16] = [
-        ("_urad_per_nm", "µrad/Nm"),
+        ("_urad_per_nm", "µrad/(N·m)"),
         ("_mm_per_kg", "mm/kg"),
         ("_mm_per_h", "mm/h"),
         ("_ppm_per_degc", "ppm/°C"),

@@ -71,8 +71,7 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
     let session = &subject.session;
     let units = workbench.units();
     widgets::fact(ui, "robot", &session.robot.name);
-    let joint = &session.robot.joints[0];
-    if session.robot.joints.len() == 1 {
+    if let [joint] = session.robot.joints.as_slice() {
         let (from, to) = subject.travel();
         let range = match joint.kind {
             JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),

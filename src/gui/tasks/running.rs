@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex};
 pub(crate) struct Watch {
     permille: AtomicU32,
     stage: AtomicUsize,
-    found: Mutex<Vec<&'static str>>,
+    found: Mutex<Vec<String>>,
     doing: Mutex<Option<String>>,
     stopped: AtomicBool,
 }
@@ -52,7 +52,7 @@ impl Watch {
 
     /// What a search has found so far, if it is more than before: it starts again from nothing
     /// now and then, to see whether it ends elsewhere.
-    pub(crate) fn found(&self, names: &[&'static str]) {
+    pub(crate) fn found(&self, names: &[String]) {
         if let Ok(mut found) = self.found.lock()
             && names.len() >= found.len()
         {
@@ -104,7 +104,7 @@ impl Running {
     }
 
     /// Names of the effects that a search has found so far.
-    pub(crate) fn found(&self) -> Vec<&'static str> {
+    pub(crate) fn found(&self) -> Vec<String> {
         self.watch
             .found
             .lock()

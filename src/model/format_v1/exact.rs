@@ -3,8 +3,8 @@
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
 use std::path::Path as FilePath;
 
-use crate::effects::Term;
 use crate::effects::term::setting_quantity;
+use crate::effects::{Setting, Term};
 use crate::kinematics::{Range, Robot};
 use crate::sessions::format_v1::robot;
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
@@ -111,7 +111,11 @@ pub(super) fn exact_term(
 ) -> Option<Term> {
     let members = fields.object(node, path, "an object with setting and coefficients")?;
     let setting = fields.required_number(members, node.at, path, "setting")?;
-    let shown = setting_quantity(term.effect.about().setting);
+    let about = term.effect.about();
+    let shown = setting_quantity(about.setting);
+    // A model from before the effect had a setting means the usual one.
+    let before = matches!(about.setting, Setting::Listed(_)) && setting == 0.0;
+    let setting = if before { term.setting } else { setting };
     if shown.is_some() && !agrees(setting, term.setting) {
         fields.error(
             node.at,

@@ -2,7 +2,7 @@ use nalgebra::{DMatrix, Point3, Unit, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::effects::about::Setting;
+use crate::effects::about::{Listed, Setting};
 use crate::effects::{CATALOGUE, Inputs, Term};
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
@@ -46,6 +46,7 @@ fn any_robot() -> impl Strategy<Value = Robot> {
             .collect(),
         base_from_tool: Pose::from_parts(at.into(), UnitQuaternion::from_scaled_axis(turn)),
         gravity_m_s2: Some(Vector3::new(0.2, 0.0, -9.8)),
+        source: crate::kinematics::RobotSource::Axes,
     })
 }
 
@@ -56,14 +57,22 @@ fn any_terms(joints: usize) -> impl Strategy<Value = Vec<Term>> {
         0.0..1.0f64,
         prop::array::uniform6(-1.0..1.0f64),
     );
-    let term = one.prop_map(|(k, joint, setting, values)| {
-        let effect = CATALOGUE[k];
+    let term = one.prop_map(move |(k, joint, setting, values)| {
+        let mut effect = CATALOGUE[k];
+        let listed = |listed: &Listed| {
+            let mut whole = (1..100).map(f64::from);
+            whole.find(|v| (listed.takes)(*v, joint, joints))
+        };
+        if matches!(effect.about().setting, Setting::Listed(l) if listed(l).is_none()) {
+            effect = CATALOGUE[0];
+        }
         let about = effect.about();
         let setting = match about.setting {
             Setting::Order { from, to } => {
                 f64::from(from) + (setting * f64::from(to - from)).floor()
             }
             Setting::None => 0.0,
+            Setting::Listed(l) => listed(l).unwrap_or_default(),
             _ => setting,
         };
         let mut term = Term::absent(effect, if about.per_joint { joint } else { 0 }, setting);

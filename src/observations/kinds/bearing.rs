@@ -7,8 +7,8 @@
 
 use super::angles;
 use crate::effects::measuring_frame::{left_jacobian, rotation};
-use crate::lanes::{cross, dot, minus, times};
 use crate::effects::places::{Place, PlaceKind};
+use crate::lanes::{cross, dot, minus, times};
 use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit};
 use crate::sessions::{Azimuth, Instrument, Session};
 

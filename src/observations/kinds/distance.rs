@@ -4,9 +4,9 @@
 //! m = |p − a| + offset
 //! ```
 
-use crate::lanes::{dot, minus, scaled};
 use crate::effects::places::{Place, PlaceKind};
-use crate::observations::{put_name, AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::lanes::{dot, minus, scaled};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session};
 
 /// See the module.

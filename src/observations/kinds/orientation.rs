@@ -59,8 +59,7 @@ impl Kind for Orientation {
             * UnitQuaternion::from_rotation_matrix(&exact);
         let count = session.samples.len();
         let parts = &mut session.samples.orientation_wxyz;
-        let parts =
-            parts.get_or_insert_with(|| std::array::from_fn(|_| vec![f64::NAN; count]));
+        let parts = parts.get_or_insert_with(|| std::array::from_fn(|_| vec![f64::NAN; count]));
         let sign = if shown.w < 0.0 { -1.0 } else { 1.0 };
         for (part, value) in parts.iter_mut().zip([shown.w, shown.i, shown.j, shown.k]) {
             part[sample] = sign * value;

@@ -1,9 +1,9 @@
 //! A socket: the target sits in the same place in all samples of that name. Three rows; no instrument
 //! is needed at all. What is measured is that nothing is left of p − s.
 
-use crate::lanes::minus;
 use crate::effects::places::{Place, PlaceKind};
-use crate::observations::{put_name, AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::lanes::minus;
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session, Sigma};
 
 /// See the module.

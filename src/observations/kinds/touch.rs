@@ -5,9 +5,9 @@
 //! n·p = d,   n = v/|v|
 //! ```
 
-use crate::lanes::{add_scaled, dot, scaled};
 use crate::effects::places::{Place, PlaceKind, unit_normal};
-use crate::observations::{put_name, AboutKind, Kind, Looks, Residual, Seen, Unit};
+use crate::lanes::{add_scaled, dot, scaled};
+use crate::observations::{AboutKind, Kind, Looks, Residual, Seen, Unit, put_name};
 use crate::sessions::{Instrument, Session};
 
 /// See the module.

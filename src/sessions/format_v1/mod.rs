@@ -15,7 +15,8 @@ pub(crate) mod number;
 pub(crate) mod read;
 pub(crate) mod references;
 pub(crate) mod robot;
-mod robot_source;
+mod robot_beside;
+pub(crate) mod robot_source;
 pub(crate) mod write;
 
 /// What the key `format` says.

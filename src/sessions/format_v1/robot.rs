@@ -1,20 +1,50 @@
-//! Reads the `robot` object: joints and tool, or Denavit–Hartenberg rows, or a URDF file.
+//! Reads the `robot` object: joints and tool, or Denavit–Hartenberg rows, a URDF or an MJCF file.
 
 use std::path::Path as FilePath;
 
 use nalgebra::{Point3, Quaternion, Translation3, Unit, UnitQuaternion, Vector3};
 
-use super::{robot_source, unit};
-use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
+use super::{robot_beside, robot_source, unit};
+use crate::kinematics::{
+    Axis, DescriptionFormat, Joint, JointKind, LinkMass, Pose, Range, Robot, RobotSource,
+};
 use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::units::rad_from_deg;
 
-/// Joints from base to tool, and the tool at home.
-pub(super) type Chain = (Vec<Joint>, Pose);
+/// Joints from base to tool, the tool at home, and how they were given.
+pub(super) struct Chain {
+    pub(super) joints: Vec<Joint>,
+    pub(super) base_from_tool: Pose,
+    pub(super) source: RobotSource,
+}
+
+impl Chain {
+    pub(super) fn of(robot: Robot) -> Self {
+        Self {
+            joints: robot.joints,
+            base_from_tool: robot.base_from_tool,
+            source: robot.source,
+        }
+    }
+
+    /// Moves everything, rows and all, with the frame that they stand in.
+    pub(super) fn move_by(&mut self, base: Pose) {
+        for joint in &mut self.joints {
+            joint.axis = joint.axis.moved_by(&base);
+        }
+        self.base_from_tool = base * self.base_from_tool;
+        if let RobotSource::Dh {
+            base_from_first, ..
+        } = &mut self.source
+        {
+            *base_from_first = base;
+        }
+    }
+}
 
 const THREE_NUMBERS: &str = "an array of 3 numbers";
 
-/// Reads a robot; `None` when anything in it is wrong. A URDF file is looked for in `folder`.
+/// Reads a robot; `None` when anything in it is wrong. A file that it names is looked for in `folder`.
 pub(crate) fn read(
     fields: &mut Fields<'_>,
     node: &Node,
@@ -30,15 +60,16 @@ pub(crate) fn read(
         Some(Vector3::from(gravity))
     });
     let chain = chain(fields, node, members, path, folder);
-    let (joints, base_from_tool) = chain?;
+    let chain = chain?;
     Some(Robot {
         name: name?,
-        joints,
-        base_from_tool,
+        joints: chain.joints,
+        base_from_tool: chain.base_from_tool,
         gravity_m_s2: match gravity {
             None => None,
             Some(gravity) => Some(gravity?),
         },
+        source: chain.source,
     })
 }
 
@@ -62,8 +93,8 @@ fn chain(
     path: &Path<'_>,
     folder: Option<&FilePath>,
 ) -> Option<Chain> {
-    const SOURCES: [&str; 3] = ["joints", "dh", "urdf"];
-    const EXPECTED: &str = "one of joints (with tool), dh or urdf";
+    const SOURCES: [&str; 4] = ["joints", "dh", "urdf", "mjcf"];
+    const EXPECTED: &str = "one of joints (with tool), dh, urdf or mjcf";
     let given: Vec<&str> = SOURCES
         .into_iter()
         .filter(|key| optional(members, key).is_some())
@@ -78,22 +109,37 @@ fn chain(
     };
     let source_node = optional(members, source)?;
     let source_path = &path.key(source);
-    match source {
-        "joints" => {
-            fields.unknown_keys(members, path, &["name", "joints", "tool", "gravity_m_s2"]);
-            let joints = joints(fields, source_node, source_path);
-            let tool = tool(fields, node, members, path);
-            Some((joints?, tool?))
-        }
-        "dh" => {
-            fields.unknown_keys(members, path, &["name", "dh", "gravity_m_s2"]);
-            robot_source::from_dh(fields, source_node, source_path)
-        }
-        _ => {
-            fields.unknown_keys(members, path, &["name", "urdf", "gravity_m_s2"]);
-            robot_source::from_urdf(fields, source_node, source_path, folder)
-        }
+    if source == "joints" {
+        let known = ["name", "joints", "tool", "gravity_m_s2", "source"];
+        fields.unknown_keys(members, path, &known);
+        let joints = joints(fields, source_node, source_path);
+        let expected = "the pose of the tool at home";
+        let tool = fields
+            .required(members, node.at, path, "tool", expected)
+            .and_then(|node| pose(fields, node, &path.key("tool")));
+        let joints = joints?;
+        let source = robot_source::source(fields, members, path, joints.len());
+        return Some(Chain {
+            joints,
+            base_from_tool: tool?,
+            source: source?,
+        });
     }
+    let mut known = vec!["name", source, "gravity_m_s2"];
+    known.extend(robot_beside::KEYS);
+    if source == "dh" {
+        known.push("base");
+    }
+    fields.unknown_keys(members, path, &known);
+    let format = match source {
+        "mjcf" => DescriptionFormat::Mjcf,
+        _ => DescriptionFormat::Urdf,
+    };
+    let chain = match source {
+        "dh" => robot_source::from_dh(fields, source_node, source_path),
+        _ => robot_source::from_file(fields, source_node, source_path, folder, format),
+    };
+    robot_beside::with(fields, members, path, chain?)
 }
 
 /// The elements of an array that has at least one.
@@ -199,20 +245,7 @@ fn limits(
     let Some(node) = optional(members, "limits") else {
         return Ok(None);
     };
-    let path = &path.key("limits");
-    let [from, to] = fields
-        .numbers::<2>(node, path, "an array of 2 numbers")
-        .ok_or(Reported)?;
-    if from >= to {
-        let found = format!("limits from {from} to {to}");
-        fields.error(
-            node.at,
-            path,
-            found,
-            "limits from the smaller to the larger value",
-        );
-        return Err(Reported);
-    }
+    let [from, to] = ends(fields, node, &path.key("limits")).ok_or(Reported)?;
     let convert = |value| match kind {
         Some(JointKind::Prismatic) => value,
         _ => rad_from_deg(value),
@@ -221,6 +254,18 @@ fn limits(
         from: convert(from),
         to: convert(to),
     }))
+}
+
+/// Two numbers, the smaller first.
+pub(super) fn ends(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<[f64; 2]> {
+    let [from, to] = fields.numbers::<2>(node, path, "an array of 2 numbers")?;
+    if from >= to {
+        let found = format!("limits from {from} to {to}");
+        let expected = "limits from the smaller to the larger value";
+        fields.error(node.at, path, found, expected);
+        return None;
+    }
+    Some([from, to])
 }
 
 /// Mass and centre of the link behind a joint; where they are given.
@@ -265,15 +310,8 @@ fn link(
     }))
 }
 
-fn tool(
-    fields: &mut Fields<'_>,
-    robot: &Node,
-    members: &[Member],
-    path: &Path<'_>,
-) -> Option<Pose> {
-    let expected = "the pose of the tool at home";
-    let node = fields.required(members, robot.at, path, "tool", expected)?;
-    let path = &path.key("tool");
+/// A pose at home, in the base frame.
+pub(super) fn pose(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Pose> {
     let members = fields.object(node, path, "an object with position_mm and quaternion_wxyz")?;
     fields.unknown_keys(members, path, &["position_mm", "quaternion_wxyz"]);
     let position = fields.required_numbers(members, node.at, path, "position_mm", THREE_NUMBERS);

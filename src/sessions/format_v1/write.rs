@@ -1,8 +1,8 @@
 //! The document as serde writes it.
 //!
-//! Twins of the domain types, in degrees and mm. Robots from Denavit–Hartenberg rows or a URDF file
-//! are written as joints and tool: that is what the program computed with. Keys that were not
-//! understood on reading are not written.
+//! Twins of the domain types, in degrees and mm. Robots from Denavit–Hartenberg rows, a URDF or an
+//! MJCF file are written as joints and tool: that is what the program computed with. How they were
+//! given stands beside it as `source`. Keys that were not understood on reading are not written.
 
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
@@ -11,6 +11,7 @@ use super::FORMAT;
 use super::degrees::degrees;
 use super::read::default_targets;
 use super::references::ReferencesTwin;
+use super::robot_source::SourceTwin;
 use crate::kinematics::{Joint, JointKind, Robot};
 use crate::sessions::domain::{Instrument, Region, Session, Sigma, TARGETS_SIGMA_MM, Target};
 
@@ -43,6 +44,9 @@ pub(crate) struct RobotTwin {
     tool: ToolTwin,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     gravity_m_s2: Option<[f64; 3]>,
+    /// How it was described.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    source: Option<SourceTwin>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -208,6 +212,7 @@ impl RobotTwin {
                 quaternion_wxyz: [turn.w, turn.i, turn.j, turn.k],
             },
             gravity_m_s2: robot.gravity_m_s2.map(Into::into),
+            source: SourceTwin::of(&robot.source),
         }
     }
 }

@@ -67,6 +67,8 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                 target,
                 dir: vec![None, dir],
                 speed: vec![None, speed2],
+                torque_nm: vec![None, load_kg.clone()],
+                joint_temperature_c: vec![load_kg.clone(), None],
                 load_kg,
                 temperature_c: None,
                 time_s,
@@ -135,6 +137,7 @@ fn any_session() -> impl Strategy<Value = Session> {
                         UnitQuaternion::from_scaled_axis(Vector3::from(turn) * 1e-3),
                     ),
                     gravity_m_s2: with_gravity.then(|| Vector3::new(0.0, 0.1, -9.81)),
+                    source: crate::kinematics::RobotSource::Axes,
                 },
                 targets: vec![
                     Target {

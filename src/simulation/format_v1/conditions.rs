@@ -3,7 +3,7 @@
 use super::poses::inner;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::format_v1::read::positive;
-use crate::sessions::json::{Fields, Node, Path, Value, optional};
+use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::simulation::scenario::{Circumstances, Temperature};
 
 /// One number or several.
@@ -24,11 +24,13 @@ pub(super) fn conditions(
     path: &Path<'_>,
     robot: &Robot,
 ) -> Option<Circumstances> {
-    const KNOWN: [&str; 5] = [
+    const KNOWN: [&str; 7] = [
         "speed_deg_s",
         "speed_mm_s",
         "load_kg",
         "temperature_c",
+        "joint_temperatures_c",
+        "torques",
         "seconds_per_pose",
     ];
     let members = fields.object(node, path, "an object with the conditions")?;
@@ -52,21 +54,73 @@ pub(super) fn conditions(
     if let Some(node) = optional(members, "temperature_c") {
         let path = &path.key("temperature_c");
         circumstances.temperature = Some(if let Value::Object(members) = &node.value {
-            fields.unknown_keys(members, path, &["from", "to", "time_constant_s"]);
-            let mut number = |key: &str| fields.required_number(members, node.at, path, key);
-            let (from, to, tau) = (number("from"), number("to"), number("time_constant_s"));
-            Temperature::WarmUp {
-                from_c: from?,
-                to_c: to?,
-                time_constant_s: tau?,
-            }
+            warm_up(fields, members, node.at, path)?
         } else {
             Temperature::Values(values(fields, node, path)?)
         });
+    }
+    if let Some(node) = optional(members, "joint_temperatures_c") {
+        let path = &path.key("joint_temperatures_c");
+        circumstances.joint_temperatures = of_joints(fields, node, path, robot)?;
+    }
+    if let Some(node) = optional(members, "torques") {
+        let path = &path.key("torques");
+        let Value::Bool(torques) = node.value else {
+            fields.mismatch(node, path, "true or false");
+            return None;
+        };
+        circumstances.torques = torques;
     }
     if let Some(node) = optional(members, "seconds_per_pose") {
         let path = &path.key("seconds_per_pose");
         circumstances.seconds_per_pose = Some(positive(fields, node, path, "a time above 0 s")?);
     }
     Some(circumstances)
+}
+
+/// `{ from, to, time_constant_s }`.
+fn warm_up(
+    fields: &mut Fields<'_>,
+    members: &[Member],
+    at: usize,
+    path: &Path<'_>,
+) -> Option<Temperature> {
+    fields.unknown_keys(members, path, &["from", "to", "time_constant_s"]);
+    let mut number = |key: &str| fields.required_number(members, at, path, key);
+    let (from, to, tau) = (number("from"), number("to"), number("time_constant_s"));
+    Some(Temperature::WarmUp {
+        from_c: from?,
+        to_c: to?,
+        time_constant_s: tau?,
+    })
+}
+
+/// One warm-up or null for each joint, from the first on.
+fn of_joints(
+    fields: &mut Fields<'_>,
+    node: &Node,
+    path: &Path<'_>,
+    robot: &Robot,
+) -> Option<Vec<Option<Temperature>>> {
+    const EXPECTED: &str = "an array with { from, to, time_constant_s } or null for each joint";
+    let entries = match &node.value {
+        Value::List(entries) if entries.len() <= robot.joints.len() => entries,
+        _ => {
+            fields.mismatch(node, path, EXPECTED);
+            return None;
+        }
+    };
+    let mut all = Vec::new();
+    for (k, entry) in entries.iter().enumerate() {
+        let path = &path.index(k);
+        all.push(match &entry.value {
+            Value::Null => None,
+            Value::Object(members) => Some(warm_up(fields, members, entry.at, path)?),
+            _ => {
+                fields.mismatch(entry, path, EXPECTED);
+                return None;
+            }
+        });
+    }
+    Some(all)
 }

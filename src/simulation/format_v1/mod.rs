@@ -175,7 +175,13 @@ fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> 
         .unwrap_or_default();
     scenario.instrument.references = references::references(fields, members, path);
     if let Some(node) = optional(members, "measure") {
-        scenario.measure = names(fields, node, &path.key("measure"), &Measure::ALL, Measure::name)?;
+        scenario.measure = names(
+            fields,
+            node,
+            &path.key("measure"),
+            &Measure::ALL,
+            Measure::name,
+        )?;
     }
     if let Some(node) = optional(members, "unknown") {
         let all = ["anchors", "stations", "planes", "sockets"];

@@ -49,8 +49,7 @@ pub(super) fn show(
             } else {
                 significant(found.odds_over_next, 2)
             };
-            let next = find(next).map_or(next.as_str(), |e| e.about().title);
-            let next = next.to_lowercase();
+            let next = super::title_of(next).to_lowercase();
             let text = format!("{odds} : 1 over the next name, {next}");
             widgets::hint_about(ui, text, help::ODDS);
         }

@@ -3,7 +3,6 @@
 use egui::{CollapsingHeader, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Sight};
-use crate::effects::find;
 use crate::gui::panels::copies;
 use crate::gui::panels::results::named;
 use crate::gui::tokens::{Palette, size};
@@ -18,7 +17,11 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     let text = format!("What would have been seen: {number}");
     folded(ui, text, |ui| {
         for limit in &d.not_found {
-            ui.label(find(limit.effect).map_or(limit.effect, |e| e.about().title));
+            let name = limit.joint.filter(|_| d.model.robot.joints.len() > 1);
+            let name = name.map_or(limit.effect.to_owned(), |j| {
+                format!("{} {}", limit.effect, j + 1)
+            });
+            ui.label(super::title_of(&name));
             let sizes = limit.sizes.iter().map(|(name, size)| {
                 let (name, unit) = named(name);
                 match Sight::of(*size) {
@@ -45,7 +48,11 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
     );
     folded(ui, text, |ui| {
         for one in &d.not_testable {
-            ui.label(find(one.effect).map_or(one.effect, |e| e.about().title));
+            let name = one.joint.filter(|_| d.model.robot.joints.len() > 1);
+            let name = name.map_or(one.effect.to_owned(), |j| {
+                format!("{} {}", one.effect, j + 1)
+            });
+            ui.label(super::title_of(&name));
             widgets::hint(ui, &one.because);
         }
     });

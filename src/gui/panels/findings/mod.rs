@@ -76,9 +76,21 @@ fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) -> String {
     }
 }
 
-pub(in crate::gui::panels) fn titles(ids: &[&str]) -> String {
-    let title = |id: &&str| find(id).map_or(*id, |e| e.about().title).to_lowercase();
-    ids.iter().map(title).collect::<Vec<_>>().join(" and ")
+/// Names in words; one with its joint is `id joint`.
+pub(in crate::gui::panels) fn titles(names: &[String]) -> String {
+    let all = names.iter().map(|name| title_of(name).to_lowercase());
+    all.collect::<Vec<_>>().join(" and ")
+}
+
+/// A name in words, with its joint where it has one.
+pub(in crate::gui::panels) fn title_of(name: &str) -> String {
+    let (id, joint) = name.split_once(' ').unwrap_or((name, ""));
+    let title = find(id).map_or(id, |e| e.about().title);
+    if joint.is_empty() {
+        title.to_owned()
+    } else {
+        format!("{title}, joint {joint}")
+    }
 }
 
 fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {

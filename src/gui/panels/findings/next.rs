@@ -9,7 +9,7 @@ use crate::gui::tasks::What;
 use crate::gui::tokens::{Palette, size};
 use crate::gui::units::trimmed;
 use crate::gui::widgets::{self};
-use crate::kinematics::JointKind;
+use crate::kinematics::{Joint, JointKind};
 use crate::units::deg_from_rad;
 
 use super::title;
@@ -49,7 +49,7 @@ pub(super) fn show(
                 ui.label(pose.dir.iter().map(side).collect::<Vec<_>>().join(" "));
                 ui.label(pose.target.as_deref().unwrap_or(""));
                 let again = poses[..k].iter().any(|earlier| pose.repeats(earlier));
-                ui.label(conditions(pose, robot.joints[0].kind, again));
+                ui.label(conditions(pose, &robot.joints, again));
                 ui.end_row();
             }
         });
@@ -91,8 +91,9 @@ fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
     lines
 }
 
-fn conditions(pose: &NextPose, kind: JointKind, again: bool) -> String {
-    let speed = pose.speed.iter().flatten().map(|v| match kind {
+fn conditions(pose: &NextPose, joints: &[Joint], again: bool) -> String {
+    let speeds = pose.speed.iter().flatten().zip(joints);
+    let speed = speeds.map(|(v, joint)| match joint.kind {
         JointKind::Revolute => format!("{}°/s", trimmed(deg_from_rad(*v), 2)),
         JointKind::Prismatic => format!("{} mm/s", trimmed(*v, 2)),
     });

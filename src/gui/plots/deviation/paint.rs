@@ -112,9 +112,11 @@ impl<'a> Shown<'a> {
         let joints = &self.workbench.subject().session.robot.joints;
         let component = self.workbench.view().component;
         let polar = [Component::Tangential, Component::Radial, Component::Axial];
-        if joints.len() > 1 && polar.contains(&component) {
+        if let [first, _, ..] = joints.as_slice()
+            && polar.contains(&component)
+        {
             // The axis below may be another joint's.
-            notes.push(format!("{} to {}", component.name(), joints[0].name));
+            notes.push(format!("{} to {}", component.name(), first.name));
         }
         let [low, high] = layout::along(&self.series, self.envelope);
         if low == high && self.over.variable != Variable::Joint {

@@ -13,7 +13,7 @@
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
-use crate::effects::{Inputs, JointValues, Term};
+use crate::effects::{Inputs, JointValues, Over as Follows, Term};
 use crate::gui::plots::over::{Over, Variable};
 use crate::gui::plots::stride;
 use crate::gui::search::{Search, terms};
@@ -101,13 +101,13 @@ fn models(diagnosis: &Diagnosis, index: usize) -> Option<(Term, Model, Model)> {
 
 /// What an effect's curve stands over: what it depends on.
 pub(crate) fn over(term: &Term, subject: &Subject) -> Over {
-    let variable = match term.effect.about().id {
-        "link-droop" | "joint-compliance" => Variable::Load,
-        "thermal-growth" | "thermal-zero-drift" => Variable::Temperature,
-        "frame-drift" | "frame-shift" => Variable::Time,
-        "tracking-lag" => Variable::Speed,
-        "lost-motion" => Variable::Travel,
-        _ => Variable::Joint,
+    let variable = match term.effect.about().over {
+        Follows::Load => Variable::Load,
+        Follows::Temperature => Variable::Temperature,
+        Follows::Time => Variable::Time,
+        Follows::Speed => Variable::Speed,
+        Follows::Travel => Variable::Travel,
+        Follows::Angle | Follows::Side => Variable::Joint,
     };
     let joint = term.joint;
     let over = |variable| Over { variable, joint };
@@ -121,10 +121,7 @@ pub(crate) fn over(term: &Term, subject: &Subject) -> Over {
 
 /// Whether an effect depends on the side from which a joint comes.
 fn has_sides(term: &Term) -> bool {
-    matches!(
-        term.effect.about().id,
-        "backlash" | "lost-motion" | "tracking-lag"
-    )
+    term.effect.about().over.has_sides()
 }
 
 /// The component that an effect has most of.

@@ -144,6 +144,7 @@ mod tests {
             ],
             base_from_tool: Pose::translation(900.0, 0.0, 1150.0),
             gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
         }
     }
 

@@ -1,0 +1,287 @@
+//! Mistakes of setting up a robot with several joints, each with its joint.
+//!
+//! A trial fits the measuring frame, one shift of the tool and the zero offsets, as whoever mounts
+//! a robot would adjust them, and looks at the median error. What some change of the samples brings
+//! down to a small part, and to what the geometry of a robot may leave, is a mistake. Changes that do
+//! so equally well are said together: the sign of a spherical wrist's middle joint is both
+//! neighbours' homes by 180°, the sign of a positioner's first joint the home of the second, the home
+//! of joint 1 the measuring frame.
+
+use nalgebra::Vector3;
+
+use crate::effects::{
+    Effect, JointValues, LinkGeometry, Setting, Term, ToolOrientation, joint_zero,
+};
+use crate::fit::base_model;
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::sessions::Session;
+use crate::units::{deg_from_rad, rad_from_deg};
+
+use super::arm_hypotheses::{Change, changes};
+use super::hypotheses::{LEAST_MOVE_MM, LEAST_TURN_DEG};
+use super::{DataProblem, FEWEST_SAMPLES, LARGEST_OFFSET_DEG, MENDED_SHARE, Mend, thinned_to};
+
+/// Samples that a trial looks at.
+const MOST_SAMPLES: usize = 120;
+/// A median error below this share of the spread of the points is no mistake of setting up …
+const GROSS_SHARE: f64 = 0.005;
+/// … and a robot without one leaves no more than this.
+const PLAUSIBLE_SHARE: f64 = 0.03;
+/// What leaves so many times as much as the best says the same in these samples.
+const ALIKE: f64 = 1.25;
+/// What differs by less than this is equal, and the simpler one is named first.
+const EQUAL: f64 = 1.02;
+/// Where no mistake alone explains the samples, so many of the best are tried in pairs.
+const MOST_PAIRED: usize = 5;
+
+/// The session without its mistakes; `None` where there is none.
+pub(super) fn corrected(
+    session: &Session,
+    values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) -> Option<Session> {
+    let mut part = thinned_to(session, MOST_SAMPLES);
+    if part.samples.len() < FEWEST_SAMPLES.max(session.robot.joints.len() + 4) {
+        return None;
+    }
+    let mut mends: Vec<Mend> = Vec::new();
+    for problem in mistakes(&part, values) {
+        if let Some(mend) = &problem.mend {
+            mend.apply(&mut part);
+            mends.push(mend.clone());
+        }
+        problems.push(problem);
+    }
+    if let Some(problem) = never_aligned(&part, values) {
+        problems.push(problem);
+        mends.push(Mend::FreeFrame);
+    }
+    (!mends.is_empty()).then(|| {
+        let mut better = session.clone();
+        for mend in &mends {
+            mend.apply(&mut better);
+        }
+        better
+    })
+}
+
+/// What a trial ends with.
+struct Trial {
+    /// Median length of the deviations, mm.
+    median_mm: f64,
+    model: Model,
+}
+
+/// Fits frame, tool and zero offsets; `None` where the end makes sense for no robot.
+fn trial(session: &Session, values: JointValues, free_frame: bool) -> Option<Trial> {
+    let problem = Problem::new(session, values);
+    let zero = joint_zero();
+    let left_out = [LinkGeometry.about().id, ToolOrientation.about().id];
+    let mut terms = base_model::terms(session, &problem, |id| !left_out.contains(&id));
+    // Targets sit on the tool as the drawing has them.
+    terms.retain(|t| t.effect.about().setting != Setting::Target || t.setting == 0.0);
+    if !free_frame {
+        terms.retain(|t| t.effect.about().setting != Setting::Setup);
+    }
+    // The first zero offset is the frame's.
+    terms.extend((1..session.robot.joints.len()).map(|j| Term::absent(zero, j, 0.0)));
+    let fitted = solve(&problem, &Model::new(session.robot.clone(), terms)).model;
+    let turned = |t: &Term| {
+        t.effect.about().id == zero.about().id
+            && session.robot.joints[t.joint].kind == JointKind::Revolute
+            && t.coefficients[0].sin().atan2(t.coefficients[0].cos()).abs()
+                > rad_from_deg(LARGEST_OFFSET_DEG)
+    };
+    if fitted.terms().iter().any(turned) {
+        return None;
+    }
+    let mut lengths = deviations(&problem, &fitted).length_mm;
+    lengths.retain(|v| v.is_finite());
+    lengths.sort_by(f64::total_cmp);
+    Some(Trial {
+        median_mm: *lengths.get(lengths.len() / 2)?,
+        model: fitted,
+    })
+}
+
+/// Spread of the measured points about their mean, root mean square, mm.
+fn spread_mm(session: &Session) -> f64 {
+    let samples = &session.samples;
+    let flat = vec![0.0; samples.len()];
+    let axes = [
+        &samples.x_mm,
+        &samples.y_mm,
+        samples.z_mm.as_ref().unwrap_or(&flat),
+    ];
+    let variance = |column: &Vec<f64>| {
+        let all: Vec<f64> = column.iter().copied().filter(|v| v.is_finite()).collect();
+        let n = all.len().max(1) as f64;
+        let mean = all.iter().sum::<f64>() / n;
+        all.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n
+    };
+    axes.into_iter().map(variance).sum::<f64>().sqrt()
+}
+
+/// One change of the samples and what it leaves.
+struct Tried {
+    change: Change,
+    /// Median error in the units of the samples as they stand, mm.
+    left_mm: f64,
+}
+
+/// The mistake that explains the samples, or the two.
+fn mistakes(part: &Session, values: JointValues) -> Vec<DataProblem> {
+    let spread = spread_mm(part);
+    let before = trial(part, values, true).map_or(f64::INFINITY, |t| t.median_mm);
+    if before < GROSS_SHARE * spread {
+        return Vec::new();
+    }
+    let most = (MENDED_SHARE * before).min(PLAUSIBLE_SHARE * spread);
+    let tried = all_tried(part, values);
+    if let Some((problem, _)) = named(&tried, before, most) {
+        return vec![problem];
+    }
+    let mut nearest: Vec<&Tried> = tried.iter().filter(|t| t.left_mm < before).collect();
+    nearest.sort_by(|a, b| a.left_mm.total_cmp(&b.left_mm));
+    let mut best: Option<(f64, [DataProblem; 2])> = None;
+    for first in nearest.into_iter().take(MOST_PAIRED) {
+        let [mend] = first.change.mends.as_slice() else {
+            continue;
+        };
+        let mut without = part.clone();
+        mend.apply(&mut without);
+        let Some((second, left)) = named(&all_tried(&without, values), before, most) else {
+            continue;
+        };
+        if best.as_ref().is_none_or(|b| left < b.0) {
+            let of_first = problem_of(&first.change, &[], before, first.left_mm);
+            best = Some((left, [of_first, second]));
+        }
+    }
+    best.map_or_else(Vec::new, |b| b.1.into())
+}
+
+/// Every change that ends where a robot may be.
+fn all_tried(part: &Session, values: JointValues) -> Vec<Tried> {
+    let spread = spread_mm(part);
+    let all = changes(part).into_iter().filter_map(|change| {
+        let mut trial_of = part.clone();
+        for mend in &change.mends {
+            mend.apply(&mut trial_of);
+        }
+        let left = trial(&trial_of, values, true)?.median_mm;
+        // A change of unit changes the measure as well.
+        let scale = (spread / spread_mm(&trial_of).max(1e-12)).min(1.0);
+        Some(Tried {
+            change,
+            left_mm: left * scale,
+        })
+    });
+    all.collect()
+}
+
+/// The change that leaves least, if that is little enough, with those that say the same; and what it
+/// leaves, mm.
+fn named(tried: &[Tried], before: f64, most: f64) -> Option<(DataProblem, f64)> {
+    let least = tried
+        .iter()
+        .map(|t| t.left_mm)
+        .fold(f64::INFINITY, f64::min);
+    if least > most {
+        return None;
+    }
+    // The list begins with what is simplest.
+    let main = tried
+        .iter()
+        .find(|t| t.left_mm <= EQUAL * least && t.change.mends.len() == 1)?;
+    let same = |t: &&Tried| t.left_mm <= ALIKE * least && t.change.what != main.change.what;
+    let twins: Vec<&str> = tried
+        .iter()
+        .filter(same)
+        .map(|t| t.change.what.as_str())
+        .collect();
+    let problem = problem_of(&main.change, &twins, before, main.left_mm);
+    Some((problem, main.left_mm))
+}
+
+fn problem_of(change: &Change, twins: &[&str], before: f64, after: f64) -> DataProblem {
+    let what = if twins.is_empty() {
+        change.what.clone()
+    } else {
+        format!(
+            "{}; in these samples the same as: {}",
+            change.what,
+            twins.join("; ")
+        )
+    };
+    let as_it_stands = if before.is_finite() {
+        format!("{before:.3} mm")
+    } else {
+        "far beyond what adjusting could mend".to_owned()
+    };
+    DataProblem {
+        what,
+        evidence: format!(
+            "with the frame, the tool and the zero offsets fitted the median error is \
+             {as_it_stands} as it stands and {after:.3} mm without the mistake"
+        ),
+        proposal: change.proposal.clone(),
+        mend: change.mends.first().cloned(),
+        samples: Vec::new(),
+    }
+}
+
+/// A measuring frame that nobody aligned, where the session has no free one.
+fn never_aligned(part: &Session, values: JointValues) -> Option<DataProblem> {
+    if part.samples.setups.is_some() || part.samples.z_mm.is_none() {
+        return None;
+    }
+    let free = trial(part, values, true)?;
+    let fixed = trial(part, values, false).map_or(f64::INFINITY, |t| t.median_mm);
+    let is_frame = |t: &&Term| t.effect.about().setting == Setting::Setup;
+    let frame = free.model.terms().iter().find(is_frame)?;
+    let turn = Vector3::from_column_slice(&frame.coefficients[..3]);
+    let shift = Vector3::from_column_slice(&frame.coefficients[3..]);
+    let far = turn.norm() > rad_from_deg(LEAST_TURN_DEG) || shift.norm() > LEAST_MOVE_MM;
+    let gross = fixed > GROSS_SHARE * spread_mm(part);
+    if !far || !gross || free.median_mm > MENDED_SHARE * fixed {
+        return None;
+    }
+    let first = &part.robot.joints[0];
+    let axis = first.axis.direction.into_inner();
+    let about_axis = turn.norm() > rad_from_deg(LEAST_TURN_DEG)
+        && turn.cross(&axis).norm() < 0.02 * turn.norm()
+        && first.kind == JointKind::Revolute
+        && {
+            // Where the motion takes a point of the axis, across it.
+            let point = first.axis.point_mm.coords;
+            let to = nalgebra::Rotation3::new(turn) * point + shift;
+            (to - point).cross(&axis).norm() < LEAST_MOVE_MM
+        };
+    let degrees = deg_from_rad(turn.norm());
+    let twin = if about_axis {
+        format!(
+            "; in these samples the same as: the home position of joint 1 is off by {degrees:.2}°"
+        )
+    } else {
+        String::new()
+    };
+    Some(DataProblem {
+        what: format!("the measuring frame was never aligned with the robot's base{twin}"),
+        evidence: format!(
+            "the median error is {fixed:.3} mm as it stands and {:.3} mm with the frame fitted",
+            free.median_mm
+        ),
+        proposal: format!(
+            "align the instrument (turned by {degrees:.2}°, moved by {:.2}, {:.2}, {:.2} mm), or \
+             give the samples a `setup` column so that the frame is fitted",
+            shift.x, shift.y, shift.z
+        ),
+        mend: Some(Mend::FreeFrame),
+        samples: Vec::new(),
+    })
+}

@@ -1,0 +1,111 @@
+//! Foundation compliance: the robot as a whole tilts in proportion to its overturning moment.
+//!
+//! ```text
+//! M = Σ m r × g,   ω = C_x (M·x) x + C_y (M·y) y,   p = exp([ω]) p
+//! ```
+//!
+//! The weights are the load, at the tool's origin, and the links whose masses are given; all stand
+//! where the commands put them (what errors change in the moment is of second order). r counts from
+//! the origin of the base frame, where the robot is bolted down. x and y lie across gravity: x is
+//! the base frame's x (y, where gravity is along x) projected across it, y = down × x reversed, so
+//! that with gravity along −z they are the base frame's own.
+
+use super::about::{About, Form, Over, Quantity, Stage};
+use super::block::Block;
+use super::gravity::overturning_nm;
+use super::measuring_frame::{left_jacobian, rotation};
+use super::needs::Need;
+use super::units::Unit;
+use super::{Effect, Placed, Term};
+use crate::kinematics::Robot;
+use crate::lanes::{LANES, add_scaled, cross, dot, scaled, times};
+
+/// See the module.
+pub(super) struct FoundationCompliance;
+
+const ABOUT: About = About {
+    id: "foundation-compliance",
+    title: "Foundation compliance",
+    stage: Stage::World,
+    per_joint: false,
+    form: Form::Plain(&[
+        Quantity::new("about_x_urad_per_nm", Unit::MICRORADIAN_PER_NM.like(2.0)),
+        Quantity::new("about_y_urad_per_nm", Unit::MICRORADIAN_PER_NM.like(2.0)),
+    ]),
+    equation: "p = exp([ω]) p, ω = C M, M the overturning moment about the base's origin",
+    source: "a foundation as two torsion springs; ISO 10218-2: moments that a base has to carry",
+    cause: "the pedestal, the floor or the base's bolts give way under the moment of load and arm",
+    over: Over::Load,
+    of_other_joints: true,
+    needs: &[Need::GRAVITY, MOMENT],
+    implausible_above: Some(100.0),
+    usual_size: "0.1 to 10 µrad/(N·m)",
+    confused_with: "link droop where all reflectors are at one height and one radius: another height parts them",
+    check: "the bolts and the pedestal; a dial gauge at the base while the loaded arm swings round",
+    ..About::PLAIN
+};
+
+/// An overturning moment that changes in other ways than the frame of a single axis.
+const MOMENT: Need = Need {
+    what: "different loads, or several joints that carry a load or link masses around",
+    unmet: |survey, _| {
+        let weight = survey.largest_load_kg > 0.0 || survey.link_masses;
+        let carried =
+            survey.joints.len() > 1 && weight && survey.joints.iter().any(|j| j.values > 2);
+        (survey.loads < 2 && !carried).then(|| {
+            let reason = if weight {
+                "the load never changed, and a single axis only carries it round"
+            } else {
+                "neither a load nor a link mass is given: there is no known overturning moment"
+            };
+            reason.to_owned()
+        })
+    },
+    idle: |offered| {
+        (!offered.load && !offered.link_masses)
+            .then_some("the scenario has no load, and no link a mass")
+    },
+};
+
+impl Effect for FoundationCompliance {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    fn remedy(&self, _: &Robot, _: &Term) -> Option<String> {
+        Some("stiffen the foundation, or give the controller a payload model".to_owned())
+    }
+
+    fn act(&self, me: &Placed, block: &mut Block) {
+        let Some(down) = me.down else {
+            block.transform(me, |p, _| (p, IDENTITY, [[0.0; 3]; 2]));
+            return;
+        };
+        let (x, y) = across(down);
+        let moments: [[f64; 3]; LANES] = std::array::from_fn(|lane| overturning_nm(block, lane));
+        block.transform(me, |p, at| {
+            let moment = moments[at.lane];
+            let by = [scaled(x, dot(moment, x)), scaled(y, dot(moment, y))];
+            let omega = add_scaled(scaled(by[0], me.coefficients[0]), by[1], me.coefficients[1]);
+            let turn = rotation(omega);
+            let to = times(turn, p);
+            let left = left_jacobian(omega);
+            (to, turn, by.map(|by| cross(times(left, by), to)))
+        });
+    }
+}
+
+const IDENTITY: [[f64; 3]; 3] = super::base_offset::AXES;
+
+/// Two directions across gravity.
+fn across(down: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+    let projected = |v: [f64; 3]| add_scaled(v, down, -dot(v, down));
+    let unit = |v: [f64; 3]| scaled(v, 1.0 / dot(v, v).sqrt());
+    let first = projected(IDENTITY[0]);
+    let x = if dot(first, first) > 1e-6 {
+        unit(first)
+    } else {
+        unit(projected(IDENTITY[1]))
+    };
+    (x, cross(x, down))
+}

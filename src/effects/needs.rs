@@ -1,0 +1,169 @@
+//! What a session must have for an effect to be testable in it, as data: the words, the check of a
+//! session, the check of a scenario.
+//!
+//! An effect lists its needs in its [`About`](super::About); the first that a session does not meet
+//! is the reason that a person reads. Needs that several effects share are here, one that a single
+//! effect has is in its file.
+
+use crate::kinematics::JointKind;
+
+use super::survey::Survey;
+
+/// Something that a session must have.
+#[derive(Debug, Clone, Copy)]
+pub struct Need {
+    /// What it is: "approaches from both sides".
+    pub what: &'static str,
+    /// Why a session does not have it for a joint (counted from 0); `None` where it has.
+    pub unmet: fn(&Survey, usize) -> Option<String>,
+    /// Why a scenario does not offer it; `None` where it does, or where only samples can tell.
+    pub idle: fn(&Offered) -> Option<&'static str>,
+}
+
+/// What the conditions of a scenario offer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is one column that samples would have or not"
+)]
+pub struct Offered {
+    /// Samples have a time.
+    pub time: bool,
+    /// Samples have a temperature, of the room or of joints.
+    pub temperature: bool,
+    /// Samples have a load.
+    pub load: bool,
+    /// Some link has a mass.
+    pub link_masses: bool,
+    /// The direction of gravity is known.
+    pub gravity: bool,
+    /// Some pose is measured while the joints move.
+    pub speed: bool,
+    /// Poses say from which side they are reached.
+    pub sides: bool,
+}
+
+impl Need {
+    /// A need that only the samples can tell of.
+    pub const fn of_samples(
+        what: &'static str,
+        unmet: fn(&Survey, usize) -> Option<String>,
+    ) -> Self {
+        Self {
+            what,
+            unmet,
+            idle: |_| None,
+        }
+    }
+
+    /// So many different values of the joint; `what` says so in words.
+    pub const fn values<const N: usize>(what: &'static str) -> Self {
+        Self::of_samples(what, |survey, joint| survey.too_few_angles(joint, N))
+    }
+
+    /// A joint that turns.
+    pub const REVOLUTE: Self = Self::of_samples("a joint that turns", Survey::not_revolute);
+
+    /// A joint that slides.
+    pub const PRISMATIC: Self = Self::of_samples("a joint that slides", |survey, joint| {
+        (survey.joints[joint].kind == JointKind::Revolute)
+            .then(|| "the joint turns, the effect needs one that slides".to_owned())
+    });
+
+    /// Poses from either side.
+    pub const BOTH_SIDES: Self = Self {
+        what: "approaches from both sides",
+        unmet: |survey, joint| match survey.joints[joint].from_sides {
+            [0, 0] => Some(
+                "the session does not say from which side the poses were approached".to_owned(),
+            ),
+            [0, _] | [_, 0] => Some("every pose was approached from the same side".to_owned()),
+            _ => None,
+        },
+        idle: |offered| {
+            (!offered.sides)
+                .then_some("the list does not say from which side the poses are reached")
+        },
+    };
+
+    /// Different signed speeds.
+    pub const SPEEDS: Self = Self {
+        what: "measurements at different speeds",
+        unmet: |survey, joint| {
+            let joint = &survey.joints[joint];
+            let reason = match (joint.speeds, joint.largest_speed) {
+                (0, _) => "the session does not say how fast the joint moved while it was measured",
+                (_, 0.0) => "every pose was measured at standstill",
+                (1, _) => "every pose was measured at the same signed speed",
+                _ => return None,
+            };
+            Some(reason.to_owned())
+        },
+        idle: |offered| (!offered.speed).then_some("every pose is measured at standstill"),
+    };
+
+    /// A temperature that changes, of the joint or of the room.
+    pub const TEMPERATURE: Self = Self {
+        what: "a temperature that changes",
+        unmet: |survey, joint| match survey.warming_of(joint) {
+            None => Some("the session has no temperature".to_owned()),
+            Some(range) if range <= 0.0 => Some("the temperature never changed".to_owned()),
+            Some(_) => None,
+        },
+        idle: |offered| (!offered.temperature).then_some("the scenario has no temperature"),
+    };
+
+    /// Times that differ.
+    pub const TIME: Self = Self {
+        what: "the time of each sample",
+        unmet: |survey, _| match survey.duration_s {
+            None => Some("the session has no time".to_owned()),
+            Some(duration) if duration <= 0.0 => Some("every sample has the same time".to_owned()),
+            Some(_) => None,
+        },
+        idle: |offered| (!offered.time).then_some("the scenario has no seconds_per_pose"),
+    };
+
+    /// The direction of gravity.
+    pub const GRAVITY: Self = Self {
+        what: "the direction of gravity",
+        unmet: |survey, _| {
+            (!survey.gravity).then(|| "the direction of gravity is not given".to_owned())
+        },
+        idle: |offered| {
+            (!offered.gravity).then_some("the scenario has no load, or the robot no gravity")
+        },
+    };
+
+    /// Loads that differ.
+    pub const LOADS: Self = Self {
+        what: "different loads",
+        unmet: |survey, _| match survey.loads {
+            0 => Some("the session has no load".to_owned()),
+            1 => Some("the load never changed".to_owned()),
+            _ => None,
+        },
+        idle: |offered| {
+            (!offered.load).then_some("the scenario has no load, or the robot no gravity")
+        },
+    };
+
+    /// A robot with a single axis.
+    pub const SINGLE_AXIS: Self = Self::of_samples("a robot with a single axis", |survey, _| {
+        (survey.joints.len() > 1)
+            .then(|| "the robot has several joints: link geometry takes its place".to_owned())
+    });
+
+    /// A tool off the axis.
+    pub const RADIUS: Self = Self::of_samples("a tool that is off the axis", |survey, joint| {
+        (survey.joints[joint].frame.radius_mm == 0.0)
+            .then(|| "the tool lies on the axis and has no radius".to_owned())
+    });
+
+    /// The coordinate along the axis.
+    pub const AXIAL: Self = Self::of_samples("the coordinate along the axis", |survey, joint| {
+        let along_z = survey.joints[joint].frame.along[2].abs() > 1.0 - 1e-6;
+        (!survey.spatial && survey.joints.len() == 1 && along_z)
+            .then(|| "z was not measured, and the effect is along the axis".to_owned())
+    });
+}

@@ -1,0 +1,172 @@
+//! The corrected robot as a chain, for every format that describes one.
+//!
+//! [`Corrected`] says which chain the model is, as far as it is one. The zero offsets of its joints
+//! go into the geometry of the file or into the controller, never into both: with `taken` what the
+//! controller takes of each joint,
+//!
+//! ```text
+//! file(q + taken) = corrected(q)
+//! ```
+//!
+//! A format writes `file`; what it wrote is read back and counted again as the controller drives
+//! it. Where the format can say everything, that has to lead where the model leads; what it cannot
+//! say is stated in mm.
+
+use super::corrected::{Corrected, differences};
+use super::options::Zeros;
+use super::sidecar::poses;
+use super::{ExportError, Job};
+use crate::compensation::{Compensation, Side, TableError};
+use crate::effects::{Stage, Term};
+use crate::kinematics::{JointKind, Pose, Robot, RobotSource};
+use crate::lanes::dot;
+use crate::model::Model;
+
+/// A file that is read back leads to the same place up to this, mm.
+const SAME_MM: f64 = 1e-9;
+
+/// See the module.
+pub(super) struct Chain {
+    pub(super) corrected: Corrected,
+    /// How far each joint stands beyond its command at home, rad or mm.
+    pub(super) offsets: Vec<f64>,
+    /// What of that the controller takes.
+    pub(super) taken: Vec<f64>,
+    pub(super) zeros: Zeros,
+    /// What the file describes.
+    pub(super) robot: Robot,
+    /// The frame behind each joint at home in it, base frame.
+    pub(super) frames: Vec<Pose>,
+    /// The axis of each joint in that frame.
+    pub(super) axes: Vec<nalgebra::Vector3<f64>>,
+}
+
+impl Chain {
+    /// The chain of a model.
+    ///
+    /// # Errors
+    /// A model that a chain cannot be made of.
+    pub(super) fn new(job: &Job, zeros: Zeros) -> Result<Self, ExportError> {
+        Self::taking(job, zeros, |offsets| {
+            Ok(match zeros {
+                Zeros::Origins => vec![0.0; offsets.len()],
+                Zeros::Controller => offsets.to_vec(),
+            })
+        })
+    }
+
+    /// The chain of a model of which the controller takes what `take` says of the zero offsets.
+    ///
+    /// # Errors
+    /// A model that a chain cannot be made of, and what `take` refuses.
+    pub(super) fn taking(
+        job: &Job,
+        zeros: Zeros,
+        take: impl FnOnce(&[f64]) -> Result<Vec<f64>, ExportError>,
+    ) -> Result<Self, ExportError> {
+        let calibration = job.calibration;
+        if let Some(hash) = &calibration.compensated_by {
+            return Err(TableError::AlreadyCompensated(hash.clone()).into());
+        }
+        if !calibration.regions.is_empty() {
+            return Err(ExportError::Refused(
+                "a correction by regions is no geometry; identify with the exact method for a \
+                 description of the robot"
+                    .to_owned(),
+            ));
+        }
+        let corrected = Corrected::new(job);
+        let offsets = zero_offsets(job, &corrected);
+        let taken = take(&offsets)?;
+        let nominal = &calibration.model.robot;
+        let back: Vec<f64> = taken.iter().map(|value| -value).collect();
+        let motions = corrected.robot.motions_from_home(&back);
+        let mut robot = corrected.robot.rehomed(&back);
+        for (joint, nominal) in robot.joints.iter_mut().zip(&nominal.joints) {
+            // The controller counts its limits in its own values.
+            joint.limits = nominal.limits;
+        }
+        let nominal_frames = nominal.link_frames();
+        let axis = |(k, frame): (usize, &Pose)| {
+            let direction = nominal.joints[k].axis.direction.into_inner();
+            frame.rotation.inverse() * direction
+        };
+        let axes = nominal_frames.iter().enumerate().map(axis).collect();
+        let at = |(k, frame): (usize, &Pose)| motions[k + 1] * corrected.moved[k] * frame;
+        let frames: Vec<Pose> = nominal_frames.iter().enumerate().map(at).collect();
+        robot.source = RobotSource::Links(frames.clone());
+        Ok(Self {
+            corrected,
+            offsets,
+            taken,
+            zeros,
+            robot,
+            frames,
+            axes,
+        })
+    }
+
+    /// The robot that a written chain is, driven by the commands that the controller is sent.
+    pub(super) fn driven(&self, written: &Robot) -> Robot {
+        written.rehomed(&self.taken)
+    }
+
+    /// How far a written chain leads from what this one is, mm, at worst of the measured range.
+    pub(super) fn farthest(&self, job: &Job, written: &Robot) -> f64 {
+        let all = Compensation::new(job.calibration).robot;
+        let known = Model::new(all.robot, self.corrected.carried.clone());
+        let off = apart(job, &known, &self.driven(written));
+        let lengths = off.iter().map(|v| dot(*v, *v).sqrt());
+        // NaN is the farthest.
+        lengths.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) })
+    }
+
+    /// Refuses a written chain that leads elsewhere: a bug.
+    pub(super) fn check(&self, job: &Job, written: &Robot) -> Result<(), ExportError> {
+        let off = self.farthest(job, written);
+        if off <= SAME_MM {
+            return Ok(());
+        }
+        Err(ExportError::ReadBack(format!(
+            "it leads {off} mm elsewhere"
+        )))
+    }
+}
+
+/// What the terms of each joint's own angle turn or slide it by, at home.
+fn zero_offsets(job: &Job, corrected: &Corrected) -> Vec<f64> {
+    let nominal = &job.calibration.model.robot;
+    let of_joint = |joint: usize| -> Vec<Term> {
+        let own = |t: &&Term| t.joint == joint && t.effect.about().stage == Stage::Joint;
+        corrected.carried.iter().filter(own).cloned().collect()
+    };
+    let offset = |joint: usize| {
+        let terms = of_joint(joint);
+        if terms.is_empty() {
+            return 0.0;
+        }
+        let model = Model::new(nominal.clone(), terms);
+        let Some(motion) = Corrected::motion(&model) else {
+            return 0.0;
+        };
+        let axis = &nominal.joints[joint].axis.direction;
+        match nominal.joints[joint].kind {
+            JointKind::Revolute => motion.rotation.scaled_axis().dot(axis),
+            JointKind::Prismatic => motion.translation.vector.dot(axis),
+        }
+    };
+    (0..nominal.joints.len()).map(offset).collect()
+}
+
+/// Model − chain over the measured range, from both sides.
+pub(super) fn apart(job: &Job, model: &Model, robot: &Robot) -> Vec<[f64; 3]> {
+    let sides = [Side::Forward, Side::Reverse];
+    let both = sides.map(|side| differences(&poses(job, side), model, robot));
+    both.concat()
+}
+
+/// Root mean square of lengths.
+pub(super) fn rms(vectors: &[[f64; 3]]) -> f64 {
+    let sum: f64 = vectors.iter().map(|v| dot(*v, *v)).sum();
+    (sum / vectors.len().max(1) as f64).sqrt()
+}

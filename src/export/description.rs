@@ -1,0 +1,321 @@
+//! What every description of a corrected robot says of itself, and what is made of one that is
+//! written: `FILE.meta.json`.
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use super::chain::{Chain, apart, rms};
+use super::euler::Frame;
+use super::sidecar::sha256;
+use super::{Document, Export, ExportError, Job};
+use crate::compensation::Compensation;
+use crate::effects::Term;
+use crate::kinematics::{JointKind, Pose, Robot};
+use crate::model::Model;
+use crate::model::format_v1::model_hash;
+use crate::sessions::format_v1::layout::write_document;
+
+/// Less than this is nothing, mm.
+const WORTH_A_NUMBER_MM: f64 = 5e-5;
+
+/// How much of what was identified a file carries.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Level {
+    /// The zero offsets of the joints, and the frames of base and tool.
+    ZerosAndFrames,
+    /// These, and the geometry of the links.
+    Links,
+}
+
+impl Level {
+    fn says(self) -> &'static str {
+        match self {
+            Self::ZerosAndFrames => "zero offsets, base and tool frame",
+            Self::Links => "zero offsets, base and tool frame, and the geometry of the links",
+        }
+    }
+}
+
+/// A description as its format wrote it.
+pub(super) struct Written {
+    /// The name of the format.
+    pub(super) format: &'static str,
+    /// The file.
+    pub(super) text: String,
+    /// Files beside it: ending of the name, content.
+    pub(super) beside: Vec<(&'static str, String)>,
+    /// The chain that it says when it is read back; values as the controller counts them.
+    pub(super) robot: Robot,
+    pub(super) level: Level,
+    pub(super) units: &'static str,
+    /// What its numbers are.
+    pub(super) sign: &'static str,
+    /// First and last frame by their names in the file, where it names them.
+    pub(super) ends: Option<[String; 2]>,
+    /// Base and tool as they have to be entered where the file does not hold them.
+    pub(super) frames: Option<Frames>,
+    pub(super) in_the_controller: Vec<String>,
+    /// Where the zero offsets are, in words, where the file itself is what the controller takes.
+    pub(super) zeros: Option<String>,
+    /// What the format cannot say.
+    pub(super) cannot_say: Vec<String>,
+    pub(super) notes: Vec<String>,
+}
+
+/// Frames that a controller holds beside the chain.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Frames {
+    /// The chain's first frame in the base frame.
+    pub(super) base: Frame,
+    /// The tool in the chain's last frame.
+    pub(super) tool: Frame,
+    /// What these two are.
+    pub(super) are: &'static str,
+}
+
+#[derive(Serialize)]
+struct Sidecar<'a> {
+    format: &'static str,
+    table: &'a str,
+    table_format: &'static str,
+    table_sha256: String,
+    program_version: &'static str,
+    session: &'a str,
+    samples_hash: &'a str,
+    model_hash: String,
+    joint_name: &'static str,
+    units: &'static str,
+    sign: &'static str,
+    level: Level,
+    level_in_words: &'static str,
+    zeros: ZerosTwin,
+    example: Example,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    base_link: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip_link: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    frames: Option<Frames>,
+    in_the_controller: Vec<String>,
+    carried: Vec<String>,
+    left_out: Vec<String>,
+    cannot_say: Vec<String>,
+    leaves: Leaves,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Example {
+    says: String,
+}
+
+/// Where the zero offsets are: in the file's geometry or in the controller, never in both.
+#[derive(Serialize)]
+struct ZerosTwin {
+    /// Who takes them.
+    taken_by: &'static str,
+    says: String,
+    joints: Vec<ZeroTwin>,
+}
+
+#[derive(Serialize)]
+struct ZeroTwin {
+    joint: usize,
+    name: String,
+    /// How far the joint stands beyond its command.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    offset_deg: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    offset_mm: Option<f64>,
+    /// What of that is in the geometry of the file, the same unit.
+    in_the_file: f64,
+    /// What of that the controller has to take, the same unit.
+    in_the_controller: f64,
+}
+
+/// Distance between the model and the file's robot over the measured range, both directions.
+#[derive(Serialize)]
+struct Leaves {
+    rms_mm: f64,
+    max_mm: f64,
+    nominal_rms_mm: f64,
+}
+
+/// The documents of a description, and what there is to say about it.
+///
+/// # Errors
+/// A file that does not read back as it should.
+pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Export, ExportError> {
+    let all = Compensation::new(job.calibration).robot;
+    let driven = chain.driven(&written.robot);
+    let left = apart(job, &all, &driven);
+    let nominal = &job.calibration.model.robot;
+    let leaves = Leaves {
+        rms_mm: rms(&left),
+        max_mm: left.iter().map(|v| rms(&[*v])).fold(0.0, f64::max),
+        nominal_rms_mm: rms(&apart(job, &all, nominal)),
+    };
+    if !leaves.rms_mm.is_finite() {
+        return Err(ExportError::ReadBack("it leads nowhere".to_owned()));
+    }
+    let sidecar = sidecar(job, chain, &written, &driven, leaves);
+    let mut notes = vec![sidecar.example.says.clone(), sidecar.zeros.says.clone()];
+    notes.extend(sidecar.in_the_controller.iter().cloned());
+    notes.extend(sidecar.notes.iter().cloned());
+    notes.extend(sidecar.cannot_say.iter().cloned());
+    notes.extend(sidecar.left_out.iter().cloned());
+    let mut json = Vec::new();
+    write_document(&mut json, &sidecar).expect("writing to memory does not fail");
+    let mut documents = Document::with_sidecar(job.file_name, written.text.into_bytes(), json);
+    documents.extend(written.beside.into_iter().map(|(ending, text)| Document {
+        name: format!("{}{ending}", job.file_name),
+        bytes: text.into_bytes(),
+    }));
+    Ok(Export {
+        documents,
+        reads_as: None,
+        robot: Some(driven),
+        left: None,
+        notes,
+    })
+}
+
+fn sidecar<'a>(
+    job: &Job<'a>,
+    chain: &Chain,
+    written: &Written,
+    driven: &Robot,
+    leaves: Leaves,
+) -> Sidecar<'a> {
+    let calibration = job.calibration;
+    let nominal = &calibration.model.robot;
+    let place = |v: Vector3<f64>| format!("({:.4}, {:.4}, {:.4}) mm", v.x, v.y, v.z);
+    let mut notes = vec![format!(
+        "this robot carries {}; it is {:.4} mm from the model over the measured range (largest \
+         {:.4}), the nominal one {:.4} mm (root mean square)",
+        written.level.says(),
+        leaves.rms_mm,
+        leaves.max_mm,
+        leaves.nominal_rms_mm
+    )];
+    notes.extend(written.notes.iter().cloned());
+    let [base_link, tip_link] = match &written.ends {
+        Some([base, tip]) => [Some(base.clone()), Some(tip.clone())],
+        None => [None, None],
+    };
+    Sidecar {
+        format: "truepose-table/1",
+        table: job.file_name,
+        table_format: written.format,
+        table_sha256: sha256(written.text.as_bytes()),
+        program_version: env!("CARGO_PKG_VERSION"),
+        session: &calibration.session,
+        samples_hash: &calibration.samples_hash,
+        model_hash: model_hash(calibration),
+        joint_name: "all",
+        units: written.units,
+        sign: written.sign,
+        level: written.level,
+        level_in_words: written.level.says(),
+        zeros: zeros(nominal, chain, written.zeros.clone()),
+        example: Example {
+            says: format!(
+                "at home the nominal tool is at {}, and this robot has it at {}",
+                place(nominal.base_from_tool.translation.vector),
+                place(driven.base_from_tool.translation.vector)
+            ),
+        },
+        base_link,
+        tip_link,
+        frames: written.frames.clone(),
+        in_the_controller: written.in_the_controller.clone(),
+        carried: chain.corrected.carried.iter().map(name).collect(),
+        left_out: left_out(job, chain, written.format),
+        cannot_say: written.cannot_say.clone(),
+        leaves,
+        notes,
+    }
+}
+
+fn name(term: &Term) -> String {
+    let about = term.effect.about();
+    let joint = if about.per_joint {
+        format!(" of joint {}", term.joint + 1)
+    } else {
+        String::new()
+    };
+    format!("{}{joint}", about.id)
+}
+
+/// What has no place in a chain of joints, each with what it leaves by itself.
+fn left_out(job: &Job, chain: &Chain, format: &str) -> Vec<String> {
+    let nominal = &job.calibration.model.robot;
+    let title = match format {
+        "urdf" => "a URDF",
+        "mjcf" => "an MJCF file",
+        _ => "a chain of joints",
+    };
+    let leaves = |term: &Term| {
+        let alone = Model::new(nominal.clone(), vec![term.clone()]);
+        let mm = rms(&apart(job, &alone, nominal));
+        let leaves = if mm < WORTH_A_NUMBER_MM {
+            "at standstill, without load and at 20 °C it leaves nothing".to_owned()
+        } else {
+            format!("it leaves {mm:.4} mm")
+        };
+        format!("{} has no place in {title}: {leaves}", name(term))
+    };
+    chain.corrected.left_out.iter().map(leaves).collect()
+}
+
+fn zeros(nominal: &Robot, chain: &Chain, in_words: Option<String>) -> ZerosTwin {
+    let joints = nominal.joints.iter().enumerate().map(|(k, joint)| {
+        let outer = |inner: f64| joint.kind.outer(inner) + 0.0;
+        let offset = outer(chain.offsets[k]);
+        ZeroTwin {
+            joint: k + 1,
+            name: joint.name.clone(),
+            offset_deg: (joint.kind == JointKind::Revolute).then_some(offset),
+            offset_mm: (joint.kind == JointKind::Prismatic).then_some(offset),
+            in_the_file: outer(chain.offsets[k] - chain.taken[k]),
+            in_the_controller: outer(chain.taken[k]),
+        }
+    });
+    let taken = nominal.joints.iter().zip(&chain.taken).enumerate();
+    let taken = taken.filter(|(_, (_, value))| **value != 0.0);
+    let taken: Vec<String> = taken
+        .map(|(k, (joint, value))| {
+            let outer = joint.kind.outer(*value);
+            format!("joint {} by {:+.6}{}", k + 1, outer, joint.kind.sign())
+        })
+        .collect();
+    let says = match chain.zeros {
+        super::Zeros::Origins => {
+            "the zero offsets are in this file: leave the zeros of the controller as they are"
+                .to_owned()
+        }
+        super::Zeros::Controller if taken.is_empty() => {
+            "no joint has a zero offset for the controller to take".to_owned()
+        }
+        super::Zeros::Controller => format!(
+            "the zero offsets are left to the controller and are not in this file: its joints stand \
+             beyond what it shows, {}; move its zeros so that it shows as much more",
+            taken.join(", ")
+        ),
+    };
+    ZerosTwin {
+        taken_by: chain.zeros.name(),
+        says: in_words.unwrap_or(says),
+        joints: joints.collect(),
+    }
+}
+
+/// The part of a chain that is not in its rows.
+pub(super) fn frames(base: &Pose, tool: &Pose, are: &'static str) -> Frames {
+    Frames {
+        base: Frame::of(base),
+        tool: Frame::of(tool),
+        are,
+    }
+}

@@ -1,0 +1,73 @@
+//! What an export of a corrected robot may be asked for beside its format.
+
+use crate::kinematics::DhConvention;
+
+/// Who takes the zero offsets of the joints. Never both: they would be corrected twice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Zeros {
+    /// The geometry of the file. The controller's own zeros stay as they are.
+    #[default]
+    Origins,
+    /// The controller (mastering, homing). The geometry of the file is without them.
+    Controller,
+}
+
+impl Zeros {
+    /// Every one, by its name on the command line.
+    pub const ALL: [(&'static str, Self); 2] =
+        [("origins", Self::Origins), ("controller", Self::Controller)];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Origins => "origins",
+            Self::Controller => "controller",
+        }
+    }
+}
+
+/// The servos of a hobby arm: their homing offsets have opposite signs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Motors {
+    /// Feetech: present = actual − `homing_offset`.
+    #[default]
+    Feetech,
+    /// Dynamixel: present = actual + `homing_offset`.
+    Dynamixel,
+}
+
+impl Motors {
+    /// Every one, by its name on the command line.
+    pub const ALL: [(&'static str, Self); 2] =
+        [("feetech", Self::Feetech), ("dynamixel", Self::Dynamixel)];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Feetech => "feetech",
+            Self::Dynamixel => "dynamixel",
+        }
+    }
+}
+
+/// A file that an export starts from: what the controller has now.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reference<'a> {
+    /// Its name, for messages.
+    pub name: &'a str,
+    /// Its content.
+    pub bytes: &'a [u8],
+}
+
+/// See the module.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Options<'a> {
+    /// Who takes the zero offsets; `None`: whoever the format is for.
+    pub zeros: Option<Zeros>,
+    /// The servos, for their calibration.
+    pub motors: Motors,
+    /// Convention of Denavit–Hartenberg rows; `None`: the one that came in, else standard.
+    pub convention: Option<DhConvention>,
+    /// What the controller has now.
+    pub reference: Option<Reference<'a>>,
+}

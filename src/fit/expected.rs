@@ -1,0 +1,133 @@
+//! How sure a model is where the robot works: the error that the uncertainty of its parameters makes
+//! over the joint ranges, not only at the poses that were measured.
+//!
+//! ```text
+//! var p(q) = J(q) Σ J(q)ᵀ,   expected error = √ tr var p(q)
+//! ```
+//!
+//! Poses are spread evenly over the joint limits (an additive recurrence, Roberts 2018), where there
+//! are none over the values that were measured.
+
+use nalgebra::DMatrix;
+
+use crate::effects::Inputs;
+use crate::model::Model;
+
+use super::problem::Problem;
+
+/// The error that a model is expected to make, from the uncertainty of its parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expected {
+    /// Root mean square over the joint ranges, mm.
+    pub rms_mm: f64,
+    /// The largest there, mm.
+    pub max_mm: f64,
+    /// Where it is largest, rad or mm.
+    pub worst_q: Vec<f64>,
+    /// Root mean square at the poses that were measured, mm.
+    pub measured_rms_mm: f64,
+}
+
+impl Expected {
+    /// Whether the samples show the measured poses much better than the joint ranges.
+    pub fn extrapolates(&self) -> bool {
+        self.rms_mm > POORLY * self.measured_rms_mm
+    }
+}
+
+/// Poses over the joint ranges.
+const POSES: usize = 400;
+/// So many times the uncertainty at the measured poses is poor.
+const POORLY: f64 = 3.0;
+
+/// The expected error of a model with the covariance of its coefficients.
+pub fn expected_error(
+    problem: &Problem,
+    model: &Model,
+    covariance: &DMatrix<f64>,
+) -> Option<Expected> {
+    let inputs = over_the_ranges(problem);
+    let over = errors(model, &inputs, covariance)?;
+    let used: Vec<usize> = (0..problem.used.len())
+        .filter(|i| problem.used[*i])
+        .collect();
+    let stride = used.len().div_ceil(POSES).max(1);
+    let some: Vec<usize> = used.into_iter().step_by(stride).collect();
+    let measured = errors(model, &problem.inputs.select(&some), covariance)?;
+    let rms = |all: &[f64]| {
+        let square: f64 = all.iter().map(|e| e * e).sum();
+        (square / all.len().max(1) as f64).sqrt()
+    };
+    let worst = (0..over.len()).max_by(|a, b| over[*a].total_cmp(&over[*b]))?;
+    Some(Expected {
+        rms_mm: rms(&over),
+        max_mm: over[worst],
+        worst_q: inputs.q.iter().map(|q| q[worst]).collect(),
+        measured_rms_mm: rms(&measured),
+    })
+}
+
+/// √ tr J Σ Jᵀ of every pose, mm; `None` where the sizes do not fit.
+fn errors(model: &Model, inputs: &Inputs, covariance: &DMatrix<f64>) -> Option<Vec<f64>> {
+    let count = model.coefficient_count();
+    if covariance.nrows() < count || inputs.is_empty() {
+        return None;
+    }
+    let mut all = Vec::new();
+    model.visit(inputs, true, |_, block| {
+        for i in 0..block.len {
+            let mut trace = 0.0;
+            for axis in 0..3 {
+                for a in 0..count {
+                    let ja = block.columns[a][axis][i];
+                    if ja != 0.0 {
+                        let along: f64 = (0..count)
+                            .map(|b| covariance[(a, b)] * block.columns[b][axis][i])
+                            .sum();
+                        trace += ja * along;
+                    }
+                }
+            }
+            all.push(trace.max(0.0).sqrt());
+        }
+    });
+    Some(all)
+}
+
+/// Poses over the limits of the joints, on the targets in turn.
+fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
+    let joints = &problem.session.robot.joints;
+    let n = joints.len();
+    // The positive root of x^(n+1) = x + 1.
+    let mut root = 1.5_f64;
+    for _ in 0..60 {
+        root = (1.0 + root).powf(1.0 / (n as f64 + 1.0));
+    }
+    let mut step = 1.0;
+    let columns = joints.iter().enumerate().map(|(j, joint)| {
+        step /= root;
+        let values = problem.inputs.q[j].iter().zip(&problem.used);
+        let seen = values.filter(|(_, used)| **used).map(|(q, _)| *q);
+        let measured = seen.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), q| {
+            (a.min(q), b.max(q))
+        });
+        let (low, high) = joint
+            .limits
+            .map_or(measured, |range| (range.from, range.to));
+        let at = |k: usize| (0.5 + step * (k as f64 + 1.0)).fract();
+        (0..POSES).map(|k| low + (high - low) * at(k)).collect()
+    });
+    let columns: Vec<Vec<f64>> = columns.collect();
+    let mut inputs = Inputs::at_poses(columns, problem.inputs.reflectors_at_home.clone());
+    if let Some(setup) = problem.inputs.setup.as_deref() {
+        // The frame that most samples were measured in, or the first.
+        let first = (0..setup.len()).find(|i| problem.used[*i]);
+        inputs.setup = Some(vec![first.map_or(0.0, |i| setup[i]); POSES]);
+    }
+    let targets = u32::try_from(inputs.reflectors_at_home.len()).unwrap_or(1);
+    if problem.inputs.target.is_some() && targets > 0 {
+        let in_turn = (0..POSES).map(|k| u32::try_from(k).unwrap_or(0) % targets);
+        inputs.target = Some(in_turn.collect());
+    }
+    inputs
+}

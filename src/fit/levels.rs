@@ -1,0 +1,177 @@
+//! What each level of correction would bring to a robot with several joints, so that a user sees
+//! what the controller at hand can take:
+//!
+//! ```text
+//! zero offsets ⊂ with tool and frame ⊂ with links ⊂ with effects
+//! ```
+//!
+//! Each level is fitted by itself; its errors are those on cells of the workspace that the fit has not
+//! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
+//! to know it.
+
+use crate::effects::{Effect, LinkGeometry, MeasuringFrame, Setting};
+use crate::model::Model;
+
+use super::base_model;
+use super::cells::cells;
+use super::gap::deviations;
+use super::problem::Problem;
+use super::solver::solve;
+
+/// One level of correction and the errors that it leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// What the controller would have to take.
+    pub what: &'static str,
+    /// Combinations of coefficients that the samples determine.
+    pub parameters: usize,
+    /// Root mean square error in the fit, mm.
+    pub rms_mm: f64,
+    /// On samples that the fit has not seen; `None` with too few samples.
+    pub cross_validated: Option<Errors>,
+}
+
+/// Lengths of deviations, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// Mean.
+    pub mean_mm: f64,
+    /// Root mean square.
+    pub rms_mm: f64,
+    /// 95 of 100 are no longer.
+    pub p95_mm: f64,
+    /// Longest.
+    pub max_mm: f64,
+}
+
+impl Errors {
+    /// Of some lengths; `None` of none.
+    pub fn of(mut lengths_mm: Vec<f64>) -> Option<Self> {
+        lengths_mm.retain(|l| l.is_finite());
+        lengths_mm.sort_by(f64::total_cmp);
+        let n = lengths_mm.len();
+        let max_mm = *lengths_mm.last()?;
+        let count = n as f64;
+        Some(Self {
+            mean_mm: lengths_mm.iter().sum::<f64>() / count,
+            rms_mm: (lengths_mm.iter().map(|l| l * l).sum::<f64>() / count).sqrt(),
+            p95_mm: lengths_mm[(n * 95).div_ceil(100).clamp(1, n) - 1],
+            max_mm,
+        })
+    }
+}
+
+/// Samples that levels are compared on.
+const MOST_SAMPLES: usize = 1000;
+/// Cells of the workspace, and in how many parts they are predicted by the others.
+const CELLS: usize = 20;
+const FOLDS: usize = 5;
+/// Below this number of samples nothing is said about unseen ones.
+const FEWEST: usize = 12;
+
+/// The levels of an identified model, on the samples of the problem that count.
+pub fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
+    let mut part = problem.clone();
+    part.noise = None;
+    let used: Vec<usize> = (0..part.used.len()).filter(|i| part.used[*i]).collect();
+    if used.len() > MOST_SAMPLES {
+        part.used.fill(false);
+        for k in 0..MOST_SAMPLES {
+            part.used[used[k * used.len() / MOST_SAMPLES]] = true;
+        }
+    }
+    let fold = folds(&part, identified);
+    let mut all = Vec::new();
+    for (what, model) in models(&part, identified) {
+        all.push(level(&part, &fold, what, &model));
+    }
+    all
+}
+
+/// For each sample the fold that it is in.
+fn folds(problem: &Problem, identified: &Model) -> Vec<usize> {
+    let predicted = identified.predict(&problem.inputs);
+    let used: Vec<usize> = (0..problem.used.len())
+        .filter(|i| problem.used[*i])
+        .collect();
+    let points: Vec<[f64; 3]> = used.iter().map(|i| predicted.get(*i)).collect();
+    let mut fold = vec![0; problem.used.len()];
+    for (sample, cell) in used.iter().zip(cells(&points, CELLS)) {
+        fold[*sample] = cell % FOLDS;
+    }
+    fold
+}
+
+/// The model that each level starts from.
+fn models(problem: &Problem, identified: &Model) -> Vec<(&'static str, Model)> {
+    let (links, frame) = (LinkGeometry.about().id, MeasuringFrame.about().id);
+    let session = problem.session;
+    let unknown_frame = !problem.priors.aligned;
+    let start = |keep: &dyn Fn(&str) -> bool| base_model::start(session, problem, keep);
+    let tool = |t: &crate::effects::Term| matches!(t.effect.about().setting, Setting::Target);
+    let frames_only = |m: &Model| m.without(|t| t.effect.about().id != frame || !unknown_frame);
+    let with_frame = start(&|id| id != links);
+    let zeros = with_frame.without(|t| tool(t) || t.effect.about().id == frame && !unknown_frame);
+    let beyond = |m: &Model| m.without(|t| !base_model::belongs(t.effect.about().id));
+    let base = beyond(identified);
+    let nominal = if unknown_frame {
+        "nominal robot, with the frame of the instrument"
+    } else {
+        "nominal robot"
+    };
+    let mut all = vec![
+        (nominal, frames_only(&with_frame)),
+        ("zero offsets", zeros),
+        ("with tool and frame", with_frame),
+        ("with links", base.clone()),
+    ];
+    if identified.terms().len() > base.terms().len() {
+        all.push(("with effects", identified.clone()));
+    }
+    all
+}
+
+fn level(problem: &Problem, fold: &[usize], what: &'static str, start: &Model) -> Level {
+    let solution = solve(problem, start);
+    let left = deviations(problem, &solution.model).length_mm;
+    let used = |i: &usize| problem.used[*i];
+    let own: Vec<f64> = (0..left.len()).filter(used).map(|i| left[i]).collect();
+    let enough = own.len() >= FEWEST;
+    let unseen = || {
+        let mut lengths = Vec::new();
+        for k in 0..FOLDS {
+            let mut seen = problem.clone();
+            for (used, fold) in seen.used.iter_mut().zip(fold) {
+                *used &= *fold != k;
+            }
+            let model = solve(&seen, &solution.model).model;
+            let left = deviations(problem, &model).length_mm;
+            let held_out = (0..left.len()).filter(|i| problem.used[*i] && fold[*i] == k);
+            lengths.extend(held_out.map(|i| left[i]));
+        }
+        Errors::of(lengths)
+    };
+    Level {
+        what,
+        parameters: solution.spectrum.rank(),
+        rms_mm: Errors::of(own).map_or(0.0, |e| e.rms_mm),
+        cross_validated: enough.then(unseen).flatten(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Errors;
+
+    #[test]
+    fn errors_state_mean_root_mean_square_percentile_and_largest() {
+        let errors = Errors::of((1..=100).map(f64::from).chain([f64::NAN]).collect()).unwrap();
+        assert_eq!(
+            (errors.mean_mm, errors.p95_mm, errors.max_mm),
+            (50.5, 95.0, 100.0)
+        );
+        assert!((errors.rms_mm - 3383.5_f64.sqrt()).abs() < 1e-9);
+        assert_eq!(Errors::of(vec![f64::NAN]), None);
+        assert_eq!(Errors::of(vec![2.0]).unwrap().p95_mm, 2.0);
+    }
+}

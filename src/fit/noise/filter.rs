@@ -1,0 +1,155 @@
+//! The Kalman filter that whitens columns at a cost linear in the number of samples; its equations
+//! stand in [the module above](super).
+
+/// What one sample does in the filter of an axis.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Step {
+    /// How much of the state is left from the sample before.
+    pub carry: f64,
+    /// How much of what is new goes into the state.
+    pub gain: f64,
+    /// One over the standard deviation of what is new.
+    pub inverse_spread: f64,
+}
+
+#[derive(Debug, Clone)]
+pub(super) enum Axis {
+    White(f64),
+    Slow(Vec<Step>),
+}
+
+/// Whitens columns, axis by axis.
+#[derive(Debug, Clone)]
+pub struct Filter {
+    pub(super) axes: Vec<Axis>,
+    pub(super) samples: usize,
+}
+
+/// Columns that go through the filter together, so that they do not wait for one another.
+const TOGETHER: usize = 8;
+
+impl Filter {
+    /// Whitens columns of rows, one column after the other, an axis after the other in each.
+    pub fn whiten(&self, values: &mut [f64]) {
+        let n = self.samples;
+        let m = n * self.axes.len();
+        if m == 0 {
+            return;
+        }
+        for columns in values.chunks_mut(m * TOGETHER) {
+            let count = columns.len() / m;
+            for (a, axis) in self.axes.iter().enumerate() {
+                match axis {
+                    Axis::White(scale) => {
+                        for column in columns.chunks_mut(m) {
+                            for value in &mut column[a * n..(a + 1) * n] {
+                                *value *= scale;
+                            }
+                        }
+                    }
+                    Axis::Slow(steps) => {
+                        let mut state = [0.0; TOGETHER];
+                        for (k, step) in steps.iter().enumerate() {
+                            for (c, state) in state.iter_mut().enumerate().take(count) {
+                                let value = &mut columns[c * m + a * n + k];
+                                let new = *value - step.carry * *state;
+                                *state = step.carry * *state + step.gain * new;
+                                *value = new * step.inverse_spread;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Logarithm of the determinant of the covariance that the filter takes out.
+    pub fn ln_determinant(&self) -> f64 {
+        let one = |axis: &Axis| match axis {
+            Axis::White(scale) => -2.0 * self.samples as f64 * scale.ln(),
+            Axis::Slow(steps) => steps.iter().map(|s| -2.0 * s.inverse_spread.ln()).sum(),
+        };
+        self.axes.iter().map(one).sum()
+    }
+}
+
+/// The steps of a filter; see the module.
+pub(super) fn steps(times: &[f64], tau: f64, sigma: f64, rms: f64) -> Vec<Step> {
+    let mut variance = rms * rms;
+    let mut before = f64::NAN;
+    let step = |time: &f64| {
+        let carry = carried(*time - before, tau);
+        before = *time;
+        Step::after(carry, sigma, rms, &mut variance)
+    };
+    times.iter().map(step).collect()
+}
+
+/// How much of the state is left after so long. A clock that jumps back is a restart, after an
+/// unknown time.
+pub(crate) fn carried(apart: f64, tau: f64) -> f64 {
+    if apart >= 0.0 {
+        (-apart / tau).exp()
+    } else {
+        0.0
+    }
+}
+
+impl Step {
+    /// The next step; `variance` is that of the state, before and after.
+    #[inline]
+    pub(crate) fn after(carry: f64, sigma: f64, rms: f64, variance: &mut f64) -> Self {
+        let (s2, white) = (rms * rms, sigma * sigma);
+        let predicted = carry * carry * *variance + s2 * (1.0 - carry * carry);
+        let spread = predicted + white;
+        *variance = predicted * white / spread;
+        Self {
+            carry,
+            gain: predicted / spread,
+            inverse_spread: 1.0 / spread.sqrt(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+
+    use crate::fit::noise::{Noise, Slow};
+
+    /// The whitening of the filter is that of the dense covariance's Cholesky factor.
+    #[test]
+    fn the_filter_whitens_as_the_dense_covariance_does() {
+        let times = [0.0, 2.0, 3.0, 3600.0, 3601.0, 3.0, 9.0];
+        let (tau, sigma, rms) = (5.0, 0.3, 0.7);
+        // The sixth sample comes after a restart.
+        let part = |k: usize| usize::from(k >= 5);
+        let covariance = DMatrix::from_fn(7, 7, |i, j| {
+            let together = if part(i) == part(j) {
+                let apart: f64 = times[i] - times[j];
+                rms * rms * (-apart.abs() / tau).exp()
+            } else {
+                0.0
+            };
+            together + if i == j { sigma * sigma } else { 0.0 }
+        });
+        let noise = Noise {
+            sigma_mm: [sigma; 3],
+            slow: Some(Slow {
+                rms_mm: [rms; 3],
+                time_constant_s: tau,
+            }),
+            unequal: false,
+            slow_evidence: 0.0,
+            alternatives: Vec::new(),
+        };
+        let filter = noise.filter_over(&times, &[0]);
+        let y = DVector::from_fn(7, |k, _| (k as f64 + 1.0).sin());
+        let mut white = y.clone();
+        filter.whiten(white.as_mut_slice());
+        let factor = covariance.clone().cholesky().unwrap();
+        let expected = factor.l().solve_lower_triangular(&y).unwrap();
+        assert!((white - expected).norm() < 1e-9);
+        assert!((filter.ln_determinant() - covariance.determinant().ln()).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,298 @@
+//! The noise of a measurement: white along each axis, plus a part that wanders slowly in time (a
+//! tripod that settles, air, a tracker that warms up).
+//!
+//! ```text
+//! y_a(t_k) = model + w_a(t_k) + ε_k,   ε ~ N(0, σ_a²),   E w_a(t) w_a(u) = s_a² exp(−|t − u|/τ)
+//! ```
+//!
+//! The slow part is an Ornstein–Uhlenbeck process (a Matérn process of order ½), whose
+//! state-space form makes a Kalman filter whiten any column at a cost linear in the number of
+//! samples (Hartikainen & Särkkä 2010):
+//!
+//! ```text
+//! a = exp(−Δt/τ),   P⁻ = a² P + s² (1 − a²),   S = P⁻ + σ²,   K = P⁻/S,
+//! v = y − a m,      m ← a m + K v,             P = (1 − K) P⁻,  whitened = v/√S
+//! ```
+//!
+//! Time is time: a pause counts as long as it took, and where the clock jumps back (a restart) the
+//! process begins anew. Without a clock samples are taken as one unit of time apart.
+//!
+//! σ, s and τ are those of the largest restricted likelihood beside the columns of a fit
+//! (Patterson & Thompson 1971): restricted, so that what the fit swallows is not held against the
+//! noise.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::sessions::{Session, Sigma};
+
+use super::regression::Rows;
+use filter::{Axis, steps};
+use restricted::{AxisSums, Restricted};
+use slow_part::{Trial, alternatives};
+
+mod filter;
+mod restricted;
+mod slow_part;
+mod words;
+
+pub(crate) use filter::carried;
+pub use filter::{Filter, Step};
+pub use words::{Slow, StatedNoise};
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of the white part along x, y, z, mm.
+    pub sigma_mm: [f64; 3],
+    /// The slow part, where the residuals show one.
+    pub slow: Option<Slow>,
+    /// Whether the axes were found, or stated, to differ.
+    pub unequal: bool,
+    /// Twice the logarithm by which the slow part makes the residuals likelier.
+    pub slow_evidence: f64,
+    /// What else it may be, with its share of the probability: a time constant and the variances
+    /// of the slow part in units of the white one's (all zero: white). Intervals average over it.
+    pub(crate) alternatives: Vec<Trial>,
+}
+
+/// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
+/// differ: p < 0.0004.
+const UNEQUAL_EVIDENCE: f64 = 16.0;
+/// Ratios of axes beyond this are something that the model lacks, not noise.
+const MOST_UNEQUAL: f64 = 10.0;
+/// With fewer samples neither axes nor a slow part are told apart.
+const FEWEST_SAMPLES: usize = 20;
+/// Twice the logarithm of the likelihood ratio from which on a slow part is there. A time constant
+/// and a size for each axis on the boundary of their range: white noise exceeds it in about one
+/// session of a hundred (`hidden_effects noise`).
+const SLOW_EVIDENCE: f64 = 12.0;
+/// Below this noise is rounding, mm.
+pub const SMALLEST_SIGMA_MM: f64 = 1e-6;
+
+impl Noise {
+    /// White noise of one size on all axes.
+    pub fn white(sigma_mm: f64) -> Self {
+        Self {
+            sigma_mm: [sigma_mm; 3],
+            slow: None,
+            unequal: false,
+            slow_evidence: 0.0,
+            alternatives: Vec::new(),
+        }
+    }
+
+    /// This noise beside the one that is stated for the instrument, where one is.
+    pub fn against_stated(&self, session: &Session) -> Option<StatedNoise> {
+        let stated = session.instrument.sigma_mm?;
+        let planar = session.samples.z_mm.is_none();
+        let axes = if planar { &[0, 1][..] } else { &[0, 1, 2] };
+        Some(StatedNoise::of(stated, self.sigma_mm, axes))
+    }
+
+    /// From raw residuals and the columns of the fit that left them.
+    pub fn estimate(
+        stated: Option<Sigma>,
+        rows: &Rows,
+        residual: &DVector<f64>,
+        columns: &DMatrix<f64>,
+    ) -> Self {
+        Self::likeliest(stated, rows, residual, columns, false)
+    }
+
+    /// The same with everything that it may be besides, for intervals: a search does without.
+    pub fn estimate_with_alternatives(
+        stated: Option<Sigma>,
+        rows: &Rows,
+        residual: &DVector<f64>,
+        columns: &DMatrix<f64>,
+    ) -> Self {
+        Self::likeliest(stated, rows, residual, columns, true)
+    }
+
+    fn likeliest(
+        stated: Option<Sigma>,
+        rows: &Rows,
+        residual: &DVector<f64>,
+        columns: &DMatrix<f64>,
+        with_alternatives: bool,
+    ) -> Self {
+        let mut noise = Self::white(1.0);
+        if let Some(Sigma::PerAxis(sigma)) = stated {
+            noise.sigma_mm = sigma;
+            noise.unequal = true;
+        }
+        if rows.is_empty() {
+            return noise;
+        }
+        let restricted = Restricted::new(rows, residual, columns);
+        let mut sums = restricted.sums(0.0, [0.0; 3]);
+        let enough = rows.samples.len() >= FEWEST_SAMPLES;
+        if enough {
+            noise.balance_axes(&restricted, &sums);
+            let white = restricted.likelihood(&sums, &noise.sigma_mm);
+            let (best, tried) = noise.slowest(&restricted, white, with_alternatives);
+            if with_alternatives {
+                noise.alternatives = alternatives(white, &tried);
+            }
+            if let Some((likelihood, tau, ratio)) = best {
+                noise.slow_evidence = 2.0 * (likelihood - white);
+                if noise.slow_evidence > SLOW_EVIDENCE {
+                    sums = restricted.sums(tau, ratio);
+                    noise.balance_axes(&restricted, &sums);
+                    let rms = |a: usize| ratio[a].sqrt() * noise.sigma_mm[a];
+                    noise.slow = Some(Slow {
+                        rms_mm: [rms(0), rms(1), rms(2)],
+                        time_constant_s: tau,
+                    });
+                }
+            }
+        }
+        let scale = restricted
+            .scale(&sums, &noise.sigma_mm)
+            .max(SMALLEST_SIGMA_MM);
+        noise.scaled(scale)
+    }
+
+    /// Noise of the same size that is known to be white.
+    #[must_use]
+    pub fn made_white(&self) -> Self {
+        let slow = self.slow.map_or([0.0; 3], |s| s.rms_mm);
+        let total = |axis: usize| self.sigma_mm[axis].hypot(slow[axis]);
+        Self {
+            sigma_mm: [total(0), total(1), total(2)],
+            slow: None,
+            alternatives: Vec::new(),
+            ..self.clone()
+        }
+    }
+
+    /// The same noise so many times as large.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut noise = self.clone();
+        noise.sigma_mm = noise.sigma_mm.map(|s| s * factor);
+        if let Some(slow) = &mut noise.slow {
+            slow.rms_mm = slow.rms_mm.map(|s| s * factor);
+        }
+        noise
+    }
+
+    /// Sizes of the axes relative to each other, where they clearly differ.
+    fn balance_axes(&mut self, restricted: &Restricted, sums: &[AxisSums]) {
+        let mut stated = self.unequal;
+        for _ in 0..2 {
+            let spread = restricted.spread(sums, &self.sigma_mm);
+            let freedom: f64 = spread.iter().map(|s| s.1).sum();
+            let pooled = spread.iter().map(|s| s.0 * s.1).sum::<f64>() / freedom.max(1.0);
+            if pooled.sqrt() < SMALLEST_SIGMA_MM {
+                return;
+            }
+            let ratio = |s: f64| (s / pooled).max(1e-6);
+            let evidence: f64 = spread.iter().map(|s| -s.1 * ratio(s.0).ln()).sum();
+            if stated || !self.unequal && evidence < UNEQUAL_EVIDENCE {
+                return;
+            }
+            stated = false;
+            self.unequal = true;
+            for (axis, s) in restricted.axes.iter().zip(&spread) {
+                self.sigma_mm[*axis] *= ratio(s.0).sqrt();
+            }
+            let largest = self.sigma_mm.iter().copied().fold(0.0, f64::max);
+            self.sigma_mm = self.sigma_mm.map(|s| s.max(largest / MOST_UNEQUAL));
+        }
+    }
+
+    /// The noises that the residuals allow besides, with their shares; intervals are averaged over
+    /// them. The first is this one where it is the only one.
+    pub(crate) fn possible(&self) -> Vec<(f64, Self)> {
+        let one = |(share, tau, ratio): &(f64, f64, [f64; 3])| {
+            let rms = |axis: usize| ratio[axis].sqrt() * self.sigma_mm[axis];
+            let slow = (ratio.iter().any(|r| *r > 0.0)).then(|| Slow {
+                rms_mm: [rms(0), rms(1), rms(2)],
+                time_constant_s: *tau,
+            });
+            let noise = Self {
+                slow,
+                alternatives: Vec::new(),
+                ..self.clone()
+            };
+            (*share, noise)
+        };
+        self.alternatives.iter().map(one).collect()
+    }
+
+    /// The filter that whitens rows.
+    pub fn filter(&self, rows: &Rows) -> Filter {
+        self.filter_over(&rows.times, &rows.axes)
+    }
+
+    /// The filter for samples at these times.
+    pub fn filter_over(&self, times: &[f64], axes: &[usize]) -> Filter {
+        let one = |axis: &usize| match self.slow {
+            Some(slow) if slow.rms_mm[*axis] > 0.0 => {
+                let sigma = self.sigma_mm[*axis];
+                Axis::Slow(steps(
+                    times,
+                    slow.time_constant_s,
+                    sigma,
+                    slow.rms_mm[*axis],
+                ))
+            }
+            _ => Axis::White(1.0 / self.sigma_mm[*axis]),
+        };
+        Filter {
+            axes: axes.iter().map(one).collect(),
+            samples: times.len(),
+        }
+    }
+
+    /// Whitened columns.
+    pub fn whitened(&self, rows: &Rows, raw: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut white = raw.clone();
+        self.filter(rows).whiten(white.as_mut_slice());
+        white
+    }
+
+    /// A whitened vector.
+    pub fn whitened_vector(&self, rows: &Rows, raw: &DVector<f64>) -> DVector<f64> {
+        let mut white = raw.clone();
+        self.filter(rows).whiten(white.as_mut_slice());
+        white
+    }
+
+    /// Whether two estimates whiten alike, within what estimates from a few hundred samples differ.
+    pub fn whitens_like(&self, other: &Self) -> bool {
+        let share = |n: &Self| n.correlation(0.0);
+        let time = |n: &Self| n.slow.map_or(0.0, |s| s.time_constant_s.ln());
+        let size = |n: &Self, axis: usize| {
+            let total = n.total_mm(&[0, 1, 2]).max(SMALLEST_SIGMA_MM);
+            (n.sigma_mm[axis] / total).max(1e-3).ln()
+        };
+        self.slow.is_some() == other.slow.is_some()
+            && (share(self) - share(other)).abs() < 0.1
+            && (time(self) - time(other)).abs() < 0.5
+            && (0..3).all(|axis| (size(self, axis) - size(other, axis)).abs() < 0.05)
+    }
+
+    /// Root mean square of both parts over some axes, mm.
+    pub fn total_mm(&self, axes: &[usize]) -> f64 {
+        let one = |a: &usize| {
+            let slow = self.slow.map_or(0.0, |s| s.rms_mm[*a]);
+            self.sigma_mm[*a].powi(2) + slow * slow
+        };
+        (axes.iter().map(one).sum::<f64>() / axes.len().max(1) as f64).sqrt()
+    }
+
+    /// Correlation of the noise from one sample to the next, `step_s` apart.
+    pub fn correlation(&self, step_s: f64) -> f64 {
+        self.slow.map_or(0.0, |slow| {
+            let (mut all, mut own) = (0.0, 0.0);
+            for axis in 0..3 {
+                let s2 = slow.rms_mm[axis].powi(2);
+                own += s2;
+                all += s2 + self.sigma_mm[axis].powi(2);
+            }
+            own / f64::max(all, f64::MIN_POSITIVE) * (-step_s / slow.time_constant_s).exp()
+        })
+    }
+}

@@ -1,0 +1,140 @@
+//! The restricted likelihood of a noise beside the columns of a fit (Patterson & Thompson 1971).
+
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+use super::{Noise, SMALLEST_SIGMA_MM, Slow};
+use crate::fit::regression::Rows;
+
+/// Products of whitened columns along one axis.
+pub(super) struct AxisSums {
+    gram: DMatrix<f64>,
+    ln_determinant: f64,
+}
+
+/// The restricted likelihood of noise beside the columns of a fit.
+pub(super) struct Restricted<'r> {
+    rows: &'r Rows,
+    pub(super) axes: Vec<usize>,
+    /// For each axis its rows of columns and residual.
+    parts: Vec<DMatrix<f64>>,
+    p: usize,
+}
+
+impl<'r> Restricted<'r> {
+    pub(super) fn new(rows: &'r Rows, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
+        // The same span, well conditioned, whatever the noise is.
+        let basis = crate::fit::linear::Basis::new(columns).q;
+        let p = basis.ncols();
+        let mut all = basis.insert_column(p, 0.0);
+        all.set_column(p, residual);
+        let n = rows.samples.len();
+        let part = |a: usize| all.rows(a * n, n).into_owned();
+        Self {
+            rows,
+            axes: rows.axes.clone(),
+            parts: (0..rows.axes.len()).map(part).collect(),
+            p,
+        }
+    }
+
+    /// Shortest and longest time constant that the samples can tell. What does not come back
+    /// within the session cannot be told from an offset and a drift of the frame, which are effects.
+    pub(super) fn times(&self) -> (f64, f64) {
+        let times = &self.rows.times;
+        let mut apart: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
+        apart.retain(|d| *d > 0.0);
+        apart.sort_by(f64::total_cmp);
+        let Some(middle) = apart.get(apart.len() / 2).copied() else {
+            return (1.0, 1.0);
+        };
+        let total: f64 = apart.iter().sum();
+        (middle, total.max(middle))
+    }
+
+    /// White part 1, slow part of these variances.
+    pub(super) fn sums(&self, tau: f64, ratio: [f64; 3]) -> Vec<AxisSums> {
+        let one = |(part, axis): (&DMatrix<f64>, &usize)| {
+            let mut noise = Noise::white(1.0);
+            if ratio[*axis] > 0.0 {
+                noise.slow = Some(Slow {
+                    rms_mm: ratio.map(f64::sqrt),
+                    time_constant_s: tau,
+                });
+            }
+            let filter = noise.filter_over(&self.rows.times, &[*axis]);
+            let mut white = part.clone();
+            filter.whiten(white.as_mut_slice());
+            AxisSums {
+                gram: white.tr_mul(&white),
+                ln_determinant: filter.ln_determinant(),
+            }
+        };
+        self.parts.iter().zip(&self.axes).map(one).collect()
+    }
+
+    /// Gram matrix of all axes, its factor, and the step to the residual.
+    fn solved(
+        &self,
+        sums: &[AxisSums],
+        sigma: &[f64; 3],
+    ) -> Option<(Cholesky<f64, nalgebra::Dyn>, DVector<f64>, f64)> {
+        let p = self.p;
+        let mut total = DMatrix::zeros(p + 1, p + 1);
+        for (own, axis) in sums.iter().zip(&self.axes) {
+            total += &own.gram / sigma[*axis].powi(2);
+        }
+        let inner = total.view((0, 0), (p, p)).into_owned();
+        let pull = total.view((0, p), (p, 1)).column(0).into_owned();
+        let factor = Cholesky::new(inner)?;
+        let step = factor.solve(&pull);
+        let left = total[(p, p)] - step.dot(&pull);
+        Some((factor, step, left.max(0.0)))
+    }
+
+    fn freedom(&self) -> f64 {
+        ((self.rows.len() as f64) - self.p as f64).max(1.0)
+    }
+
+    /// Standard deviation that is left, in units of σ.
+    pub(super) fn scale(&self, sums: &[AxisSums], sigma: &[f64; 3]) -> f64 {
+        let solved = self.solved(sums, sigma);
+        solved.map_or(0.0, |(_, _, left)| (left / self.freedom()).sqrt())
+    }
+
+    /// Variance along each axis in units of σ², with its degrees of freedom.
+    pub(super) fn spread(&self, sums: &[AxisSums], sigma: &[f64; 3]) -> Vec<(f64, f64)> {
+        let p = self.p;
+        let n = self.rows.samples.len() as f64;
+        let Some((factor, step, _)) = self.solved(sums, sigma) else {
+            return vec![(1.0, n); self.axes.len()];
+        };
+        let one = |(own, axis): (&AxisSums, &usize)| {
+            let weight = 1.0 / sigma[*axis].powi(2);
+            let inner = own.gram.view((0, 0), (p, p)).into_owned();
+            let pull = own.gram.view((0, p), (p, 1)).column(0).into_owned();
+            let square = own.gram[(p, p)] - 2.0 * step.dot(&pull) + step.dot(&(&inner * &step));
+            let spent = factor.solve(&inner).trace() * weight;
+            let freedom = (n - spent).max(1.0);
+            (square.max(0.0) * weight / freedom, freedom)
+        };
+        sums.iter().zip(&self.axes).map(one).collect()
+    }
+
+    /// Logarithm, up to a constant, with the common size profiled out.
+    pub(super) fn likelihood(&self, sums: &[AxisSums], sigma: &[f64; 3]) -> f64 {
+        let Some((factor, _, left)) = self.solved(sums, sigma) else {
+            return f64::NEG_INFINITY;
+        };
+        let freedom = self.freedom();
+        let variance = (left / freedom).max(SMALLEST_SIGMA_MM * SMALLEST_SIGMA_MM);
+        let l = factor.l_dirty();
+        let inner: f64 = (0..self.p).map(|k| 2.0 * l[(k, k)].ln()).sum();
+        let n = self.rows.samples.len() as f64;
+        let outer: f64 = sums
+            .iter()
+            .zip(&self.axes)
+            .map(|(own, axis)| own.ln_determinant + 2.0 * n * sigma[*axis].ln())
+            .sum();
+        -0.5 * (freedom * variance.ln() + inner + outer)
+    }
+}

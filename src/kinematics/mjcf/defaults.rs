@@ -1,0 +1,88 @@
+//! Default classes: attributes of elements that say nothing themselves.
+//!
+//! Classes are nested; a class has what it says itself, then what the class around it has. The
+//! outermost, `main`, holds for elements of no class.
+
+use std::collections::BTreeMap;
+
+use crate::diagnostic::Rejected;
+
+use super::super::xml::Document;
+
+/// See the module.
+#[derive(Debug, Default)]
+pub(super) struct Defaults {
+    /// For each class the elements that describe it, the innermost first.
+    classes: BTreeMap<String, Vec<usize>>,
+    /// For each kind of element those of a class: `(the default element, its place)`.
+    kinds: BTreeMap<String, BTreeMap<usize, Vec<usize>>>,
+    main: Vec<usize>,
+}
+
+impl Defaults {
+    /// All of a document.
+    ///
+    /// # Errors
+    /// A class inside another one without a name, or a name twice.
+    pub(super) fn read(document: &Document, root: usize) -> Result<Self, Rejected> {
+        let mut all = Self::default();
+        // Elements with the classes around them.
+        let mut open: Vec<(usize, Vec<usize>)> = Vec::new();
+        for top in document.children(root, "default") {
+            // A second outermost element goes on with the first.
+            all.main.insert(0, top);
+            all.index(document, top);
+            let name = document.attribute(top, "class").unwrap_or("main");
+            let main = all.main.clone();
+            all.classes.insert(name.to_owned(), main.clone());
+            open.extend(document.children(top, "default").map(|e| (e, main.clone())));
+        }
+        while let Some((element, around)) = open.pop() {
+            let name = document.required(element, "class")?;
+            let mut own = vec![element];
+            own.extend(&around);
+            all.index(document, element);
+            if all.classes.insert(name.to_owned(), own.clone()).is_some() {
+                let found = format!("two default classes called '{name}'");
+                return Err(document.refuse(element, found, "a name of its own for each class"));
+            }
+            open.extend(
+                document
+                    .children(element, "default")
+                    .map(|e| (e, own.clone())),
+            );
+        }
+        Ok(all)
+    }
+
+    fn index(&mut self, document: &Document, class: usize) {
+        for &child in &document.element(class).children {
+            let kind = document.element(child).name.clone();
+            let of_kind = self.kinds.entry(kind).or_default();
+            // What is said later replaces what was said before.
+            of_kind.entry(class).or_default().insert(0, child);
+        }
+    }
+
+    /// Elements of this kind in a class, the innermost first; `None` where there is no such class.
+    pub(super) fn of(&self, kind: &str, class: &str) -> Option<Vec<usize>> {
+        match self.classes.get(class) {
+            Some(levels) => Some(self.elements(kind, levels)),
+            None if class == "main" => Some(Vec::new()),
+            None => None,
+        }
+    }
+
+    /// Elements of this kind for what has no class.
+    pub(super) fn main(&self, kind: &str) -> Vec<usize> {
+        self.elements(kind, &self.main)
+    }
+
+    fn elements(&self, kind: &str, levels: &[usize]) -> Vec<usize> {
+        let Some(of_kind) = self.kinds.get(kind) else {
+            return Vec::new();
+        };
+        let found = levels.iter().filter_map(|level| of_kind.get(level));
+        found.flatten().copied().collect()
+    }
+}

@@ -1,0 +1,483 @@
+//! XML documents as lists of elements that know where they stand.
+//!
+//! The elements of a document, and of the documents that it includes, lie in one flat list, so that
+//! nesting as deep as the file is long is only a long list. Line and column are worked out where a
+//! message needs them. What is no well-formed XML is refused with its place; so are numbers that
+//! are none.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Component, Path, PathBuf};
+
+use roxmltree::{Node, ParsingOptions};
+
+use crate::diagnostic::{Diagnostic, Place, Rejected};
+
+/// Files larger than this, in bytes, are no robot descriptions.
+const LARGEST_FILE: u64 = 64 << 20;
+/// Documents with more elements, attributes and texts than this are no robot descriptions.
+const MOST_NODES: u32 = 4_000_000;
+/// So many files may be included.
+const MOST_FILES: usize = 64;
+
+/// An element.
+#[derive(Debug)]
+pub(super) struct Element {
+    /// Its name without a prefix; empty for elements of somebody else's vocabulary.
+    pub(super) name: String,
+    attributes: Vec<Attribute>,
+    /// The elements in it, in the order of the file.
+    pub(super) children: Vec<usize>,
+    source: usize,
+    at: usize,
+}
+
+#[derive(Debug)]
+struct Attribute {
+    name: String,
+    value: String,
+    at: usize,
+}
+
+#[derive(Debug)]
+struct Source {
+    file: PathBuf,
+    text: String,
+}
+
+/// See the module.
+#[derive(Debug)]
+pub(super) struct Document {
+    sources: Vec<Source>,
+    elements: Vec<Element>,
+}
+
+/// The outermost element of a document.
+pub(super) const ROOT: usize = 0;
+
+/// What stands in the file where something else should.
+pub(super) type Mistake = (String, String);
+
+/// Finds the text of an included file by the name that the document gives it.
+pub(super) type Include<'a> = &'a dyn Fn(&str) -> Result<(PathBuf, String), Mistake>;
+
+impl Document {
+    /// The document `text`, which came from `file`.
+    ///
+    /// # Errors
+    /// What is not well formed, with its place.
+    pub(super) fn parse(text: &str, file: &Path) -> Result<Self, Rejected> {
+        let mut document = Self {
+            sources: Vec::new(),
+            elements: Vec::new(),
+        };
+        document.add(text, file)?;
+        Ok(document)
+    }
+
+    /// Reads a document behind the elements that are there already; its root element is the answer.
+    fn add(&mut self, text: &str, file: &Path) -> Result<usize, Rejected> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let options = ParsingOptions {
+            allow_dtd: true,
+            nodes_limit: MOST_NODES,
+            ..ParsingOptions::default()
+        };
+        let tree = roxmltree::Document::parse_with_options(text, options).map_err(|error| {
+            let at = error.pos();
+            let place = Place::file(file).at_line(u64::from(at.row));
+            Rejected::because(Diagnostic::error(
+                place.at_column(u64::from(at.col)),
+                without_place(&error.to_string()),
+                "well-formed XML",
+            ))
+        })?;
+        let source = self.sources.len();
+        self.sources.push(Source {
+            file: file.to_path_buf(),
+            text: text.to_owned(),
+        });
+        let root = self.elements.len();
+        // Which element of the list each node became; parents come before their children.
+        let mut place_of = vec![usize::MAX; tree.root().descendants().count()];
+        for node in tree.root().descendants().filter(Node::is_element) {
+            let index = self.elements.len();
+            place_of[node.id().get_usize()] = index;
+            self.elements.push(element(&node, source));
+            if let Some(parent) = node.parent_element() {
+                let parent = place_of[parent.id().get_usize()];
+                self.elements[parent].children.push(index);
+            }
+        }
+        Ok(root)
+    }
+
+    /// Puts the children of the included documents where the `include` elements stand. A file is
+    /// included once at most.
+    ///
+    /// # Errors
+    /// Files that cannot be had, are included twice, or are not well formed.
+    pub(super) fn follow_includes(&mut self, include: Include<'_>) -> Result<(), Rejected> {
+        let mut index = 0;
+        while index < self.elements.len() {
+            let mut place = 0;
+            while place < self.elements[index].children.len() {
+                let child = self.elements[index].children[place];
+                if self.elements[child].name != "include" {
+                    place += 1;
+                    continue;
+                }
+                let root = self.included(child, include)?;
+                let inside = std::mem::take(&mut self.elements[root].children);
+                self.elements[index].children.splice(place..=place, inside);
+            }
+            index += 1;
+        }
+        Ok(())
+    }
+
+    fn included(&mut self, element: usize, include: Include<'_>) -> Result<usize, Rejected> {
+        let name = self.required(element, "file")?.to_owned();
+        let refuse = |document: &Self, (found, expected): Mistake| {
+            let place = document.attribute_place(element, "file");
+            Rejected::because(Diagnostic::error(place, found, expected))
+        };
+        if self.sources.len() > MOST_FILES {
+            let found = "more included files than that".to_owned();
+            return Err(refuse(self, (found, format!("at most {MOST_FILES}"))));
+        }
+        let (file, text) = include(&name).map_err(|mistake| refuse(self, mistake))?;
+        if self.sources.iter().any(|source| source.file == file) {
+            let found = format!("'{name}' for the second time");
+            return Err(refuse(self, (found, "each file included once".to_owned())));
+        }
+        self.add(&text, &file)
+    }
+
+    /// The files that it was read from.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        self.sources.iter().map(|s| s.file.clone()).collect()
+    }
+
+    pub(super) fn element(&self, index: usize) -> &Element {
+        &self.elements[index]
+    }
+
+    /// The children of an element with this name.
+    pub(super) fn children<'d>(
+        &'d self,
+        index: usize,
+        name: &'d str,
+    ) -> impl Iterator<Item = usize> + 'd {
+        let children = self.elements[index].children.iter().copied();
+        children.filter(move |child| self.elements[*child].name == name)
+    }
+
+    /// The value of an attribute.
+    pub(super) fn attribute(&self, index: usize, name: &str) -> Option<&str> {
+        let attributes = &self.elements[index].attributes;
+        let found = attributes.iter().find(|attribute| attribute.name == name);
+        found.map(|attribute| attribute.value.as_str())
+    }
+
+    /// The value of an attribute that has to be there.
+    ///
+    /// # Errors
+    /// It is not.
+    pub(super) fn required(&self, index: usize, name: &str) -> Result<&str, Rejected> {
+        self.attribute(index, name).ok_or_else(|| {
+            let element = &self.elements[index].name;
+            let found = format!("<{element}> without {name}");
+            self.refuse(index, found, format!("<{element} {name}=\"…\">"))
+        })
+    }
+
+    /// Where an element stands.
+    pub(super) fn place(&self, index: usize) -> Place {
+        let element = &self.elements[index];
+        self.place_of(element.source, element.at)
+    }
+
+    fn attribute_place(&self, index: usize, name: &str) -> Place {
+        let element = &self.elements[index];
+        let found = element.attributes.iter().find(|a| a.name == name);
+        self.place_of(element.source, found.map_or(element.at, |a| a.at))
+    }
+
+    fn place_of(&self, source: usize, at: usize) -> Place {
+        let Source { file, text } = &self.sources[source];
+        let before = &text.as_bytes()[..at.min(text.len())];
+        let line = memchr::memchr_iter(b'\n', before).count() as u64 + 1;
+        let start = memchr::memrchr(b'\n', before).map_or(0, |feed| feed + 1);
+        Place::file(file)
+            .at_line(line)
+            .at_column((before.len() - start) as u64 + 1)
+    }
+
+    /// A refusal at an element.
+    pub(super) fn refuse(
+        &self,
+        index: usize,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Rejected {
+        Rejected::because(Diagnostic::error(self.place(index), found, expected))
+    }
+
+    /// A refusal of an attribute's value.
+    pub(super) fn refuse_value(
+        &self,
+        index: usize,
+        name: &str,
+        expected: impl Into<String>,
+    ) -> Rejected {
+        let value = self.attribute(index, name).unwrap_or_default();
+        let element = &self.elements[index].name;
+        let found = format!("{name}=\"{}\" in <{element}>", short(value));
+        let place = self.attribute_place(index, name);
+        Rejected::because(Diagnostic::error(place, found, expected))
+    }
+
+    /// `N` finite numbers, where the attribute is there.
+    ///
+    /// # Errors
+    /// Another count, or something that is no finite number.
+    pub(super) fn numbers<const N: usize>(
+        &self,
+        index: usize,
+        name: &str,
+    ) -> Result<Option<[f64; N]>, Rejected> {
+        self.numbers_within(index, name, f64::is_finite)
+    }
+
+    /// The same, by another idea of what a number may be.
+    ///
+    /// # Errors
+    /// As [`Document::numbers`].
+    pub(super) fn numbers_within<const N: usize>(
+        &self,
+        index: usize,
+        name: &str,
+        good: fn(f64) -> bool,
+    ) -> Result<Option<[f64; N]>, Rejected> {
+        let Some(text) = self.attribute(index, name) else {
+            return Ok(None);
+        };
+        let mut numbers = [0.0; N];
+        let mut count = 0;
+        for part in text.split_ascii_whitespace() {
+            let number = part.parse::<f64>().ok().filter(|x| good(*x));
+            let (Some(number), Some(place)) = (number, numbers.get_mut(count)) else {
+                count = usize::MAX;
+                break;
+            };
+            *place = number;
+            count += 1;
+        }
+        if count == N {
+            return Ok(Some(numbers));
+        }
+        let expected = match N {
+            1 => "one finite number".to_owned(),
+            count => format!("{count} finite numbers with spaces between"),
+        };
+        Err(self.refuse_value(index, name, expected))
+    }
+
+    /// One finite number, where the attribute is there.
+    ///
+    /// # Errors
+    /// As [`Document::numbers`].
+    pub(super) fn number(&self, index: usize, name: &str) -> Result<Option<f64>, Rejected> {
+        Ok(self.numbers::<1>(index, name)?.map(|[number]| number))
+    }
+}
+
+fn element(node: &Node<'_, '_>, source: usize) -> Element {
+    // Names with a prefix belong to somebody else's vocabulary.
+    let foreign = node.tag_name().namespace().is_some_and(|uri| {
+        let default = node.default_namespace();
+        default != Some(uri)
+    });
+    let attributes = node.attributes().filter(|a| a.namespace().is_none());
+    let attribute = |a: roxmltree::Attribute<'_, '_>| Attribute {
+        name: a.name().to_owned(),
+        value: a.value().to_owned(),
+        at: a.range().start,
+    };
+    Element {
+        name: if foreign {
+            String::new()
+        } else {
+            node.tag_name().name().to_owned()
+        },
+        attributes: attributes.map(attribute).collect(),
+        children: Vec::new(),
+        source,
+        at: node.range().start,
+    }
+}
+
+/// A message without the place at its end: that is said in front of it.
+fn without_place(message: &str) -> String {
+    match message.rsplit_once(" at ") {
+        Some((what, place)) if place.bytes().all(|b| b.is_ascii_digit() || b == b':') => {
+            what.to_owned()
+        }
+        _ => message.to_owned(),
+    }
+}
+
+/// The beginning of a long value.
+fn short(value: &str) -> String {
+    const SHOWN: usize = 60;
+    if value.chars().count() <= SHOWN {
+        return value.to_owned();
+    }
+    let start: String = value.chars().take(SHOWN).collect();
+    format!("{start}…")
+}
+
+/// A robot description as text.
+pub(super) fn read_text(path: &Path) -> Result<String, Mistake> {
+    const READABLE: &str = "a robot description that can be read";
+    let failed = |error: std::io::Error| (error.to_string(), READABLE.to_owned());
+    // Opening a device or a pipe could wait for ever.
+    let about = std::fs::metadata(path).map_err(failed)?;
+    if !about.is_file() {
+        return Err(("not a regular file".to_owned(), READABLE.to_owned()));
+    }
+    let too_large = |found: String| Err((found, "a file of at most 64 MiB".to_owned()));
+    if about.len() > LARGEST_FILE {
+        return too_large(format!("{} bytes", about.len()));
+    }
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(failed)?;
+    file.take(LARGEST_FILE + 1)
+        .read_to_end(&mut bytes)
+        .map_err(failed)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return too_large("a file that grows".to_owned());
+    }
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err(("a file in UTF-16".to_owned(), "UTF-8".to_owned()));
+    }
+    String::from_utf8(bytes).map_err(|error| (error.utf8_error().to_string(), "UTF-8".to_owned()))
+}
+
+/// The included file `name` of a document in `folder`: a file there or below.
+pub(super) fn read_included(folder: &Path, name: &str) -> Result<(PathBuf, String), Mistake> {
+    const EXPECTED: &str = "a file in the folder of the document or below it";
+    let refused = |what: &str| (format!("{what}: {name}"), EXPECTED.to_owned());
+    let inside = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
+    let relative = Path::new(name);
+    if name.is_empty() || name.contains('\0') || !relative.components().all(inside) {
+        return Err(refused("an include that leads elsewhere"));
+    }
+    let path = folder.join(relative);
+    let real = |path: &Path| {
+        let failed = |error: std::io::Error| refused(&error.to_string());
+        std::fs::canonicalize(path).map_err(failed)
+    };
+    // A symbolic link may lead elsewhere.
+    if !real(&path)?.starts_with(real(folder)?) {
+        return Err(refused("a link that leaves the folder"));
+    }
+    let text = read_text(&path).map_err(|(found, _)| refused(&found))?;
+    Ok((path, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<Document, Rejected> {
+        Document::parse(text, Path::new("r.xml"))
+    }
+
+    #[test]
+    fn a_mistake_is_told_with_line_and_column() {
+        for (text, place) in [
+            ("<robot>\n<link name='a'>\n </joint></robot>", "line 3"),
+            ("<robot>\n<link name=a/></robot>", "line 2"),
+            ("<robot>\n\n<link name='a' name='b'/></robot>", "line 3"),
+            ("", "line 1"),
+            ("<robot/>\n<robot/>", "line 2"),
+            ("<robot/><!-- no end", "line 1"),
+        ] {
+            let message = parse(text).unwrap_err().to_string();
+            assert!(message.starts_with("r.xml, line "), "{message}");
+            assert!(message.contains(place), "{message}");
+        }
+        let document = parse("<robot>\r\n  <axis xyz='0 0 x'/></robot>").unwrap();
+        let message = document.numbers::<3>(1, "xyz").unwrap_err().to_string();
+        let expected =
+            "r.xml, line 2, column 9: xyz=\"0 0 x\" in <axis>; expected 3 finite numbers";
+        assert!(message.starts_with(expected), "{message}");
+    }
+
+    #[test]
+    fn vectors_have_as_many_finite_numbers_as_they_have_components() {
+        for xyz in [
+            "0 0",
+            "0 0 1 2",
+            "0 0 nan",
+            "0 0 inf",
+            "0 a 1",
+            "",
+            "1e999 0 0",
+        ] {
+            let document = parse(&format!("<axis xyz='{xyz}'/>")).unwrap();
+            assert!(document.numbers::<3>(0, "xyz").is_err(), "{xyz}");
+        }
+        let document = parse("<axis xyz=' 1\t-2.5e-3\n 0 '/>").unwrap();
+        let read = document.numbers::<3>(0, "xyz").unwrap();
+        assert_eq!(read, Some([1.0, -2.5e-3, 0.0]));
+        assert_eq!(document.numbers::<3>(0, "rpy").unwrap(), None);
+    }
+
+    #[test]
+    fn nesting_as_deep_as_the_file_is_long_is_only_a_long_list() {
+        let deep = "<a>".repeat(200_000);
+        let back = "</a>".repeat(200_000);
+        let document = parse(&format!("<robot>{deep}{back}</robot>")).unwrap();
+        assert_eq!(document.elements.len(), 200_001);
+    }
+
+    #[test]
+    fn elements_and_attributes_with_a_prefix_are_somebody_elses() {
+        let text = "<robot xmlns:x='u'><x:link name='a'/><link x:name='b'/></robot>";
+        let document = parse(text).unwrap();
+        assert_eq!(document.children(0, "link").collect::<Vec<_>>(), [2]);
+        assert_eq!(document.attribute(2, "name"), None);
+    }
+
+    #[test]
+    fn what_is_included_stands_in_place_of_the_include() {
+        let include = |name: &str| match name {
+            "a" => Ok((PathBuf::from("a"), "<r><x/><include file='b'/></r>".into())),
+            "b" => Ok((PathBuf::from("b"), "<r><y/></r>".into())),
+            "loop" => Ok((
+                PathBuf::from("loop"),
+                "<r><include file='loop'/></r>".into(),
+            )),
+            _ => Err((format!("no {name}"), "a file".to_owned())),
+        };
+        let read = |text: &str| {
+            let mut document = parse(text).unwrap();
+            document.follow_includes(&include).map(|()| document)
+        };
+        let document = read("<m><w/><include file='a'/><z/></m>").unwrap();
+        let children = &document.element(0).children;
+        let names: Vec<&str> = children
+            .iter()
+            .map(|c| &*document.element(*c).name)
+            .collect();
+        assert_eq!(names, ["w", "x", "y", "z"]);
+        assert_eq!(document.files().len(), 3);
+        for wrong in ["loop", "gone"] {
+            let message = read(&format!("<m>\n<include file='{wrong}'/></m>"));
+            assert!(message.unwrap_err().to_string().contains(".xml, line 2") || wrong == "loop");
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! One hidden effect in each session that `tests/reference/effects_as_data.py` simulated with numpy,
+//! which shares no code with the program: it has to be named, with its joint and its values.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use std::path::PathBuf;
+
+use truepose::diagnosis::{Diagnosis, Found, Options};
+use truepose::pipeline::diagnose;
+use truepose::sessions::{Session, load};
+use truepose::simulation::{parse_scenario, simulate, unwatched};
+
+fn session(name: &str) -> Session {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/effects");
+    load(folder.join(format!("{name}.json"))).unwrap().session
+}
+
+fn diagnosed(session: &Session) -> Diagnosis {
+    diagnose(session, &Options::default(), &|_| true).unwrap()
+}
+
+/// The only name that was found.
+fn only(answer: &Diagnosis) -> &Found {
+    let names: Vec<_> = answer.found.iter().map(|f| (f.effect, f.joint)).collect();
+    assert_eq!(names.len(), 1, "{names:?}");
+    assert!(!answer.unexplained.present, "{:?}", answer.unexplained);
+    &answer.found[0]
+}
+
+/// A parameter with its interval; the truth lies within one and a half times of it.
+fn agrees(found: &Found, name: &str, truth: f64) {
+    let own = found.parameters.iter().find(|p| p.name == name).unwrap();
+    let half = own.ci95.map_or(0.0, |[low, high]| 0.5 * (high - low));
+    let off = (own.value - truth).abs();
+    assert!(
+        off <= 1.5 * half,
+        "{name}: {} ± {half}, not {truth}",
+        own.value
+    );
+    assert!(half < 0.25 * truth.abs(), "{name} ± {half}");
+}
+
+#[test]
+fn the_pitch_error_of_a_screw_is_named_with_its_lead() {
+    let session = session("screw-pitch");
+    let answer = diagnosed(&session);
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("screw-pitch", Some(1)));
+    agrees(found, "lead_mm", 16.0);
+    agrees(found, "amplitude_mm", 0.035);
+    agrees(found, "phase_deg", 70.0);
+}
+
+#[test]
+fn a_foundation_that_gives_way_is_named_with_both_its_springs() {
+    let answer = diagnosed(&session("foundation-compliance"));
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("foundation-compliance", None));
+    agrees(found, "about_x_urad_per_nm", 4.0);
+    agrees(found, "about_y_urad_per_nm", 2.0);
+}
+
+#[test]
+fn a_coupling_is_named_with_the_joint_that_it_comes_from() {
+    let answer = diagnosed(&session("wrist-coupling"));
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("wrist-coupling", Some(3)));
+    agrees(found, "from_joint", 1.0);
+    agrees(found, "ratio", 0.0006);
+}
+
+#[test]
+fn a_measured_torque_shows_wind_up_without_any_mass() {
+    let mut session = session("measured-torque");
+    let answer = diagnosed(&session);
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
+    agrees(found, "compliance_urad_per_nm", 1.5);
+
+    // Without the sensor and without a load there is nothing that it could be told by.
+    session.samples.torque_nm.clear();
+    session.samples.load_kg = None;
+    let answer = diagnosed(&session);
+    let mut all = answer.not_testable.iter();
+    let why = all.find(|n| n.effect == "joint-compliance" && n.joint == Some(1));
+    assert_eq!(
+        why.unwrap().because,
+        "neither a load nor a link mass is given"
+    );
+}
+
+#[test]
+fn a_joints_own_temperature_counts_before_that_of_the_room() {
+    let mut session = session("warm-joint");
+    let answer = diagnosed(&session);
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("thermal-zero-drift", Some(2)));
+    agrees(found, "deg_per_degc", 0.0015);
+
+    let [_, left] = found.gap_mm;
+    // The room's temperature, which goes along with it a little, does not explain it.
+    session.samples.joint_temperature_c.clear();
+    let answer = diagnosed(&session);
+    let best = answer.found.iter().map(|f| f.gap_mm[1]);
+    let best = best.fold(f64::INFINITY, f64::min);
+    assert!(best > 1.8 * left, "{best} {left}");
+}
+
+/// An upright arm of two joints that carries 5 kg, with conditions.
+fn scenario(conditions: &str) -> String {
+    format!(
+        r#"{{"format":"truepose-scenario/1","robot":{{"name":"r","joints":[
+        {{"name":"a","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}},
+        {{"name":"b","kind":"revolute","axis":[0,1,0],"point_mm":[0,0,300]}}],
+        "tool":{{"position_mm":[500,0,300],"quaternion_wxyz":[1,0,0,0]}},"gravity_m_s2":[0,0,-9.81]}},
+        "poses":{{"list":[{{"q_deg":[10,0]}},{{"q_deg":[20,60]}}]}},"conditions":{conditions}}}"#
+    )
+}
+
+#[test]
+fn a_simulated_session_has_the_torques_and_temperatures_of_its_joints() {
+    let text = scenario(
+        r#"{"load_kg":5,"seconds_per_pose":10,"torques":true,
+            "joint_temperatures_c":[null,{"from":20,"to":40,"time_constant_s":10}]}"#,
+    );
+    let scenario = parse_scenario(text.as_bytes()).unwrap().scenario;
+    let (session, _) = simulate(&scenario, 1, unwatched).unwrap();
+    let torque = session.samples.torque_nm[1].as_ref().unwrap();
+    // Stretched out the load turns the joint down, about +y; at 60° half as much.
+    let most = 5.0 * 9.81 * 0.5;
+    for (torque, expected) in torque.iter().zip([most, 0.5 * most]) {
+        assert!((torque - expected).abs() < 1e-9, "{torque} {expected}");
+    }
+    let about_gravity = session.samples.torque_nm[0].as_ref().unwrap();
+    assert!(about_gravity.iter().all(|t| t.abs() < 1e-9));
+    assert_eq!(session.samples.joint_temperature_c[0], None);
+    let warm = session.samples.joint_temperature_c[1].as_ref().unwrap();
+    assert_eq!(warm[..], [20.0, 32.64]);
+}
+
+#[test]
+fn conditions_of_joints_that_make_no_sense_are_refused_with_their_place() {
+    for (conditions, says) in [
+        (r#"{"torques":1}"#, "torques"),
+        (r#"{"joint_temperatures_c":[1,2]}"#, "joint_temperatures_c"),
+        (r#"{"joint_temperatures_c":[null,{"from":20}]}"#, "to"),
+        (
+            r#"{"joint_temperatures_c":[null,{"from":20,"to":30,"time_constant_s":5}]}"#,
+            "seconds_per_pose",
+        ),
+        (
+            r#"{"seconds_per_pose":1,"joint_temperatures_c":[{"from":20,"to":30,"time_constant_s":0}]}"#,
+            "time constant above 0 s",
+        ),
+    ] {
+        let refused = parse_scenario(scenario(conditions).as_bytes()).unwrap_err();
+        let refused = refused.to_string();
+        assert!(refused.contains(says), "{conditions}: {refused}");
+        assert!(refused.contains("line"), "{conditions}: {refused}");
+    }
+}

@@ -1,0 +1,174 @@
+//! Rules of the house that the compiler does not hold: what may know of what.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use truepose::effects::{BESIDE_THE_CATALOGUE, CATALOGUE};
+
+/// One line of code, outside tests and without its comment.
+struct Line {
+    path: String,
+    number: usize,
+    text: String,
+}
+
+/// Every Rust file below a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Modules that their parent declares under `#[cfg(test)]`.
+fn test_modules(all: &[(PathBuf, String)]) -> Vec<PathBuf> {
+    let mut modules = Vec::new();
+    for (path, text) in all {
+        let lines: Vec<&str> = text.lines().map(str::trim).collect();
+        for pair in lines.windows(2) {
+            let declared = pair[1].strip_prefix("pub(crate) ").unwrap_or(pair[1]);
+            let name = declared
+                .strip_prefix("mod ")
+                .and_then(|rest| rest.strip_suffix(';'));
+            if let (true, Some(name)) = (pair[0] == "#[cfg(test)]", name) {
+                let stem = path.file_stem().unwrap().to_str().unwrap();
+                let own = ["mod", "lib"].contains(&stem);
+                let parent = path.parent().unwrap();
+                let folder = if own {
+                    parent.to_path_buf()
+                } else {
+                    parent.join(stem)
+                };
+                modules.push(folder.join(name));
+            }
+        }
+    }
+    modules
+}
+
+/// The code below `src`, without tests and comments.
+fn code() -> Vec<Line> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(&path).unwrap();
+        (path, text)
+    };
+    let all: Vec<_> = files(&root).into_iter().map(read).collect();
+    let tests = test_modules(&all);
+    let mut lines = Vec::new();
+    for (path, text) in &all {
+        let of_tests = tests
+            .iter()
+            .any(|module| path.starts_with(module) || path.with_extension("") == *module);
+        if of_tests {
+            continue;
+        }
+        let relative = path.strip_prefix(&root).unwrap();
+        // Tests stand beneath the code.
+        let code = text.lines().enumerate().take_while({
+            let mut before = "";
+            move |(_, line)| {
+                let tests =
+                    before == "#[cfg(test)]" && line.starts_with("mod ") && line.ends_with('{');
+                before = line;
+                !tests
+            }
+        });
+        for (k, line) in code {
+            if !line.trim_start().starts_with("//") {
+                lines.push(Line {
+                    path: relative.to_str().unwrap().replace('\\', "/"),
+                    number: k + 1,
+                    text: line.to_owned(),
+                });
+            }
+        }
+    }
+    assert!(lines.len() > 10_000, "the sources are not where they were");
+    lines
+}
+
+fn report(rule: &str, found: &[String]) {
+    assert!(found.is_empty(), "{rule}\n{}", found.join("\n"));
+}
+
+#[test]
+fn an_effect_is_named_in_its_own_file_and_nowhere_else() {
+    let effects = CATALOGUE.iter().chain(BESIDE_THE_CATALOGUE);
+    // What has no name is called "unexplained" in the answers too, where it is no effect.
+    let ids: Vec<String> = effects
+        .map(|effect| effect.about().id)
+        .filter(|id| *id != "unexplained")
+        .map(|id| format!("\"{id}\""))
+        .collect();
+    let found: Vec<String> = code()
+        .iter()
+        .filter(|line| !line.path.starts_with("effects/"))
+        .filter(|line| ids.iter().any(|id| line.text.contains(id)))
+        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .collect();
+    report(
+        "ask the effect's data (About: role, owner, over, needs, setting …), not its name:",
+        &found,
+    );
+}
+
+#[test]
+fn an_effect_is_named_in_one_file_of_its_own() {
+    let mut found = Vec::new();
+    let code = code();
+    for effect in CATALOGUE.iter().chain(BESIDE_THE_CATALOGUE) {
+        let id = effect.about().id;
+        let quoted = format!("\"{id}\"");
+        let own = format!("effects/{}.rs", id.replace('-', "_"));
+        for line in code.iter().filter(|l| l.path.starts_with("effects/")) {
+            // What an effect becomes in the limit, its own file says.
+            let limit = line.text.contains("becomes: Some(");
+            if line.path != own && line.text.contains(&quoted) && !limit {
+                found.push(format!(
+                    "src/{}:{}: {}",
+                    line.path,
+                    line.number,
+                    line.text.trim()
+                ));
+            }
+        }
+    }
+    report("one effect, one file:", &found);
+}
+
+#[test]
+fn the_core_knows_nothing_of_the_window() {
+    // The command that opens the window has to.
+    let may = ["cli/window.rs", "lib.rs"];
+    let found: Vec<String> = code()
+        .iter()
+        .filter(|line| !line.path.starts_with("gui/") && !may.contains(&line.path.as_str()))
+        .filter(|line| {
+            ["crate::gui", "truepose::gui", "egui", "eframe"]
+                .iter()
+                .any(|name| line.text.contains(name))
+        })
+        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .collect();
+    report("the core does not import the window:", &found);
+}
+
+#[test]
+fn the_window_takes_no_joint_for_the_only_one() {
+    let found: Vec<String> = code()
+        .iter()
+        .filter(|line| line.path.starts_with("gui/") && line.text.contains("joints[0]"))
+        .map(|line| format!("src/{}:{}: {}", line.path, line.number, line.text.trim()))
+        .collect();
+    report("a robot has as many joints as it has:", &found);
+}
