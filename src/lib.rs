@@ -39,6 +39,7 @@ pub mod diagnostic;
 pub mod fonts;
 pub mod lanes;
 pub mod progress;
+pub mod recorder;
 pub mod sincos;
 pub mod units;
 pub mod wide;
@@ -67,6 +68,7 @@ pub mod present;
 pub mod compensation;
 
 pub mod export;
+pub mod history;
 pub mod importers;
 pub mod pipeline;
 pub mod programs;

@@ -7,12 +7,13 @@
     reason = "a test that cannot prepare its files has failed"
 )]
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use proptest::prelude::*;
 use truepose::export::lerobot_calibration;
 use truepose::importers::{
-    AngleUnit, Companion, Kind, LengthUnit, Matching, Reading, Settings, import, inspect,
+    AngleUnit, Companion, IMPORTERS, LengthUnit, Matching, Reading, Settings, find, import, inspect,
 };
 use truepose::kinematics::Robot;
 use truepose::kinematics::{robot_from_mjcf, robot_from_urdf};
@@ -215,15 +216,11 @@ const COMMANDS: &[u8] =
 
 const REFERENCE: &[u8] = b"R1 0 0 0\nR2 100.5 0 0\nR3 0 90.5 3\nR4 5 5 70\n";
 
-/// A small file of every foreign format.
-const FOREIGN: [(Kind, &[u8]); 7] = [
-    (Kind::Csv, b"Report\nPoint Name;Theta [deg];X [mm];Y [mm];Z [mm];t;Direction\nP1;0;1,5;2,5;\"3\";0:00:01,5;+\nP2;90;-1,5;2;3;2;-\n"),
-    (Kind::Csv, b"\xff\xfeq\x001\0_\0d\0e\0g\0,\0x\0_\0m\0,\0y\0_\0m\0\n\x001\0,\x002\0,\x003\0\n\0"),
-    (Kind::Tracker, b"// export\nA, R1, 1.5, 2.5, 3.5, 1\nA, R2, 101.5, 2.5, 3.5, 1\nA, R3, 1.5, 93, 6.5, 1\nA, P, 9, 8, 7, 1\n"),
-    (Kind::Iso230, b"Target [deg],Run 1 +,Run 1 -,Run 2 +,Run 2 -\n0,0.1,-0.1,0.2,\n90,90.1,89.9,90.2,89.8\n"),
-    (Kind::Iso230, b"Run;Direction;Target [deg];Deviation [arcsec]\n1;+;0;3,5\n1;-;90;-2\n"),
-    (Kind::Optitrack, b"Format Version,1.23,Length Units,Meters,Rotation Type,Quaternion\n\n,Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n,Name,A,A,A,A,A,A,A\n,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,W,X,Y,Z\n0,0.5,0,0,0,1,0.1,0.2,0.3\n1,1.5,,,,,,,\n2,2.5,0,0,1,0,0.2,0.1,0.3\n3,3.5,0,0,1,0,0.4,0.1,0.3\n4,3.6,0,0,1,0,0.5,0.1,0.3\n"),
-    (Kind::Tum, b"# t x y z\n1 0.1 0.2 0.3 0 0 0 1\n2 0.2 0.2 0.3 0 0 0 1\n3 0.2 0.4 0.3 0 0 0 1\n3.5 0.1 0.5 0.3 0 0 0 1\n"),
+/// Answers to what only one format asks.
+const OPTIONS: [(&str, &str); 3] = [
+    ("camera", "on-tool"),
+    ("nominal-length", "300"),
+    ("anchor", "B"),
 ];
 
 /// A small file of every language that targets are written in, for a robot with two joints.
@@ -304,6 +301,30 @@ proptest! {
     }
 }
 
+/// A small file of every foreign format.
+const FOREIGN: [(&str, &[u8]); 12] = [
+    ("csv", b"Report\nPoint Name;Theta [deg];X [mm];Y [mm];Z [mm];t;Direction\nP1;0;1,5;2,5;\"3\";0:00:01,5;+\nP2;90;-1,5;2;3;2;-\n"),
+    ("csv", b"\xff\xfeq\x001\0_\0d\0e\0g\0,\0x\0_\0m\0,\0y\0_\0m\0\n\x001\0,\x002\0,\x003\0\n\0"),
+    ("tracker", b"// export\nA, R1, 1.5, 2.5, 3.5, 1\nA, R2, 101.5, 2.5, 3.5, 1\nA, R3, 1.5, 93, 6.5, 1\nA, P, 9, 8, 7, 1\n"),
+    ("iso230", b"Target [deg],Run 1 +,Run 1 -,Run 2 +,Run 2 -\n0,0.1,-0.1,0.2,\n90,90.1,89.9,90.2,89.8\n"),
+    ("iso230", b"Run;Direction;Target [deg];Deviation [arcsec]\n1;+;0;3,5\n1;-;90;-2\n"),
+    ("optitrack", b"Format Version,1.23,Length Units,Meters,Rotation Type,Quaternion\n\n,Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n,Name,A,A,A,A,A,A,A\n,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,W,X,Y,Z\n0,0.5,0,0,0,1,0.1,0.2,0.3\n1,1.5,,,,,,,\n2,2.5,0,0,1,0,0.2,0.1,0.3\n3,3.5,0,0,1,0,0.4,0.1,0.3\n4,3.6,0,0,1,0,0.5,0.1,0.3\n"),
+    ("tum", b"# t x y z\n1 0.1 0.2 0.3 0 0 0 1\n2 0.2 0.2 0.3 0 0 0 1\n3 0.2 0.4 0.3 0 0 0 1\n3.5 0.1 0.5 0.3 0 0 0 1\n"),
+    ("board", b"image,rvec_x,rvec_y,rvec_z,tvec_x [mm],tvec_y,tvec_z_m,q1_deg\nA,0,0.5,0,1,2,3,0\nB,3,,0.1,1.5,2,3,10\n"),
+    ("ballbar", b"Zeit;Distance [mm];Kugel;q1_deg\n0,5;300,25;A;0\n1,5;301;B;10\n2;;A;20\n"),
+    ("ballbar", b"time_s,Deviation [um]\n0,1.5\n1,2\n2,-3\n3,4\n"),
+    ("mcap", include_bytes!("data/imports/tiny.mcap")),
+    ("mcap", include_bytes!("data/imports/tiny-zstd.mcap")),
+];
+
+#[test]
+fn every_format_has_a_small_file_here() {
+    for importer in IMPORTERS {
+        let mut kinds = FOREIGN.iter().map(|(kind, _)| *kind);
+        assert!(kinds.any(|kind| kind == importer.id), "{}", importer.id);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
@@ -322,9 +343,10 @@ proptest! {
         let bytes = changed(bytes, &changes);
         let _ = inspect(&bytes, &Reading::default());
         let reading = Reading {
-            kind: Some(kind),
+            kind: find(kind),
             unit: said.then_some(LengthUnit::Millimetres),
             angle_unit: said.then_some(AngleUnit::Degrees),
+            options: if said { OPTIONS.map(|(name, value)| (name, value.to_owned())).into() } else { BTreeMap::new() },
             ..Reading::default()
         };
         let (commands, reference) = (changed(COMMANDS, &beside), changed(REFERENCE, &beside));

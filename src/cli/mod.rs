@@ -10,11 +10,14 @@ mod effects;
 mod export;
 mod failure;
 mod geometry;
+mod history;
 mod identify;
 mod import;
 mod levels;
 mod output;
+mod own_options;
 mod plan;
+mod record;
 mod report;
 mod simulate;
 mod standards;
@@ -55,6 +58,10 @@ enum Command {
     Compensate(compensate::Compensate),
     /// State accuracy and repeatability after ISO 230-2 and ISO 9283
     Standards(standards::Standards),
+    /// Compare the sessions and models of a folder
+    History(history::History),
+    /// Record a stream of lines as a CSV file that grows
+    Record(record::Record),
     /// Write the table that a controller reads
     Export(export::Export),
     /// Write the calibration report as HTML or PDF
@@ -79,6 +86,8 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Compensate(command)) => command.run(),
         Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
+        Some(Command::History(command)) => command.run(),
+        Some(Command::Record(command)) => command.run(),
         Some(Command::Report(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),

@@ -2,12 +2,27 @@
 
 use crate::importers::case::Case;
 use crate::importers::columns::Columns;
+use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::headings::{Role, understand};
 use crate::importers::settings::About;
 use crate::sessions::number::quoted;
 
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "csv",
+    about: "any table with a header, or with --columns",
+    plainly: "any program: a table with a header, or with columns chosen below",
+    asks: Asks::TABLE,
+    options: &[],
+    known_by: KnownBy::Reading {
+        turn: 2,
+        suits: |trial| trial.is_sound && trial.headings.is_some(),
+    },
+    read,
+};
+
 /// Reads a table of measured points.
-pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut Case<'_>) -> Option<Columns> {
     let (grid, roles) = table(case)?;
     let headings = match &grid.header {
         Some((_, names)) => {

@@ -9,6 +9,7 @@ use crate::diagnostic::Diagnostic;
 use crate::importers::case::{Case, fixed, number};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::Decimal;
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
 use crate::importers::headings::Role;
 use crate::importers::rows::{Row, Rows, Separator};
@@ -22,6 +23,23 @@ use crate::sessions::table::{Cells, Names};
 /// Lines between the first one and that of the frames.
 const MOST_HEADER_LINES: usize = 16;
 
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "optitrack",
+    about: "OptiTrack Motive CSV 1.2x",
+    plainly: "OptiTrack Motive",
+    asks: Asks {
+        table: false,
+        columns: Meanings::Fixed,
+        y_up: true,
+        names: true,
+        joint: false,
+    },
+    options: &[],
+    known_by: KnownBy::Text(is_likely),
+    read,
+};
+
 /// Something that Motive tracks.
 #[derive(Debug, Clone, PartialEq)]
 struct Tracked {
@@ -34,14 +52,14 @@ struct Tracked {
 }
 
 /// Whether a text starts as these files do.
-pub(crate) fn is_likely(text: &str) -> bool {
+fn is_likely(text: &str) -> bool {
     text.trim_start()
         .trim_start_matches('"')
         .starts_with("Format Version")
 }
 
 /// Reads what was tracked.
-pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut Case<'_>) -> Option<Columns> {
     case.found.separator = Some(Separator::Comma);
     case.found.decimal = Some(Decimal::Point);
     let mut rows = Rows::new(case.text, Separator::Comma);
@@ -431,46 +449,7 @@ impl Frames {
         Columns {
             list,
             lines: self.lines,
+            commands: None,
         }
-    }
-}
-
-/// Turns coordinates with y upwards by 90° about x, so that z points upwards:
-/// (x, y, z) → (x, −z, y).
-pub(crate) fn turn_up(columns: &mut Columns) {
-    use std::f64::consts::FRAC_1_SQRT_2 as HALF;
-    let inner = |quantity| columns.numbers(quantity);
-    let mut turned = Vec::new();
-    if let (Some(y), Some(z)) = (inner(Quantity::Y), inner(Quantity::Z)) {
-        turned.push((Quantity::Y, z.iter().map(|z| -z).collect()));
-        turned.push((Quantity::Z, y));
-    }
-    let parts: Vec<Vec<f64>> = (0..4)
-        .filter_map(|part| inner(Quantity::Orientation(part)))
-        .collect();
-    if let [w, x, y, z] = &parts[..] {
-        // (cos 45°, sin 45°, 0, 0) times the quaternion.
-        let both = |a: &[f64], b: &[f64], sign: f64| -> Vec<f64> {
-            a.iter()
-                .zip(b)
-                .map(|(a, b)| HALF * (a + sign * b))
-                .collect()
-        };
-        let products = [
-            both(w, x, -1.0),
-            both(x, w, 1.0),
-            both(y, z, -1.0),
-            both(z, y, 1.0),
-        ];
-        for (part, values) in products.into_iter().enumerate() {
-            turned.push((Quantity::Orientation(part), values));
-        }
-    }
-    for (quantity, values) in turned {
-        let unit = match quantity {
-            Quantity::Orientation(_) => Unit::Fixed,
-            _ => Unit::Length(1.0),
-        };
-        columns.put(Column::made(quantity, unit, values));
     }
 }

@@ -15,6 +15,7 @@ use crate::diagnostic::Diagnostic;
 use crate::importers::case::{Case, direction, extent, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::Role;
 use crate::importers::settings::{ColumnGuess, Known};
@@ -25,6 +26,30 @@ use crate::sessions::table::Cells;
 
 use in_units::{Units, units_of};
 use parts::{Part, headings, parts};
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "iso230",
+    about: "ISO 230-2 runs of one axis, long or wide",
+    plainly: "an ISO 230-2 run: targets and positions of one axis",
+    asks: Asks {
+        columns: Meanings::Own(&[
+            ("target", "target position"),
+            ("direction", "direction of approach"),
+            ("run", "run"),
+            ("position", "measured position"),
+            ("deviation", "deviation from the target"),
+        ]),
+        joint: true,
+        ..Asks::TABLE
+    },
+    options: &[],
+    known_by: KnownBy::Reading {
+        turn: 3,
+        suits: |trial| trial.is_sound && trial.headings.is_some(),
+    },
+    read,
+};
 
 /// One measurement, in the order of the file.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +62,7 @@ struct Measurement {
 }
 
 /// Reads the runs of an axis.
-pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     let headings = headings(&grid);
     let parts = parts(case, &grid, &headings)?;
@@ -271,6 +296,7 @@ fn columns(case: &Case<'_>, list: &[Measurement], is_deviation: bool, units: Uni
     Columns {
         list: columns,
         lines,
+        commands: None,
     }
 }
 

@@ -3,16 +3,37 @@
 
 use crate::importers::case::{Case, fixed};
 use crate::importers::columns::Columns;
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
 use crate::importers::headings::Role;
 use crate::importers::settings::Known;
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};
 
 /// The columns as the format calls them.
-pub(crate) const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "tum",
+    about: "TUM trajectory",
+    plainly: "a TUM trajectory: time, position, quaternion",
+    asks: Asks {
+        columns: Meanings::Fixed,
+        ..Asks::TABLE
+    },
+    options: &[],
+    known_by: KnownBy::Reading { turn: 0, suits },
+    read,
+};
+
+/// The format's own names, behind a comment sign, are no header of a table.
+fn suits(trial: &Trial) -> bool {
+    let headings = trial.headings.as_ref();
+    trial.is_sound && trial.is_complete && headings.is_none_or(|names| names.iter().eq(NAMES))
+}
 
 /// Reads a trajectory.
-pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+fn read(case: &mut Case<'_>) -> Option<Columns> {
     let grid = case.grid()?;
     if grid.width != 8 {
         let found = format!("{} columns", grid.width);

@@ -7,10 +7,25 @@
 use crate::importers::case::Case;
 use crate::importers::columns::Columns;
 use crate::importers::decimals::{Shape, shape};
+use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, understand};
 use crate::importers::settings::About;
 use crate::sessions::columns::Quantity;
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "tracker",
+    about: "laser tracker or SpatialAnalyzer text: names, x, y, z",
+    plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",
+    asks: Asks::TABLE,
+    options: &[],
+    known_by: KnownBy::Reading {
+        turn: 5,
+        suits: |trial| trial.is_sound,
+    },
+    read,
+};
 
 /// What all cells of a column are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
