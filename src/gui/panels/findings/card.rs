@@ -3,7 +3,6 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, Found};
-use crate::effects::find;
 use crate::fit::Estimate;
 use crate::gui::commands::{Command, Workbench};
 use crate::gui::edit::Edit;
