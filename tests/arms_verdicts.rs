@@ -83,6 +83,9 @@ fn the_sign_of_the_wrists_middle_joint_is_said_with_its_twin() {
     assert!(what.contains(twin), "{what}");
 }
 
+/// What is said, and what was done wrong.
+type Mistake<'m> = (&'m str, &'m dyn Fn(&mut Session));
+
 #[test]
 fn other_mistakes_are_said_with_their_joints() {
     let right = {
@@ -91,7 +94,7 @@ fn other_mistakes_are_said_with_their_joints() {
         session
     };
     let turned = f64::to_radians(90.0);
-    let cases: [(&str, &dyn Fn(&mut Session)); 4] = [
+    let cases: [Mistake; 4] = [
         ("home position of joint 3 is off by 90°", &|s| {
             s.samples.q[2].iter_mut().for_each(|q| *q -= turned);
         }),

@@ -96,7 +96,7 @@ fn term(effect: &'static dyn Effect, joint: usize, share: f64, sizes: &[f64]) ->
         }
         Setting::Time => 100.0 + 300.0 * share,
         Setting::Fade => 0.05 + 0.3 * share,
-        Setting::Setup | Setting::Target => 1.0,
+        Setting::Setup | Setting::Target | Setting::Place => 1.0,
         Setting::Listed(listed) => {
             let mut whole = (1..60).map(f64::from);
             whole.find(|v| (listed.takes)(*v, joint, 2)).unwrap()

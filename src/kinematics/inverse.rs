@@ -373,7 +373,11 @@ mod tests {
             let all = inverse.all(&goal, &[0.0; 6], &[]);
             assert!(all.iter().all(|q| inverse.is_reached(&goal, q)));
             assert!(all.iter().any(|a| inverse.distance(a, &q) < 1e-8), "{k}");
-            assert!(all.len() % 2 == 0 && all.len() <= 8, "{k}: {}", all.len());
+            assert!(
+                all.len().is_multiple_of(2) && all.len() <= 8,
+                "{k}: {}",
+                all.len()
+            );
             assert!(all.len() >= 4, "{k}: {}", all.len());
         }
     }
