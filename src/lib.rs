@@ -8,13 +8,14 @@
 //! 2. [`effects`] holds the physics: one file for each way in which a real robot differs from its
 //!    drawing. [`model`] strings them along the robot's [`kinematics`], with exact derivatives.
 //! 3. [`fit`] finds how large the effects are, and how sure that is.
-//! 4. [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
+//! 4. [`set_up_errors`] notices mistakes of setting up, and [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
 //! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
 //!    where it was meant to, and what no joint can remove.
 //! 6. [`standards`] states a robot's accuracy as ISO 230-2 and ISO 9283 define it, and [`report`]
 //!    puts all of it on paper.
 //! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
+//! [`programs`] corrects the targets of tables and robot programs in place.
 //! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
 //!
 //! ```
@@ -38,6 +39,7 @@ pub mod diagnostic;
 pub mod fonts;
 pub mod lanes;
 pub mod progress;
+pub mod recorder;
 pub mod sincos;
 pub mod units;
 pub mod wide;
@@ -54,6 +56,8 @@ pub mod observations;
 pub mod fit;
 pub mod simulation;
 
+pub mod set_up_errors;
+
 pub mod diagnosis;
 
 pub mod design;
@@ -64,8 +68,10 @@ pub mod present;
 pub mod compensation;
 
 pub mod export;
+pub mod history;
 pub mod importers;
 pub mod pipeline;
+pub mod programs;
 
 pub mod standards;
 

@@ -4,7 +4,6 @@
 
 use crate::compensation::verification::VerifyError;
 use crate::compensation::{Verification, verify};
-use crate::diagnosis::set_up_errors::{DataProblem, Mended, noticed};
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues};
@@ -15,7 +14,9 @@ use crate::fit::{
     identify_without_priors,
 };
 use crate::model::Calibration;
+use crate::programs::{self, CompensateError};
 use crate::sessions::{Loaded, Session, hash_of_samples, load};
+use crate::set_up_errors::{DataProblem, Mended, noticed};
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]
@@ -162,4 +163,12 @@ pub fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     crate::diagnosis::diagnose(session, options, &crate::design::next_poses::propose, watch)
+}
+
+/// Corrects the targets of a table or a robot program in place.
+///
+/// # Errors
+/// See [`CompensateError`].
+pub fn compensate(request: &programs::Request) -> Result<programs::Answer, CompensateError> {
+    programs::compensate(request)
 }

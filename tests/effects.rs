@@ -5,8 +5,9 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
+use truepose::effects::curve::Knots;
 use truepose::effects::{
-    BESIDE_THE_CATALOGUE, CATALOGUE, Effect, Inputs, Setting, Term, UNEXPLAINED,
+    BESIDE_THE_CATALOGUE, CATALOGUE, Curve, Effect, Inputs, Setting, Term, UNEXPLAINED,
 };
 use truepose::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Robot};
 use truepose::model::Model;
@@ -183,6 +184,87 @@ fn every_effect_alone_differentiates_as_it_moves() {
     }
 }
 
+/// The largest difference between the derivatives by the commands and difference quotients,
+/// relative to the derivative's size. Sides, speeds and travels stay what they are.
+fn worst_by_command(model: &Model, inputs: &Inputs) -> (f64, usize) {
+    let joints = model.robot.joints.len();
+    let mut columns = vec![Vec::new(); joints];
+    model.visit_by_commands(inputs, |_, block| {
+        for (all, column) in columns.iter_mut().zip(&block.columns) {
+            for i in 0..block.len {
+                all.push([column[0][i], column[1][i], column[2][i]]);
+            }
+        }
+    });
+    let mut worst = (0.0, 0);
+    for (joint, column) in columns.iter().enumerate() {
+        let h = 2e-4;
+        let moved = |by: f64| {
+            let mut moved = inputs.clone();
+            for q in moved.q[joint].to_mut() {
+                *q += by;
+            }
+            model.predict(&moved)
+        };
+        let (far_below, below, above, far_above) =
+            (moved(-2.0 * h), moved(-h), moved(h), moved(2.0 * h));
+        let size = column.iter().flatten().fold(1.0_f64, |m, v| m.max(v.abs()));
+        for (i, exact) in column.iter().enumerate() {
+            for axis in 0..3 {
+                let of = |p: &truepose::model::Positions| p.get(i)[axis];
+                let quotient = (8.0 * (of(&above) - of(&below))
+                    - (of(&far_above) - of(&far_below)))
+                    / (12.0 * h);
+                let off = (exact[axis] - quotient).abs() / size;
+                if off > worst.0 {
+                    worst = (off, joint);
+                }
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn every_effect_differentiates_by_the_commands_too() {
+    let sizes = [0.013, -0.021, 0.008, 0.4, -0.2, 0.3];
+    for robot in [column(), arm()] {
+        let inputs = inputs(&robot);
+        for effect in all_effects() {
+            for joint in 0..robot.joints.len() {
+                let term = term(effect, joint, 0.1, &sizes);
+                let model = Model::new(robot.clone(), vec![term]);
+                let (off, by) = worst_by_command(&model, &inputs);
+                let id = effect.about().id;
+                assert!(off < 1e-8, "{id} of joint {joint} by {by}: {off:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_has_no_name_differentiates_by_the_commands_too() {
+    let knots = Knots {
+        from: -2.0,
+        to: 2.0,
+        period: None,
+        count: 9,
+    };
+    for (robot, joint) in [(column(), 0), (arm(), 1), (arm(), 2)] {
+        let inputs = inputs(&robot);
+        let wave = |a: f64, k: f64| -> Vec<f64> {
+            knots.places().iter().map(|q| a * (k * q).cos()).collect()
+        };
+        let values = [wave(1e-2, 2.0), wave(0.2, 3.0), wave(-0.1, 1.0)];
+        let sigma = values.clone().map(|v| vec![0.0; v.len()]);
+        let curve = Curve::new(knots, values, sigma).unwrap();
+        let model = Model::nominal(robot).with_term(Term::unexplained(joint, curve));
+        // The curve bends at its knots, where a quotient is worse than the derivative.
+        let (off, by) = worst_by_command(&model, &inputs);
+        assert!(off < 1e-5, "joint {joint} by {by}: {off:e}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
@@ -199,6 +281,8 @@ proptest! {
             term(effect, k % joints, share, &sizes[6 * k..6 * k + 6])
         });
         let model = Model::new(robot, terms.collect());
+        let (off, by) = worst_by_command(&model, &inputs);
+        prop_assert!(off < 1e-6, "by command {by}: {off:e}");
         let (off, k) = worst_column(&model, &inputs);
         prop_assert!(off < 1e-7, "column {k}: {off:e}");
     }

@@ -7,14 +7,17 @@
     reason = "a test that cannot prepare its files has failed"
 )]
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use proptest::prelude::*;
 use truepose::export::lerobot_calibration;
 use truepose::importers::{
-    AngleUnit, Companion, Kind, LengthUnit, Matching, Reading, Settings, import, inspect,
+    AngleUnit, Companion, IMPORTERS, LengthUnit, Matching, Reading, Settings, find, import, inspect,
 };
+use truepose::kinematics::Robot;
 use truepose::kinematics::{robot_from_mjcf, robot_from_urdf};
+use truepose::programs::{Axes, LANGUAGES, Shape};
 use truepose::sessions::{Loaded, parse, parse_robot, parse_with_csv, write_inline};
 
 const DOCUMENT: &[u8] = br#"{"format":"truepose-session/1","name":"s","robot":{"name":"r","joints":[
@@ -213,16 +216,114 @@ const COMMANDS: &[u8] =
 
 const REFERENCE: &[u8] = b"R1 0 0 0\nR2 100.5 0 0\nR3 0 90.5 3\nR4 5 5 70\n";
 
-/// A small file of every foreign format.
-const FOREIGN: [(Kind, &[u8]); 7] = [
-    (Kind::Csv, b"Report\nPoint Name;Theta [deg];X [mm];Y [mm];Z [mm];t;Direction\nP1;0;1,5;2,5;\"3\";0:00:01,5;+\nP2;90;-1,5;2;3;2;-\n"),
-    (Kind::Csv, b"\xff\xfeq\x001\0_\0d\0e\0g\0,\0x\0_\0m\0,\0y\0_\0m\0\n\x001\0,\x002\0,\x003\0\n\0"),
-    (Kind::Tracker, b"// export\nA, R1, 1.5, 2.5, 3.5, 1\nA, R2, 101.5, 2.5, 3.5, 1\nA, R3, 1.5, 93, 6.5, 1\nA, P, 9, 8, 7, 1\n"),
-    (Kind::Iso230, b"Target [deg],Run 1 +,Run 1 -,Run 2 +,Run 2 -\n0,0.1,-0.1,0.2,\n90,90.1,89.9,90.2,89.8\n"),
-    (Kind::Iso230, b"Run;Direction;Target [deg];Deviation [arcsec]\n1;+;0;3,5\n1;-;90;-2\n"),
-    (Kind::Optitrack, b"Format Version,1.23,Length Units,Meters,Rotation Type,Quaternion\n\n,Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n,Name,A,A,A,A,A,A,A\n,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,W,X,Y,Z\n0,0.5,0,0,0,1,0.1,0.2,0.3\n1,1.5,,,,,,,\n2,2.5,0,0,1,0,0.2,0.1,0.3\n3,3.5,0,0,1,0,0.4,0.1,0.3\n4,3.6,0,0,1,0,0.5,0.1,0.3\n"),
-    (Kind::Tum, b"# t x y z\n1 0.1 0.2 0.3 0 0 0 1\n2 0.2 0.2 0.3 0 0 0 1\n3 0.2 0.4 0.3 0 0 0 1\n3.5 0.1 0.5 0.3 0 0 0 1\n"),
+/// Answers to what only one format asks.
+const OPTIONS: [(&str, &str); 3] = [
+    ("camera", "on-tool"),
+    ("nominal-length", "300"),
+    ("anchor", "B"),
 ];
+
+/// A small file of every language that targets are written in, for a robot with two joints.
+const PROGRAMS: [(&str, &[u8]); 7] = [
+    ("csv", b"name;q1_deg;q2_deg;load_kg;dir1\r\nA;1,5;\"2\";3;-1\r\n\r\nB;-1;.5;;\r\n"),
+    ("csv", b"x_mm,y_mm,z_mm,qw,qx,qy,qz,temperature_c\n1,2,3,1,0,0,0,21\n"),
+    ("rapid", b"MODULE m\n! [[\nCONST jointtarget j{2}:=[[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]],[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]];\nPERS robtarget p:=[[1,2,3],[1,0,0,0],[0,-1,0,1],[9E+09,9E9,9E9,9E9,9E9,9E9]];\nMoveL p\\ID:=1,v1,z1,t\\WObj:=w;MoveC [[1,2],[3]],Offs(p,1,2,3),v1;\np.trans.x:=1;TPWrite \"a\"\"b\";\n"),
+    ("krl", b"&ACCESS R\nDECL E6POS XP={X 1,Y 2.5,Z -3,A 0,B 1E-3,C 0,S 'B010',T 2,E1 0}\nPTP {E6AXIS: A1 1,A2 2} C_PTP\nCIRC XP,{X 1,Y 2,Z 3,A 0,B 0,C 0}\nLIN XP:Q\nP[1].X=2;{\n"),
+    ("urscript", b"def m():\n q=[1,-2e-1]\n movej(q,a=1)\n movel(p[1,2,3,.1,0,0]) # [\n movec(p[1,2,3,0,0,0],p[1,2,3,0,0,0])\n movej(get_inverse_kin(p[1,2,3,0,0,0],qnear=q))\n movej([d2r(9),1])\nend"),
+    ("fanuc-ls", b"/PROG M\n/MN\n 1:J P[1] 100% FINE ;\n 2:L P[2:a] 1mm/sec INC Offset,PR[1] ;\n 3:  P[1]=LPOS ;\n/POS\nP[1:\"x\"]{\n GP1:\n UF : 0, UT : 1,\n J1= -.5 deg, J2= 2. deg\n GP2:\n J1= 1 mm\n};\nP[2]{\n GP1:\n UF : 0, UT : -1, CONFIG : 'N U T, 0, -1, 0',\n X = 1 mm, Y = 2 mm, Z = 3 mm,\n W = 1 deg, P = 2 deg, R = 3 deg\n};\nP[3]{ J1= ******** deg, J2= 1 deg };\n/END\n"),
+    ("rapid", b""),
+];
+
+fn two_joints() -> Robot {
+    parse_robot(ROBOT).unwrap().robot
+}
+
+/// What is accepted says where its numbers are, and nothing overlaps.
+fn read_program(language: &str, bytes: &[u8]) -> Option<usize> {
+    let axes = Axes::new(&two_joints());
+    let language = LANGUAGES.iter().find(|l| l.id == language).unwrap();
+    let program = match language.read(bytes, &axes, None) {
+        Ok(program) => program,
+        Err(rejected) => {
+            assert!(!rejected.diagnostics.is_empty());
+            return None;
+        }
+    };
+    let mut ranges = Vec::new();
+    for target in &program.targets {
+        assert!(target.shape.values().iter().all(|v| v.is_finite()));
+        match &target.shape {
+            Shape::Joints { numbers, .. } => {
+                assert_eq!(numbers.len(), 2);
+                ranges.extend(numbers.iter().map(|n| n.range.clone()));
+            }
+            Shape::Pose(frame) => {
+                let all = frame.position.iter().chain(&frame.turn);
+                ranges.extend(all.map(|n| n.range.clone()));
+            }
+        }
+    }
+    ranges.sort_by_key(|range| range.start);
+    for pair in ranges.windows(2) {
+        assert!(pair[0].end <= pair[1].start, "{pair:?}");
+    }
+    assert!(
+        ranges
+            .iter()
+            .all(|r| r.start < r.end && r.end <= bytes.len())
+    );
+    assert!(program.visits.iter().all(|k| *k < program.targets.len()));
+    Some(program.targets.len())
+}
+
+#[test]
+fn the_seeds_of_programs_are_accepted() {
+    let targets = PROGRAMS.map(|(language, bytes)| read_program(language, bytes));
+    // The list that is no target in the second RAPID move keeps that file from being read.
+    assert_eq!(
+        targets,
+        [Some(2), Some(1), None, Some(3), Some(5), Some(2), Some(0)]
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(3000))]
+
+    #[test]
+    fn programs_that_are_damaged_do_no_harm(
+        which in 0..PROGRAMS.len(),
+        as_another in prop::option::weighted(0.1, 0..LANGUAGES.len()),
+        changes in prop::collection::vec(any_change(), 0..5),
+    ) {
+        let (language, bytes) = PROGRAMS[which];
+        let language = as_another.map_or(language, |k| LANGUAGES[k].id);
+        read_program(language, &changed(bytes, &changes));
+    }
+}
+
+/// A small file of every foreign format.
+const FOREIGN: [(&str, &[u8]); 12] = [
+    ("csv", b"Report\nPoint Name;Theta [deg];X [mm];Y [mm];Z [mm];t;Direction\nP1;0;1,5;2,5;\"3\";0:00:01,5;+\nP2;90;-1,5;2;3;2;-\n"),
+    ("csv", b"\xff\xfeq\x001\0_\0d\0e\0g\0,\0x\0_\0m\0,\0y\0_\0m\0\n\x001\0,\x002\0,\x003\0\n\0"),
+    ("tracker", b"// export\nA, R1, 1.5, 2.5, 3.5, 1\nA, R2, 101.5, 2.5, 3.5, 1\nA, R3, 1.5, 93, 6.5, 1\nA, P, 9, 8, 7, 1\n"),
+    ("iso230", b"Target [deg],Run 1 +,Run 1 -,Run 2 +,Run 2 -\n0,0.1,-0.1,0.2,\n90,90.1,89.9,90.2,89.8\n"),
+    ("iso230", b"Run;Direction;Target [deg];Deviation [arcsec]\n1;+;0;3,5\n1;-;90;-2\n"),
+    ("optitrack", b"Format Version,1.23,Length Units,Meters,Rotation Type,Quaternion\n\n,Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n,Name,A,A,A,A,A,A,A\n,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,W,X,Y,Z\n0,0.5,0,0,0,1,0.1,0.2,0.3\n1,1.5,,,,,,,\n2,2.5,0,0,1,0,0.2,0.1,0.3\n3,3.5,0,0,1,0,0.4,0.1,0.3\n4,3.6,0,0,1,0,0.5,0.1,0.3\n"),
+    ("tum", b"# t x y z\n1 0.1 0.2 0.3 0 0 0 1\n2 0.2 0.2 0.3 0 0 0 1\n3 0.2 0.4 0.3 0 0 0 1\n3.5 0.1 0.5 0.3 0 0 0 1\n"),
+    ("board", b"image,rvec_x,rvec_y,rvec_z,tvec_x [mm],tvec_y,tvec_z_m,q1_deg\nA,0,0.5,0,1,2,3,0\nB,3,,0.1,1.5,2,3,10\n"),
+    ("ballbar", b"Zeit;Distance [mm];Kugel;q1_deg\n0,5;300,25;A;0\n1,5;301;B;10\n2;;A;20\n"),
+    ("ballbar", b"time_s,Deviation [um]\n0,1.5\n1,2\n2,-3\n3,4\n"),
+    ("mcap", include_bytes!("data/imports/tiny.mcap")),
+    ("mcap", include_bytes!("data/imports/tiny-zstd.mcap")),
+];
+
+#[test]
+fn every_format_has_a_small_file_here() {
+    for importer in IMPORTERS {
+        let mut kinds = FOREIGN.iter().map(|(kind, _)| *kind);
+        assert!(kinds.any(|kind| kind == importer.id), "{}", importer.id);
+    }
+}
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
@@ -242,9 +343,10 @@ proptest! {
         let bytes = changed(bytes, &changes);
         let _ = inspect(&bytes, &Reading::default());
         let reading = Reading {
-            kind: Some(kind),
+            kind: find(kind),
             unit: said.then_some(LengthUnit::Millimetres),
             angle_unit: said.then_some(AngleUnit::Degrees),
+            options: if said { OPTIONS.map(|(name, value)| (name, value.to_owned())).into() } else { BTreeMap::new() },
             ..Reading::default()
         };
         let (commands, reference) = (changed(COMMANDS, &beside), changed(REFERENCE, &beside));

@@ -10,7 +10,7 @@ use std::process::{Command, Output};
 use proptest::prelude::*;
 use serde_json::Value;
 use truepose::importers::{
-    About, Companion, Decimal, Imported, Kind, LengthUnit, Matching, Reading, Settings, import,
+    About, Companion, Decimal, Imported, LengthUnit, Matching, Reading, Settings, find, import,
     inspect,
 };
 use truepose::kinematics::Robot;
@@ -32,9 +32,9 @@ fn robot() -> Robot {
     load_robot(data("robot.json")).expect("a sound robot").robot
 }
 
-fn reading(kind: Kind) -> Reading {
+fn reading(kind: &str) -> Reading {
     Reading {
-        kind: Some(kind),
+        kind: find(kind),
         file: Some(PathBuf::from("measured.txt")),
         ..Reading::default()
     }
@@ -82,7 +82,7 @@ fn a_german_table_in_utf_16_with_a_preamble_and_a_line_of_units_is_read() {
     let robot = robot();
     let done = imported(
         &bytes("column-utf16.csv"),
-        &Settings::new(reading(Kind::Csv), &robot),
+        &Settings::new(reading("csv"), &robot),
     );
     let samples = &done.session.samples;
     assert_eq!(samples.len(), 13);
@@ -112,7 +112,7 @@ fn a_german_table_in_utf_16_with_a_preamble_and_a_line_of_units_is_read() {
 fn tracker_text_is_aligned_by_its_reference_points_and_matched_by_names_that_recur() {
     let robot = robot();
     let (reference, commands) = (bytes("reference.txt"), bytes("commands-by-name.csv"));
-    let mut settings = Settings::new(reading(Kind::Tracker), &robot);
+    let mut settings = Settings::new(reading("tracker"), &robot);
     settings.reference = Some(companion(&reference));
     settings.commands = Some(companion(&commands));
     settings.matching = Matching::Name;
@@ -153,12 +153,12 @@ fn runs_of_an_axis_are_read_wide_and_long_with_positions_or_deviations() {
     let robot = robot();
     let wide = imported(
         &bytes("iso230-wide.csv"),
-        &Settings::new(reading(Kind::Iso230), &robot),
+        &Settings::new(reading("iso230"), &robot),
     )
     .session;
     let long = imported(
         &bytes("iso230-long.txt"),
-        &Settings::new(reading(Kind::Iso230), &robot),
+        &Settings::new(reading("iso230"), &robot),
     )
     .session;
     for session in [&wide, &long] {
@@ -191,7 +191,7 @@ fn runs_of_an_axis_are_read_wide_and_long_with_positions_or_deviations() {
 fn a_recording_of_cameras_finds_the_clock_of_the_controller_and_averages_its_stops() {
     let robot = robot();
     let log = bytes("controller-log.csv");
-    let mut settings = Settings::new(reading(Kind::Optitrack), &robot);
+    let mut settings = Settings::new(reading("optitrack"), &robot);
     settings.commands = Some(companion(&log));
     settings.matching = Matching::Time;
     settings.reading.z_up = true;
@@ -251,14 +251,14 @@ fn several_things_in_a_recording_are_asked_for() {
     let robot = robot();
     let text = String::from_utf8(bytes("motive.csv")).unwrap();
     let two = text.replace(",Marker,Marker,Marker", ",Rigid Body,Rigid Body,Rigid Body");
-    let found = inspect(two.as_bytes(), &reading(Kind::Optitrack));
+    let found = inspect(two.as_bytes(), &reading("optitrack"));
     let question = found
         .questions
         .iter()
         .find(|q| q.about == About::Name)
         .expect("it asks");
     assert_eq!(question.answers, ["Lamp", "Lamp:Marker1", "Unlabeled 7"]);
-    let mut settings = Settings::new(reading(Kind::Optitrack), &robot);
+    let mut settings = Settings::new(reading("optitrack"), &robot);
     settings.reading.names = vec!["Lump".to_owned()];
     assert!(
         refusal(two.as_bytes(), &settings)
@@ -276,7 +276,7 @@ fn several_things_in_a_recording_are_asked_for() {
 fn a_trajectory_is_read_with_its_quaternion_in_the_order_of_a_session() {
     let robot = robot();
     let commands = bytes("commands-in-order.csv");
-    let mut settings = Settings::new(reading(Kind::Tum), &robot);
+    let mut settings = Settings::new(reading("tum"), &robot);
     settings.commands = Some(companion(&commands));
     let done = imported(&bytes("trajectory.txt"), &settings);
     assert!(
@@ -304,7 +304,7 @@ fn a_trajectory_is_read_with_its_quaternion_in_the_order_of_a_session() {
 fn a_unit_is_asked_for_with_what_the_numbers_suggest() {
     let robot = robot();
     let text = b"q1_deg,X,Y\n-90,0,-0.25\n90,0,0.25\n0,0.25,0\n";
-    let message = refusal(text, &Settings::new(reading(Kind::Csv), &robot));
+    let message = refusal(text, &Settings::new(reading("csv"), &robot));
     for part in [
         "spread over 0.5",
         "metres would suit, beside a robot that reaches 391 mm",
@@ -312,14 +312,14 @@ fn a_unit_is_asked_for_with_what_the_numbers_suggest() {
     ] {
         assert!(message.contains(part), "{message}");
     }
-    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let mut settings = Settings::new(reading("csv"), &robot);
     settings.reading.unit = Some(LengthUnit::Metres);
     assert_eq!(
         imported(text, &settings).session.samples.x_mm,
         [0.0, 0.0, 250.0]
     );
     let named = b"Units: Inches\nq1_deg,X,Y\n-90,0,-10\n90,0,10\n";
-    let done = imported(named, &Settings::new(reading(Kind::Csv), &robot));
+    let done = imported(named, &Settings::new(reading("csv"), &robot));
     assert_eq!(done.session.samples.y_mm, [-254.0, 254.0]);
     assert!(findings(&done).contains("the unit is Inches, from the lines before the table"));
 }
@@ -328,7 +328,7 @@ fn a_unit_is_asked_for_with_what_the_numbers_suggest() {
 fn a_comma_that_may_be_either_is_asked_about() {
     let robot = robot();
     let text = b"q1_deg;x_mm;y_mm\n1;1,234;5,678\n2;9,012;3,456\n";
-    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let mut settings = Settings::new(reading("csv"), &robot);
     let message = refusal(text, &settings);
     for part in [
         "measured.txt, line 2, column 2",
@@ -352,7 +352,7 @@ fn a_comma_that_may_be_either_is_asked_about() {
 #[test]
 fn what_is_wrong_is_named_by_line_and_column() {
     let robot = robot();
-    let csv = |text: &str| refusal(text.as_bytes(), &Settings::new(reading(Kind::Csv), &robot));
+    let csv = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("csv"), &robot));
     for (text, part) in [
         (
             "q1_deg,x_mm,y_mm\n1,2,3\n1,2,abc\n",
@@ -402,7 +402,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
         let message = csv(text);
         assert!(message.contains(part), "{part}: {message}");
     }
-    let tum = |text: &str| refusal(text.as_bytes(), &Settings::new(reading(Kind::Tum), &robot));
+    let tum = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("tum"), &robot));
     assert!(tum("1 2 3 4 5 6 7\n").contains("7 columns; expected 8"));
     assert!(
         tum("1 2 3 4 0 0 0 1\n2 2 3 x 0 0 0 1\n")
@@ -411,7 +411,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
     let motive = |text: &str| {
         refusal(
             text.as_bytes(),
-            &Settings::new(reading(Kind::Optitrack), &robot),
+            &Settings::new(reading("optitrack"), &robot),
         )
     };
     assert!(motive("a,b\n1,2\n").contains("line 1: 'a'; expected Format Version"));
@@ -419,12 +419,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
         .unwrap()
         .replace("0.300000", "0.3oo000");
     assert!(motive(&bad).contains("line 9, column 8: '0.3oo000'; expected a number"));
-    let iso = |text: &str| {
-        refusal(
-            text.as_bytes(),
-            &Settings::new(reading(Kind::Iso230), &robot),
-        )
-    };
+    let iso = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("iso230"), &robot));
     assert!(iso("Target [mm],Run 1 +\n0,0\n1,1\n").contains("a length for a joint that turns"));
     assert!(iso("Target,Run 1 +\n0,0\n1,1\n").contains("--angle-unit deg or rad"));
     assert!(iso("Target [deg],Run 1 + [deg]\n0,5\n90,1\n").contains("of the travel away"));
@@ -433,7 +428,7 @@ fn what_is_wrong_is_named_by_line_and_column() {
 #[test]
 fn columns_without_a_header_are_named_by_the_person() {
     let robot = robot();
-    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let mut settings = Settings::new(reading("csv"), &robot);
     settings.reading.columns = ["name", "q1_deg", "-", "x_m", "y_m"]
         .map(str::to_owned)
         .to_vec();
@@ -446,7 +441,7 @@ fn columns_without_a_header_are_named_by_the_person() {
 #[test]
 fn reference_points_that_fix_nothing_are_refused() {
     let robot = robot();
-    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let mut settings = Settings::new(reading("csv"), &robot);
     let measured = b"name,q1_deg,x_mm,y_mm,z_mm\nA,0,0,0,1\nB,0,100,0,1\nC,0,200,0,1\nP,1,1,2,3\n";
     let line = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nB,5,105,5\nC,5,205,5\n";
     settings.reference = Some(companion(line));
@@ -466,7 +461,7 @@ fn reference_points_that_fix_nothing_are_refused() {
 #[test]
 fn an_inspection_shows_what_was_found_and_what_is_asked() {
     let found = inspect(&bytes("column-utf16.csv"), &Reading::default());
-    assert_eq!(found.kind, Some(Kind::Csv));
+    assert_eq!(found.kind, find("csv"));
     assert_eq!((found.header_line, found.rows), (Some(5), 13));
     let meanings: Vec<&str> = found.columns.iter().map(|c| c.meaning.as_str()).collect();
     assert_eq!(
@@ -487,15 +482,15 @@ fn an_inspection_shows_what_was_found_and_what_is_asked() {
         "{found:?}"
     );
     for (file, kind) in [
-        ("sa.txt", Kind::Tracker),
-        ("iso230-wide.csv", Kind::Iso230),
-        ("iso230-long.txt", Kind::Iso230),
-        ("motive.csv", Kind::Optitrack),
-        ("trajectory.txt", Kind::Tum),
+        ("sa.txt", "tracker"),
+        ("iso230-wide.csv", "iso230"),
+        ("iso230-long.txt", "iso230"),
+        ("motive.csv", "optitrack"),
+        ("trajectory.txt", "tum"),
     ] {
         assert_eq!(
             inspect(&bytes(file), &Reading::default()).kind,
-            Some(kind),
+            find(kind),
             "{file}"
         );
     }
@@ -508,7 +503,7 @@ fn an_inspection_shows_what_was_found_and_what_is_asked() {
 #[test]
 fn a_lost_reflector_is_no_point_once_points_are_moved() {
     let robot = robot();
-    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let mut settings = Settings::new(reading("csv"), &robot);
     let text =
         b"name,q1_deg,x_mm,y_mm,z_mm\nA,0,0,0,1\nB,0,100,0,1\nC,0,0,100,1\nP,1,0,0,0\nQ,1,9,9,9\n";
     let known = b"name,x_mm,y_mm,z_mm\nA,5,5,5\nB,105,5,5\nC,5,105,5\n";
@@ -524,10 +519,10 @@ fn a_lost_reflector_is_no_point_once_points_are_moved() {
 #[test]
 fn numbers_that_overflow_are_refused() {
     let robot = robot();
-    let csv = |text: &str| refusal(text.as_bytes(), &Settings::new(reading(Kind::Csv), &robot));
+    let csv = |text: &str| refusal(text.as_bytes(), &Settings::new(reading("csv"), &robot));
     assert!(csv("q1_deg,x_m,y_mm\n1,1e308,3\n").contains("overflows in mm"));
     assert!(csv("q1_deg,x_mm,y_mm\n1,1e309,3\n").contains("a number that a double can hold"));
-    let mut settings = Settings::new(reading(Kind::Csv), &robot);
+    let mut settings = Settings::new(reading("csv"), &robot);
     settings.matching = Matching::Time;
     settings.commands = Some(companion(b"time_s,q1_deg\n0,0\n1,1\n2,2\n3,1\n4,0\n"));
     let far = "time_s,x_mm,y_mm,z_mm\n0,1e200,0,1\n1,0,-1e308,1\n2,0,0,1e308\n3,0,5,1\n4,1,1,1\n";
@@ -628,7 +623,7 @@ fn a_million_rows_take_seconds() {
         let q = f64::from(i % 180) - 90.0;
         writeln!(text, "P{i};{q};{},5;{},25;300", i % 250, i % 77).unwrap();
     }
-    let done = imported(text.as_bytes(), &Settings::new(reading(Kind::Csv), &robot));
+    let done = imported(text.as_bytes(), &Settings::new(reading("csv"), &robot));
     assert_eq!(done.session.samples.len(), 1_000_000);
     assert_eq!(done.inspection.decimal, Some(Decimal::Comma));
 }
@@ -717,7 +712,7 @@ proptest! {
         let comma = comma && separator != ",";
         let end = if crlf { "\r\n" } else { "\n" };
         let bytes = encoded(&written(&samples, separator, comma, end), encoding);
-        let done = import(&bytes, &Settings::new(reading(Kind::Csv), &robot));
+        let done = import(&bytes, &Settings::new(reading("csv"), &robot));
         let done = done.map_err(|e| TestCaseError::fail(e.to_string()))?;
         let back = &done.session.samples;
         for (i, (q, p, t)) in samples.iter().enumerate() {
@@ -744,7 +739,7 @@ proptest! {
             text += &format!("{t:?} {:?} {:?} {:?} 0 0 0 1\n", p[0], p[1], p[2]);
             commands += &format!("{:?},{:?}\n", q[0], q[1]);
         }
-        let mut settings = Settings::new(reading(Kind::Tum), &robot);
+        let mut settings = Settings::new(reading("tum"), &robot);
         settings.commands = Some(companion(commands.as_bytes()));
         let done = import(text.as_bytes(), &settings).map_err(|e| TestCaseError::fail(e.to_string()))?;
         let back = &done.session.samples;
@@ -760,7 +755,7 @@ proptest! {
 #[test]
 fn a_header_and_single_columns_can_be_said_and_the_others_stay_what_they_are() {
     let text = b"exported 2026\nTime [ms];X [cm];Y [cm];q1_deg\n0;24;6;1\n7;8;9;10\n";
-    let found = inspect(text, &reading(Kind::Csv));
+    let found = inspect(text, &reading("csv"));
     assert_eq!(found.header_line, Some(2));
     let known = found
         .columns
@@ -771,7 +766,7 @@ fn a_header_and_single_columns_can_be_said_and_the_others_stay_what_they_are() {
     // One column is said: a time in ms and lengths in cm stay what they are.
     let said = Reading {
         columns: ["auto", "auto", "auto", "-"].map(str::to_owned).to_vec(),
-        ..reading(Kind::Csv)
+        ..reading("csv")
     };
     let again = inspect(text, &said);
     assert_eq!(again.columns[..3], found.columns[..3]);
@@ -780,18 +775,18 @@ fn a_header_and_single_columns_can_be_said_and_the_others_stay_what_they_are() {
     // A header in another line, or none.
     let below = Reading {
         header: Some(3),
-        ..reading(Kind::Csv)
+        ..reading("csv")
     };
     let below = inspect(text, &below);
     assert_eq!((below.header_line, below.rows), (Some(3), 1));
     let none = Reading {
         header: Some(0),
-        ..reading(Kind::Csv)
+        ..reading("csv")
     };
     assert_eq!(inspect(text, &none).header_line, None);
     let nowhere = Reading {
         header: Some(99),
-        ..reading(Kind::Csv)
+        ..reading("csv")
     };
     let nowhere = inspect(text, &nowhere);
     let says = nowhere.findings[0].to_string();
@@ -803,7 +798,7 @@ fn commands_may_be_the_first_to_name_the_reflectors() {
     let robot = robot();
     let measured = b"name,x_mm,y_mm,z_mm\na,248,0,300\nb,247,20,300\n";
     let with = |commands: &[u8]| {
-        let mut settings = Settings::new(reading(Kind::Csv), &robot);
+        let mut settings = Settings::new(reading("csv"), &robot);
         settings.matching = Matching::Name;
         settings.commands = Some(companion(commands));
         import(measured, &settings).map_err(|rejected| rejected.to_string())

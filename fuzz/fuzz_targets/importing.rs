@@ -1,7 +1,9 @@
 //! Imports any bytes; a session that comes of it is written and read again.
 
+use std::collections::BTreeMap;
+
 use truepose::importers::{
-    AngleUnit, Companion, Decimal, Kind, LengthUnit, Matching, Motion, Reading, Settings, import, inspect,
+    AngleUnit, Companion, Decimal, Importer, LengthUnit, Matching, Motion, Reading, Settings, import, inspect,
 };
 use truepose::sessions::{parse, parse_robot, write_inline};
 
@@ -9,22 +11,26 @@ const ROBOT: &[u8] = br#"{"name":"r","joints":[
 {"name":"pan","kind":"revolute","axis":[0,0,1],"point_mm":[0,0,0]}],
 "tool":{"position_mm":[250,0,300],"quaternion_wxyz":[1,0,0,0]}}"#;
 
+/// Answers to what only one format asks.
+const OPTIONS: [(&str, &str); 3] = [("camera", "on-tool"), ("nominal-length", "300"), ("anchor", "B")];
+
 const COMMANDS: &[u8] = b"name,q1_deg,time_s\nA,0,0\nB,10,1\nA,20,2\nP1,30,3\n1,40,4\n2,50,5\n";
 
 /// The first byte chooses what a person would have said; a zero byte in between starts a second
 /// file, of commands or of reference points.
-pub fn import_any(kind: Kind, data: &[u8]) {
+pub fn import_any(importer: &'static Importer, data: &[u8]) {
     let Some((&choice, bytes)) = data.split_first() else {
         return;
     };
     let robot = parse_robot(ROBOT).expect("a sound robot").robot;
     let said = choice & 1 != 0;
     let reading = Reading {
-        kind: (choice & 128 == 0).then_some(kind),
+        kind: (choice & 128 == 0).then_some(importer),
         unit: said.then_some(LengthUnit::Millimetres),
         angle_unit: said.then_some(AngleUnit::Degrees),
         decimal: (choice & 2 != 0).then_some(Decimal::Comma),
         z_up: choice & 4 != 0,
+        options: if said { OPTIONS.map(|(name, value)| (name, value.to_owned())).into() } else { BTreeMap::new() },
         ..Reading::default()
     };
     let _ = inspect(bytes, &reading);

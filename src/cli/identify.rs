@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use truepose::diagnosis::set_up_errors::DataProblem;
 use truepose::effects::JointValues;
 use truepose::fit::noise::StatedNoise;
 use truepose::fit::regions::RegionChoice;
@@ -13,6 +12,7 @@ use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, IMPLAUSIBLE, Identification}
 use truepose::pipeline;
 use truepose::present::kinds::{self, KindRow};
 use truepose::sessions::Session;
+use truepose::set_up_errors::DataProblem;
 use truepose::units::{deg_from_rad, rad_from_deg};
 
 use super::failure::Failure;

@@ -15,6 +15,7 @@ use truepose::sessions::{Replacing, load_robot, read_whole, save, write_inline};
 
 use super::failure::Failure;
 use super::output;
+use super::own_options::OwnOptions;
 
 /// Make a session of a file that an instrument wrote
 #[derive(Debug, Args)]
@@ -26,7 +27,7 @@ pub(crate) struct Import {
     /// Measured file
     file: PathBuf,
     /// What wrote it
-    #[arg(long = "as", value_name = "FORMAT", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|i| i.kind.id())))]
+    #[arg(long = "as", value_name = "FORMAT", value_parser = PossibleValuesParser::new(IMPORTERS.iter().map(|importer| importer.id)))]
     format: String,
     /// Robot that was measured: the robot object of a session
     #[arg(long, value_name = "ROBOT")]
@@ -92,6 +93,8 @@ pub(crate) struct Import {
     /// With --match time, the seconds to add to a measured time [default: found from the motion]
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     clock_offset: Option<f64>,
+    #[command(flatten)]
+    own: OwnOptions,
     /// Print what was found out as JSON
     #[arg(long)]
     json: bool,
@@ -171,7 +174,8 @@ impl Import {
             ));
         };
         Ok(Reading {
-            kind: find(&self.format).map(|importer| importer.kind),
+            kind: find(&self.format),
+            options: self.own.given.clone(),
             file: Some(self.file.clone()),
             unit: self.unit.as_deref().map(|unit| match unit {
                 "m" => LengthUnit::Metres,
@@ -247,6 +251,7 @@ struct Matched<'a> {
 struct Clock {
     offset_s: f64,
     sigma_s: Option<f64>,
+    ci95_s: Option<[f64; 2]>,
     rms_mm: f64,
 }
 
@@ -275,7 +280,7 @@ impl<'a> Answer<'a> {
             format: "truepose-import/1",
             session: &imported.session.name,
             samples: imported.session.samples.len(),
-            read_as: found.kind.map_or("", truepose::importers::Kind::id),
+            read_as: found.kind.map_or("", |importer| importer.id),
             encoding: found.encoding.to_string(),
             separator: found.separator.map(|separator| separator.to_string()),
             decimal: found.decimal.map(|decimal| decimal.to_string()),
@@ -288,6 +293,7 @@ impl<'a> Answer<'a> {
                 clock: matched.clock.map(|clock| Clock {
                     offset_s: clock.offset_s,
                     sigma_s: clock.sigma_s,
+                    ci95_s: clock.ci95_s(),
                     rms_mm: clock.rms_mm,
                 }),
             }),

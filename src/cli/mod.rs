@@ -1,19 +1,23 @@
 //! The terminal: one file per command.
 //!
-//! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, or there is
-//! no display for the window. With `--json` standard output carries exactly one JSON document;
+//! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, there is no display
+//! for the window, or `compensate` left some targets as they are. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
+mod compensate;
 mod diagnose;
 mod effects;
 mod export;
 mod failure;
 mod geometry;
+mod history;
 mod identify;
 mod import;
 mod levels;
 mod output;
+mod own_options;
 mod plan;
+mod record;
 mod report;
 mod simulate;
 mod standards;
@@ -50,8 +54,14 @@ enum Command {
     Plan(plan::Plan),
     /// Check a model on another session
     Verify(verify::Verify),
+    /// Correct the targets of a table or a robot program in place
+    Compensate(compensate::Compensate),
     /// State accuracy and repeatability after ISO 230-2 and ISO 9283
     Standards(standards::Standards),
+    /// Compare the sessions and models of a folder
+    History(history::History),
+    /// Record a stream of lines as a CSV file that grows
+    Record(record::Record),
     /// Write the table that a controller reads
     Export(export::Export),
     /// Write the calibration report as HTML or PDF
@@ -73,8 +83,11 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Diagnose(command)) => command.run(),
         Some(Command::Plan(command)) => command.run(),
         Some(Command::Verify(command)) => command.run(),
+        Some(Command::Compensate(command)) => command.run(),
         Some(Command::Standards(command)) => command.run(),
         Some(Command::Export(command)) => command.run(),
+        Some(Command::History(command)) => command.run(),
+        Some(Command::Record(command)) => command.run(),
         Some(Command::Report(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),

@@ -10,9 +10,9 @@
 //! taken. Directions in which the tool hardly moves (below a hundredth of the best) are not
 //! corrected at all: near a singular pose a tiny gain would cost a large move.
 //!
-//! Derivatives by the command are central differences of the model itself over 10⁻⁴ rad or 0.1
-//! mm: they hold for every effect, however it depends on the command. What they miss shows only
-//! where a remainder stays, and then by some 10⁻¹² rad.
+//! Derivatives by the command are the exact ones that the model carries
+//! ([`Model::visit_by_commands`]); the curvature that one joint needs is their difference over 10⁻⁴
+//! rad or 0.1 mm, and decides only how fast it settles.
 //!
 //! Several poses go through at once, because the model takes them in blocks.
 
@@ -22,10 +22,10 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Inputs;
 use crate::kinematics::JointKind;
-use crate::lanes::{add_scaled, dot, minus};
+use crate::lanes::{dot, minus};
 use crate::model::{Model, Positions};
 
-/// Half the width of a difference quotient, rad (mm: a thousand times as much).
+/// Width of a difference quotient, rad (mm: a thousand times as much).
 const STEP: f64 = 1e-4;
 /// A step below this (rad; mm: a thousand times as much) changes nothing any more.
 const SETTLED: f64 = 1e-14;
@@ -67,17 +67,18 @@ pub fn closest_commands(
     let mut trial = inputs.clone();
     let mut moving: Vec<bool> = vec![true; inputs.len()];
     for _ in 0..MOST_PASSES {
-        let here = places(model, &trial);
-        let either_side = |joint: &usize| {
-            [-1.0, 1.0].map(|way| places(model, &nudged(model, &trial, *joint, way)))
+        let here = sensed(model, &trial);
+        // One joint alone needs the curvature.
+        let beside = match free {
+            [joint] => sensed(model, &nudged(model, &trial, *joint)),
+            _ => Vec::new(),
         };
-        let around: Vec<[Places; 2]> = free.iter().map(either_side).collect();
         let mut any = false;
         for i in 0..inputs.len() {
             if !moving[i] {
                 continue;
             }
-            let step = Local::new(i, &here, &around, wanted).step();
+            let step = Local::new(model, i, free, [&here, &beside], wanted).step();
             moving[i] = false;
             for (joint, by) in free.iter().copied().zip(step) {
                 let unit = unit_of(model, joint);
@@ -102,13 +103,46 @@ fn unit_of(model: &Model, joint: usize) -> f64 {
     }
 }
 
-fn nudged<'a>(model: &Model, inputs: &Inputs<'a>, joint: usize, way: f64) -> Inputs<'a> {
+fn nudged<'a>(model: &Model, inputs: &Inputs<'a>, joint: usize) -> Inputs<'a> {
     let mut nudged = inputs.clone();
-    let by = way * STEP * unit_of(model, joint);
+    let by = STEP * unit_of(model, joint);
     for q in nudged.q[joint].to_mut() {
         *q += by;
     }
     nudged
+}
+
+/// One reflector at every pose, and how it moves with the commands.
+struct Sensed {
+    /// Where it is, mm.
+    at: Vec<[f64; 3]>,
+    /// Derivatives by each joint's command, joint by joint, mm per rad or mm.
+    by: Vec<Vec<[f64; 3]>>,
+}
+
+fn sensed(model: &Model, inputs: &Inputs) -> Vec<Sensed> {
+    let mut one = inputs.clone();
+    one.target = None;
+    let homes = inputs.reflectors_at_home.iter();
+    homes
+        .map(|home| {
+            one.reflectors_at_home = vec![*home];
+            let mut sensed = Sensed {
+                at: Vec::with_capacity(inputs.len()),
+                by: vec![Vec::with_capacity(inputs.len()); inputs.q.len()],
+            };
+            model.visit_by_commands(&one, |_, block| {
+                let [x, y, z] = &block.point;
+                for i in 0..block.len {
+                    sensed.at.push([x[i], y[i], z[i]]);
+                }
+                for (by, [x, y, z]) in sensed.by.iter_mut().zip(&block.columns) {
+                    by.extend((0..block.len).map(|i| [x[i], y[i], z[i]]));
+                }
+            });
+            sensed
+        })
+        .collect()
 }
 
 /// One pose: what is missing, and how the reflectors move with the joints. Everything is per
@@ -118,34 +152,38 @@ struct Local {
     missing: Vec<[f64; 3]>,
     /// First derivatives, joint by joint, reflector by reflector.
     first: Vec<Vec<[f64; 3]>>,
-    /// Second derivatives by the same joint.
-    second: Vec<Vec<[f64; 3]>>,
+    /// Second derivatives by the same joint, reflector by reflector; for one joint alone.
+    second: Vec<[f64; 3]>,
 }
 
 impl Local {
-    fn new(pose: usize, here: &Places, around: &[[Places; 2]], wanted: &Places) -> Self {
-        let reflectors = 0..here.len();
-        let at = |places: &Places, t: usize| places[t].get(pose);
-        let first = |[below, above]: &[Places; 2]| -> Vec<[f64; 3]> {
-            let t = reflectors.clone();
-            t.map(|t| minus(at(above, t), at(below, t)).map(|d| d / (2.0 * STEP)))
-                .collect()
+    /// `sensed` is every reflector at the commands, and a step of one joint further.
+    fn new(
+        model: &Model,
+        pose: usize,
+        free: &[usize],
+        [here, beside]: [&[Sensed]; 2],
+        wanted: &Places,
+    ) -> Self {
+        let first = |sensed: &[Sensed], joint: usize| -> Vec<[f64; 3]> {
+            let unit = unit_of(model, joint);
+            let all = sensed.iter();
+            all.map(|s| s.by[joint][pose].map(|d| d * unit)).collect()
         };
-        let second = |[below, above]: &[Places; 2]| -> Vec<[f64; 3]> {
-            let t = reflectors.clone();
-            t.map(|t| {
-                let twice = add_scaled(at(above, t), at(here, t), -2.0);
-                add_scaled(twice, at(below, t), 1.0).map(|d| d / (STEP * STEP))
-            })
-            .collect()
-        };
+        let missing = here.iter().zip(wanted);
+        let all_first: Vec<_> = free.iter().map(|joint| first(here, *joint)).collect();
+        let second = free.first().filter(|_| !beside.is_empty());
+        let second = second.map_or_else(Vec::new, |joint| {
+            let pairs = first(beside, *joint).into_iter().zip(&all_first[0]);
+            let slopes = pairs.map(|(further, here)| minus(further, *here).map(|d| d / STEP));
+            slopes.collect()
+        });
         Self {
-            missing: reflectors
-                .clone()
-                .map(|t| minus(at(wanted, t), at(here, t)))
+            missing: missing
+                .map(|(here, wanted)| minus(wanted.get(pose), here.at[pose]))
                 .collect(),
-            first: around.iter().map(first).collect(),
-            second: around.iter().map(second).collect(),
+            first: all_first,
+            second,
         }
     }
 
@@ -161,8 +199,7 @@ impl Local {
     /// f′/f″ of half the sum of squares. Where f″ is not positive (far away) Gauss–Newton's is.
     fn newton(&self) -> f64 {
         let (mut downhill, mut gauss, mut curved) = (0.0, 0.0, 0.0);
-        for ((missing, first), second) in
-            self.missing.iter().zip(&self.first[0]).zip(&self.second[0])
+        for ((missing, first), second) in self.missing.iter().zip(&self.first[0]).zip(&self.second)
         {
             downhill += dot(*first, *missing);
             gauss += dot(*first, *first);

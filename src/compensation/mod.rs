@@ -11,6 +11,7 @@
 //!
 //! - [`conditions`]: under which a correction holds; the reference is standstill, 20 °C, no load.
 //! - [`inverse`]: the minimisation above, for any model and any number of joints.
+//! - [`pose`]: the same for the whole pose of the tool, position first.
 //! - [`regional`]: the source paper's `q_c = q + M Δρ`, equation (8), and the joint command that
 //!   comes closest to it.
 //! - [`plan`](mod@plan): [`Compensation`], one face for both kinds of model.
@@ -23,11 +24,13 @@
 //! What the instrument does (its scale, a frame that drifts or was bumped) is no error of the
 //! robot; it is left out of the model before the model is inverted.
 
+mod carried_over;
 pub mod conditions;
 pub mod interpolation;
 pub mod inverse;
 mod observed;
 pub mod plan;
+pub mod pose;
 pub mod regional;
 pub mod remainder;
 pub mod table;

@@ -13,8 +13,9 @@
 //! time. If it was this model's table, the model predicts where the corrected commands lead.
 //!
 //! Frames of another session (a bump of the tripod, its drift, its setups) are none of this one's:
-//! they count only where the samples are the ones that the calibration came from. A session with
-//! setups gets a frame of its own for each, fitted to the model.
+//! they count only where the samples are the ones that the calibration came from. A setup that the model
+//! knows by its name stands where the model says; for another one the frame is fitted, and that is said.
+//! So is the tool's position in a session with another tool or other targets: joints and links carry over.
 //!
 //! Suspected outliers count in the largest values and not in the root mean squares. For the
 //! paper's method everything is in the plane of motion; z is not used.
@@ -29,6 +30,7 @@ use crate::model::format_v1::model_hash;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::{Session, hash_of_samples};
 
+use super::carried_over::carried_over;
 use super::conditions::Conditions;
 use super::plan::Compensation;
 use super::remainder::left_over;
@@ -103,11 +105,19 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
     }
     let mut problem = Problem::new(session, JointValues::Commanded);
     problem.fit.clone_from(&problem.usable);
+    let by = model_hash(calibration);
+    let carried = carried_over(calibration, session, &problem, |carried| {
+        model_for(carried, session, &problem, &mut Vec::new())
+    });
+    let calibration = carried.as_ref().map_or(calibration, |(carried, note)| {
+        notes.push(note.clone());
+        carried
+    });
     let inputs = &problem.inputs;
     let compensation = Compensation::new(calibration);
     let nominal = Model::nominal(calibration.model.robot.clone()).predict(inputs);
 
-    let applied = applied_corrections(calibration, session, &compensation, inputs, &mut notes);
+    let applied = applied_corrections(&by, session, &compensation, inputs, &mut notes);
     let full = model_for(calibration, session, &problem, &mut notes);
     let model = where_the_model_is(&compensation, &full, inputs, applied.as_deref());
     let before = measured_minus(session, &problem, &compensation, |i| nominal.get(i));
@@ -259,28 +269,34 @@ fn same_robot(calibration: &Calibration, session: &Session) -> Result<Vec<String
         .joints
         .iter()
         .zip(&calibration.model.robot.joints);
-    let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis)
-        && session.robot.base_from_tool == calibration.model.robot.base_from_tool;
-    let note = "the session's robot has other axes or another tool than the model's: the model's \
-                nominal robot is used";
-    Ok(if same_axes {
-        Vec::new()
-    } else {
-        vec![note.to_owned()]
-    })
+    let same_axes = same.into_iter().all(|(a, b)| a.axis == b.axis);
+    // The tool of an arm is fitted; a single axis has effects of its own for where its tool is.
+    let same_tool = session.robot.base_from_tool == calibration.model.robot.base_from_tool;
+    let note = |what: &str| {
+        format!(
+            "the session's robot has {what} than the model's: the model's nominal robot is used"
+        )
+    };
+    Ok(
+        match (same_axes, same_tool || session.robot.joints.len() > 1) {
+            (true, true) => Vec::new(),
+            (true, false) => vec![note("another tool")],
+            (false, _) => vec![note("other axes")],
+        },
+    )
 }
 
 /// The corrections that were active while measuring; `None` where there were none, or where they
 /// are another model's.
 fn applied_corrections(
-    calibration: &Calibration,
+    hash: &str,
     session: &Session,
     compensation: &Compensation,
     inputs: &Inputs,
     notes: &mut Vec<String>,
 ) -> Option<Vec<Vec<f64>>> {
     let by = session.compensated_by.as_ref()?;
-    let ours = *by == model_hash(calibration);
+    let ours = by == hash;
     notes.push(
         if ours {
             "the session was measured with this model's table active: it shows what is left, and \

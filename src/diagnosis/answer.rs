@@ -10,9 +10,9 @@ use super::candidates::NotTestable;
 use super::familywise::FamilyP;
 use super::limits::Limit;
 use super::next_pose::NextPose;
-use super::set_up_errors::DataProblem;
 use super::smooth::Correction;
 use crate::fit::noise::{Noise, StatedNoise};
+use crate::set_up_errors::DataProblem;
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -23,7 +23,6 @@ use super::remainder::unexplained;
 use super::search::CHANCE;
 use super::search::Found as SearchEnd;
 use super::selection::Selection;
-use super::set_up_errors::Mended;
 use super::significance::Significance;
 use super::smooth;
 use super::steps::{found, steps};
@@ -32,6 +31,7 @@ use super::unseen::held_out;
 use super::values::Values;
 use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
+use crate::set_up_errors::Mended;
 
 /// What stays undecided, for whoever proposes poses.
 pub struct Undecided<'u, 'a> {

@@ -8,7 +8,7 @@
 use crate::fit::problem::Problem;
 use crate::sessions::Samples;
 
-use super::set_up_errors::DataProblem;
+use crate::set_up_errors::DataProblem;
 
 /// Beyond this share of the samples, those that lack a condition stay.
 const MOST: f64 = 0.25;

@@ -3,7 +3,7 @@
 //!
 //! The way, one file for each idea:
 //!
-//! 1. [`set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
+//! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
 //! 2. [`crate::fit::noise`]: residuals of the robust base fit, whitened by axis and in time.
 //! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
@@ -28,7 +28,6 @@ pub mod answer;
 pub mod candidates;
 pub mod familywise;
 pub mod limits;
-pub mod set_up_errors;
 pub mod smooth;
 
 mod base_alone;
@@ -70,8 +69,8 @@ pub use smooth::Correction;
 
 use crate::effects::JointValues;
 use crate::sessions::Session;
+use crate::set_up_errors::{self, Mended};
 use prepare::Prepared;
-use set_up_errors::Mended;
 
 /// What to look for, and how.
 #[derive(Debug, Clone, Default)]
@@ -177,7 +176,7 @@ pub(crate) fn checked<'a>(
     watch: Watch,
 ) -> Result<Mended<'a>, Cancelled> {
     tell(watch, &Progress::Checking)?;
-    Ok(set_up_errors::mend(session, options))
+    Ok(set_up_errors::mend(session, options.joint_values))
 }
 
 /// The search, done again once with the names known: outliers and noise look different then. Where

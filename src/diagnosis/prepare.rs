@@ -22,10 +22,10 @@ use super::held_out::Folds;
 use super::incomplete;
 use super::regression::{Fit, Placed, Regression};
 use super::search::{Found, Search};
-use super::set_up_errors::DataProblem;
 use super::{DiagnoseError, Options, Watch};
 use crate::fit::noise::Noise;
 use crate::fit::regression::Rows;
+use crate::set_up_errors::DataProblem;
 
 /// A session of more samples than this is long …
 const LONG: usize = 600;

@@ -168,7 +168,8 @@ impl<'a> Values<'a> {
         let held = terms.iter().map(|term| {
             let mut term = term.clone();
             if !is_base(&term) {
-                term.held = (0..term.coefficients.len()).fold(term.held, |held, k| held.with(k));
+                term.held =
+                    (0..term.coefficients.len()).fold(term.held, crate::effects::Held::with);
             }
             term
         });

@@ -58,5 +58,12 @@ impl Effect for AxisWobble {
             let columns = [scaled(along, radius * c), scaled(along, -radius * s)];
             (add_scaled(x, along, radius * wave), carry, columns)
         });
+        block.shift_by_command(me, |x, at| {
+            let (s, c) = sin_cos(order * at.q);
+            let arm = minus(x, origin);
+            let across = add_scaled(arm, along, -dot(arm, along));
+            let radius = dot(across, across).sqrt();
+            scaled(along, -order * radius * (a * s + b * c))
+        });
     }
 }

@@ -45,5 +45,11 @@ impl Effect for BearingRunout {
             let by_b = add_scaled(scaled(u, -s), v, c);
             (add_scaled(scaled(by_a, a), by_b, b), [by_a, by_b])
         });
+        block.shift_by_command(me, |_, at| {
+            let (s, c) = sin_cos(order * at.q);
+            let along_u = -order * (a * s + b * c);
+            let along_v = order * (a * c - b * s);
+            add_scaled(scaled(u, along_u), v, along_v)
+        });
     }
 }

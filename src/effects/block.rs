@@ -79,7 +79,18 @@ impl<const N: usize> TurnedLanes<N> {
     }
 }
 
-/// A derivative of a joint's value with respect to one coefficient.
+/// With respect to what a block carries derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Columns {
+    /// Nothing.
+    None,
+    /// One column for each coefficient of the model.
+    Coefficients,
+    /// One column for each joint's command, per rad or mm.
+    Commands,
+}
+
+/// A derivative of a joint's value with respect to one coefficient or one command.
 #[derive(Clone)]
 struct JointTangent {
     column: usize,
@@ -109,11 +120,12 @@ pub struct Block<'a> {
     tangents: Vec<JointTangent>,
     /// The reflector.
     pub point: Lanes3,
-    /// Derivatives of `point`, one for each coefficient of the model.
+    /// Derivatives of `point`, one for each coefficient of the model, or for each joint's command
+    /// where those were asked for.
     pub columns: Vec<Lanes3>,
     /// Which columns are not zero so far.
     live: Vec<bool>,
-    differentiate: bool,
+    by: Columns,
     /// Samples of this block; the lanes behind them repeat the last one.
     pub len: usize,
 }
@@ -122,8 +134,21 @@ impl<'a> Block<'a> {
     /// Room for blocks of a model with so many coefficients. Without `differentiate` there are no
     /// columns.
     pub fn new(robot: &'a Robot, coefficients: usize, differentiate: bool) -> Self {
+        if differentiate {
+            Self::with_columns(robot, Columns::Coefficients, coefficients)
+        } else {
+            Self::with_columns(robot, Columns::None, 0)
+        }
+    }
+
+    /// Room for blocks that carry the derivatives with respect to the joints' commands, whatever
+    /// conditions else depend on: sides, speeds and travels stay what they are.
+    pub fn by_commands(robot: &'a Robot) -> Self {
+        Self::with_columns(robot, Columns::Commands, robot.joints.len())
+    }
+
+    fn with_columns(robot: &'a Robot, by: Columns, columns: usize) -> Self {
         let per_joint = || vec![[0.0; LANES]; robot.joints.len()];
-        let columns = if differentiate { coefficients } else { 0 };
         Self {
             robot,
             q: per_joint(),
@@ -141,7 +166,7 @@ impl<'a> Block<'a> {
             point: [[0.0; LANES]; 3],
             columns: vec![[[0.0; LANES]; 3]; columns],
             live: vec![false; columns],
-            differentiate,
+            by,
             len: 0,
         }
     }
@@ -192,6 +217,76 @@ impl<'a> Block<'a> {
         }
         self.tangents.clear();
         self.live.fill(false);
+        if self.by == Columns::Commands {
+            // Every joint starts from its own command.
+            let own = (0..self.q.len()).map(|joint| JointTangent {
+                column: joint,
+                joint,
+                lanes: [1.0; LANES],
+            });
+            self.tangents.extend(own);
+        }
+    }
+
+    /// Whether the block carries the derivatives by the commands, so that an effect that looks at
+    /// a command has to say how ([`Block::turn_by_command`], [`Block::shift_by_command`]).
+    pub fn by_command(&self) -> bool {
+        self.by == Columns::Commands
+    }
+
+    /// What an effect of the joint stage that was just applied changes because it looks at the
+    /// command of joint `of`: the derivative of its own joint's value by that command, beside what
+    /// the value carries on from before.
+    pub fn turn_by_command(&mut self, me: &Placed, of: usize, f: impl Fn(Lane) -> f64) {
+        if self.by_command() {
+            let lanes = std::array::from_fn(|i| f(self.lane(me.joint, i)));
+            self.tangents.push(JointTangent {
+                column: of,
+                joint: me.joint,
+                lanes,
+            });
+        }
+    }
+
+    /// The same for an effect that has worked the derivative out for each sample.
+    pub fn turn_by_command_of(&mut self, me: &Placed, of: usize, slopes: &Lanes) {
+        if self.by_command() {
+            self.tangents.push(JointTangent {
+                column: of,
+                joint: me.joint,
+                lanes: *slopes,
+            });
+        }
+    }
+
+    /// What an effect that has just moved the point changes because it looks at its joint's
+    /// command: `f` gives the derivative of the point by it, from the point as it is now.
+    pub fn shift_by_command(&mut self, me: &Placed, f: impl Fn([f64; 3], Lane) -> [f64; 3]) {
+        self.shift_by_command_of(me, me.joint, f);
+    }
+
+    /// The same for an effect that looks at the command of joint `of`.
+    pub fn shift_by_command_of(
+        &mut self,
+        me: &Placed,
+        of: usize,
+        f: impl Fn([f64; 3], Lane) -> [f64; 3],
+    ) {
+        if !self.by_command() {
+            return;
+        }
+        let column = of;
+        if !self.live[column] {
+            self.columns[column] = [[0.0; LANES]; 3];
+            self.live[column] = true;
+        }
+        for i in 0..LANES {
+            let point = [self.point[0][i], self.point[1][i], self.point[2][i]];
+            let slope = f(point, self.lane(me.joint, i));
+            for axis in 0..3 {
+                self.columns[column][axis][i] += slope[axis];
+            }
+        }
     }
 
     #[inline]
@@ -215,6 +310,11 @@ impl<'a> Block<'a> {
         self.q[joint][lane]
     }
 
+    /// Value of a joint after the joint effects so far, rad or mm.
+    pub(super) fn value(&self, joint: usize, lane: usize) -> f64 {
+        self.theta[joint][lane]
+    }
+
     /// Measured torque about a joint, N·m; `None` where it was not measured.
     pub(super) fn torque_nm(&self, joint: usize, lane: usize) -> Option<f64> {
         Some(self.torque_nm[joint][lane]).filter(|torque| !torque.is_nan())
@@ -236,13 +336,16 @@ impl<'a> Block<'a> {
     fn take_turn<const N: usize>(&mut self, me: &Placed, turned: &TurnedLanes<N>) {
         let joint = me.joint;
         self.theta[joint] = turned.to;
-        if !self.differentiate {
+        if self.by == Columns::None {
             return;
         }
         for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
             for (value, carry) in tangent.lanes.iter_mut().zip(&turned.carry) {
                 *value *= carry;
             }
+        }
+        if self.by == Columns::Commands {
+            return;
         }
         for (k, lanes) in turned.by.iter().enumerate() {
             self.tangents.push(JointTangent {
@@ -266,7 +369,7 @@ impl<'a> Block<'a> {
             for axis in 0..3 {
                 self.point[axis][i] += by[axis];
             }
-            if self.differentiate {
+            if self.by == Columns::Coefficients {
                 for (k, column) in columns.into_iter().enumerate() {
                     for axis in 0..3 {
                         self.columns[me.first_column + k][axis][i] = column[axis];
@@ -292,7 +395,7 @@ impl<'a> Block<'a> {
             for axis in 0..3 {
                 self.point[axis][i] = to[axis];
             }
-            if !self.differentiate {
+            if self.by == Columns::None {
                 continue;
             }
             for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| *c.1) {
@@ -300,6 +403,9 @@ impl<'a> Block<'a> {
                 for axis in 0..3 {
                     column[axis][i] = moved[axis];
                 }
+            }
+            if self.by == Columns::Commands {
+                continue;
             }
             for (k, column) in columns.into_iter().enumerate() {
                 for axis in 0..3 {
@@ -311,7 +417,7 @@ impl<'a> Block<'a> {
     }
 
     fn mark_live<const N: usize>(&mut self, me: &Placed) {
-        if self.differentiate {
+        if self.by == Columns::Coefficients {
             self.live[me.first_column..me.first_column + N].fill(true);
         }
     }

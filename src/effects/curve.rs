@@ -82,15 +82,38 @@ impl Knots {
     /// Which values count at `q`, and how much. Outside the range: as at its end.
     pub fn weights(&self, q: f64) -> [(usize, f64); 4] {
         let q = q.max(self.from).min(self.to);
-        let n = self.count;
         let (first, t) = self.split(q);
         let (t2, t3) = (t * t, t * t * t);
-        let mut w = [
+        let w = [
             0.5 * (2.0 * t2 - t - t3),
             0.5 * (3.0 * t3 - 5.0 * t2 + 2.0),
             0.5 * (t + 4.0 * t2 - 3.0 * t3),
             0.5 * (t3 - t2),
         ];
+        self.placed(first, w)
+    }
+
+    /// The derivatives of the weights by `q`; none outside the range, where the end is held.
+    pub fn slopes(&self, q: f64) -> [(usize, f64); 4] {
+        let (first, t) = self.split(q.max(self.from).min(self.to));
+        let per_step = if self.covers(q) {
+            0.5 / self.step()
+        } else {
+            0.0
+        };
+        let t2 = t * t;
+        let w = [
+            4.0 * t - 1.0 - 3.0 * t2,
+            9.0 * t2 - 10.0 * t,
+            1.0 + 8.0 * t - 9.0 * t2,
+            3.0 * t2 - 2.0 * t,
+        ];
+        self.placed(first, w.map(|w| w * per_step))
+    }
+
+    /// Weights of the four knots around the step that begins at knot `first`.
+    fn placed(&self, first: usize, mut w: [f64; 4]) -> [(usize, f64); 4] {
+        let n = self.count;
         if self.period.is_some() {
             let at = |k: usize| (first + n + k - 1) % n;
             return std::array::from_fn(|k| (at(k), w[k]));
@@ -126,13 +149,18 @@ impl Knots {
 
     /// Where the knots stand, rad or mm; with a period those of the first one.
     pub fn places(&self) -> Vec<f64> {
-        let step = match self.period {
-            Some(period) => period / self.count as f64,
-            None => (self.to - self.from) / (self.count - 1) as f64,
-        };
+        let step = self.step();
         (0..self.count)
             .map(|k| self.from + step * k as f64)
             .collect()
+    }
+
+    /// From one knot to the next, rad or mm.
+    fn step(&self) -> f64 {
+        match self.period {
+            Some(period) => period / self.count as f64,
+            None => (self.to - self.from) / (self.count - 1) as f64,
+        }
     }
 }
 
@@ -210,7 +238,15 @@ impl Curve {
     /// The curve at a joint's value: along the joint's motion (rad or mm), along its radius and
     /// along its axis (mm). Outside the measured range the end values are held.
     pub fn at(&self, q: f64) -> [f64; DIRECTIONS] {
-        let weights = self.knots.weights(q);
+        self.weighed(&self.knots.weights(q))
+    }
+
+    /// The derivatives of the curve by the joint's value, per rad or per mm.
+    pub fn slope(&self, q: f64) -> [f64; DIRECTIONS] {
+        self.weighed(&self.knots.slopes(q))
+    }
+
+    fn weighed(&self, weights: &[(usize, f64); 4]) -> [f64; DIRECTIONS] {
         std::array::from_fn(|d| {
             let values = &self.values[d];
             if values.is_empty() {
@@ -310,6 +346,21 @@ mod tests {
         }
         let seam = [-0.5 - 1e-9, -0.5 + 1e-9].map(|q| wave.at(q)[0]);
         assert!((seam[0] - seam[1]).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_slope_is_the_derivative() {
+        for period in [None, Some(0.5)] {
+            let wave = curve(knots(period), |q| (2.0 * q).sin());
+            for k in 1..300 {
+                let q = -1.0 + 0.01 * f64::from(k) + 0.0037;
+                let [below, above] = [q - 1e-6, q + 1e-6].map(|q| wave.at(q)[0]);
+                let by_difference = (above - below) / 2e-6;
+                assert!((wave.slope(q)[0] - by_difference).abs() < 1e-7, "{q}");
+            }
+            assert_eq!(wave.slope(-1.5), [0.0; 3]);
+            assert_eq!(wave.slope(2.5), [0.0; 3]);
+        }
     }
 
     #[test]

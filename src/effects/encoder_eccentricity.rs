@@ -52,5 +52,15 @@ impl Effect for EncoderEccentricity {
                 by: [s * slope, -c * slope],
             }
         });
+        block.turn_by_command(me, me.joint, |at| {
+            let (s, c) = sin_cos(at.q);
+            let sine = a * s - b * c;
+            // Where the sine is clamped it does not change.
+            if sine.abs() < 0.999 {
+                (a * c + b * s) / (1.0 - sine * sine).sqrt()
+            } else {
+                0.0
+            }
+        });
     }
 }

@@ -12,7 +12,7 @@
 
 use super::about::{About, Form, Over, Quantity, Stage};
 use super::block::Block;
-use super::gravity::overturning_nm;
+use super::gravity::{overturning_nm, overturning_slope};
 use super::measuring_frame::{left_jacobian, rotation};
 use super::needs::Need;
 use super::units::Unit;
@@ -92,6 +92,21 @@ impl Effect for FoundationCompliance {
             let left = left_jacobian(omega);
             (to, turn, by.map(|by| cross(times(left, by), to)))
         });
+        if !block.by_command() {
+            return;
+        }
+        let turned_by = |moment: [f64; 3]| {
+            let by = [scaled(x, dot(moment, x)), scaled(y, dot(moment, y))];
+            add_scaled(scaled(by[0], me.coefficients[0]), by[1], me.coefficients[1])
+        };
+        for joint in 0..block.robot.joints.len() {
+            let slopes: [[f64; 3]; LANES] =
+                std::array::from_fn(|lane| overturning_slope(block, joint, lane));
+            block.shift_by_command_of(me, joint, |p, at| {
+                let left = left_jacobian(turned_by(moments[at.lane]));
+                cross(times(left, turned_by(slopes[at.lane])), p)
+            });
+        }
     }
 }
 

@@ -51,4 +51,8 @@ pub(super) fn add_sine_of_the_command(me: &Placed, block: &mut Block, order: f64
             by: [s, c],
         }
     });
+    block.turn_by_command(me, me.joint, |at| {
+        let (s, c) = sin_cos(order * at.q);
+        order * (a * c - b * s)
+    });
 }

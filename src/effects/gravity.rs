@@ -59,6 +59,67 @@ impl Carried {
     }
 }
 
+/// Derivative of a first moment Σ m x of all that joint `first` carries by the command of a joint
+/// behind it, kg·mm per rad or mm; with `itself` the joint `first` has moved as well.
+fn slope(block: &Block, first: usize, other: usize, lane: usize, itself: bool) -> [f64; 3] {
+    let joints = &block.robot.joints;
+    let along: [f64; 3] = joints[other].axis.direction.into_inner().into();
+    let carried = Carried::by(block, other, lane).moved(&joints[other], block.command(other, lane));
+    let moment = match joints[other].kind {
+        JointKind::Revolute => {
+            let origin: [f64; 3] = joints[other].axis.point_mm.coords.into();
+            cross(along, add_scaled(carried.moment, origin, -carried.mass_kg))
+        }
+        JointKind::Prismatic => along.map(|v| v * carried.mass_kg),
+    };
+    // Without a mass of its own a moment is only turned.
+    let mut slope = Carried {
+        mass_kg: 0.0,
+        moment,
+    };
+    let last = if itself { first } else { first + 1 };
+    for k in (last..other).rev() {
+        slope = slope.moved(&joints[k], block.command(k, lane));
+    }
+    slope.moment
+}
+
+/// Derivative of [`first_moment`] by the command of a joint behind, kg·m per rad or mm.
+pub(super) fn first_moment_slope(
+    block: &Block,
+    joint: usize,
+    other: usize,
+    lane: usize,
+) -> [f64; 3] {
+    slope(block, joint, other, lane, false).map(|v| v * MM)
+}
+
+/// Derivative of [`overturning_nm`] by the command of a joint, N·m per rad or mm.
+pub(super) fn overturning_slope(block: &Block, other: usize, lane: usize) -> [f64; 3] {
+    let Some(gravity) = block.robot.gravity_m_s2 else {
+        return [0.0; 3];
+    };
+    let slope = slope(block, 0, other, lane, true);
+    cross(slope.map(|v| v * MM), gravity.into())
+}
+
+/// Derivative of [`seen_by`] by the command of a joint before, m/s² per rad or mm.
+pub(super) fn seen_by_slope(block: &Block, joint: usize, other: usize, lane: usize) -> [f64; 3] {
+    let joints = &block.robot.joints;
+    if joints[other].kind == JointKind::Prismatic {
+        return [0.0; 3];
+    }
+    let mut slope = seen_by(block, other + 1, lane);
+    slope = cross(slope, joints[other].axis.direction.into_inner().into());
+    for (k, before) in joints.iter().enumerate().take(joint).skip(other + 1) {
+        if before.kind == JointKind::Revolute {
+            let (sin, cos) = sin_cos(block.command(k, lane));
+            slope = turned(slope, before.axis.direction.into_inner().into(), -sin, cos);
+        }
+    }
+    slope
+}
+
 /// First moment Σ m (x − c) about a point of a joint's axis of all that the joint carries, the joint
 /// itself at zero, kg·m.
 pub(super) fn first_moment(block: &Block, joint: usize, lane: usize) -> [f64; 3] {

@@ -13,7 +13,7 @@
 
 use super::about::{About, Form, Over, Quantity};
 use super::block::{Block, Turned};
-use super::gravity::{first_moment, seen_by};
+use super::gravity::{first_moment, first_moment_slope, seen_by, seen_by_slope};
 use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed};
@@ -101,6 +101,22 @@ impl Effect for JointCompliance {
                 by: [tau * gain],
             }
         });
+        if block.by_command() {
+            let joints = block.robot.joints.len();
+            for other in (0..joints).filter(|k| *k != me.joint) {
+                let slopes = std::array::from_fn(|i| {
+                    if measured[i].is_some() {
+                        return 0.0;
+                    }
+                    let theta = block.value(me.joint, i);
+                    let torque = &torques[i];
+                    let gain = 1.0 / (1.0 - compliance * torque.at(theta).1);
+                    let by_other = torque.by_other(block, me.joint, other, i, theta);
+                    compliance * by_other * gain
+                });
+                block.turn_by_command_of(me, other, &slopes);
+            }
+        }
     }
 }
 
@@ -136,6 +152,22 @@ impl Torque {
         let tau = dot(self.axis, cross(moment, self.gravity));
         let slope = dot(self.axis, cross(cross(self.axis, moment), self.gravity));
         (tau, slope)
+    }
+
+    /// The derivative of the torque by the command of another joint, N·m/rad or N·m/mm: a joint
+    /// behind moves what hangs on it, one before turns gravity as this joint sees it.
+    fn by_other(&self, block: &Block, joint: usize, other: usize, lane: usize, theta: f64) -> f64 {
+        let (sin, cos) = sin_cos(theta);
+        let (moment, gravity) = if other > joint {
+            let slope = first_moment_slope(block, joint, other, lane);
+            (slope, self.gravity)
+        } else {
+            (self.moment, seen_by_slope(block, joint, other, lane))
+        };
+        dot(
+            self.axis,
+            cross(turned(moment, self.axis, sin, cos), gravity),
+        )
     }
 }
 

@@ -53,6 +53,10 @@ mod tool_orientation;
 mod tool_position;
 mod tracking_lag;
 mod unexplained;
+mod unknown_anchor;
+mod unknown_plane;
+mod unknown_socket;
+mod unknown_station;
 mod wrist_coupling;
 
 pub use about::{
@@ -63,13 +67,16 @@ pub use inputs::{Inputs, JointValues};
 pub use link_geometry::LinkGeometry;
 pub use measuring_frame::MeasuringFrame;
 pub use needs::{Need, Offered};
-pub use places::{UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
 pub use survey::Survey;
 pub use term::{Held, Parameter, Placed, Term, TermError};
 pub use tool_orientation::ToolOrientation;
 pub use tool_position::ToolPosition;
 pub use unexplained::{Directions, UNEXPLAINED, Unexplained};
 pub use units::Unit;
+pub use unknown_anchor::UnknownAnchor;
+pub use unknown_plane::UnknownPlane;
+pub use unknown_socket::UnknownSocket;
+pub use unknown_station::UnknownStation;
 
 use crate::kinematics::{JointKind, Robot};
 

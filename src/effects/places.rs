@@ -11,10 +11,8 @@
 
 use nalgebra::{Point3, Vector3};
 
-use super::about::{About, Form, Owner, Quantity, Role, Setting, Stage};
-use super::block::Block;
-use super::units::Unit;
-use super::{Effect, Placed, Term};
+use super::about::{About, Owner, Role, Setting, Stage};
+use super::{Effect, Term, UnknownAnchor, UnknownPlane, UnknownSocket, UnknownStation};
 use crate::sessions::{Anchor, Plane, References, Socket, Station};
 
 /// What kind of place.
@@ -42,98 +40,19 @@ pub struct Place {
 /// Most coefficients that a place has.
 pub const MOST: usize = 6;
 
-/// An anchor whose position or offset is not known.
-pub struct UnknownAnchor;
-/// A station whose position or attitude is not known.
-pub struct UnknownStation;
-/// A plane that is not known.
-pub struct UnknownPlane;
-/// A socket whose position is not known.
-pub struct UnknownSocket;
-
-const fn about(id: &'static str, title: &'static str, form: Form, equation: &'static str) -> About {
-    About {
-        id,
-        title,
-        stage: Stage::World,
-        per_joint: false,
-        form,
-        setting: Setting::Place,
-        equation,
-        source: "what the measurements refer to",
-        cause: "the session does not say where it is",
-        usual_size: "any",
-        confused_with: "the base of the robot, where nothing else says where that stands",
-        check: "measure it with another instrument",
-        role: Role::Place,
-        owner: Owner::Session,
-        ..About::PLAIN
-    }
-}
-
-static ANCHOR: About = about(
-    "anchor",
-    "Anchor",
-    Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-        Quantity::new("offset_mm", Unit::MM),
-    ]),
-    "distance = |p − a| + offset",
-);
-static STATION: About = about(
-    "station",
-    "Station",
-    Form::Plain(&[
-        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
-        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
-        Quantity::new("about_z_mrad", Unit::MILLIRADIAN),
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
-    "direction = R(ω)ᵀ (p − s)",
-);
-static PLANE: About = about(
-    "plane",
-    "Plane",
-    Form::Plain(&[
-        Quantity::new("normal_x", Unit::DIRECTION),
-        Quantity::new("normal_y", Unit::DIRECTION),
-        Quantity::new("normal_z", Unit::DIRECTION),
-        Quantity::new("distance_mm", Unit::MM),
-    ]),
-    "n·p = d",
-);
-static SOCKET: About = about(
-    "socket",
-    "Socket",
-    Form::Plain(&[
-        Quantity::new("x_mm", Unit::MM),
-        Quantity::new("y_mm", Unit::MM),
-        Quantity::new("z_mm", Unit::MM),
-    ]),
-    "p = s",
-);
-
-macro_rules! place_effect {
-    ($type:ident, $about:ident) => {
-        impl Effect for $type {
-            fn about(&self) -> &'static About {
-                &$about
-            }
-
-            /// The robot does what it does wherever it is measured from.
-            fn act(&self, _: &Placed, _: &mut Block) {}
-        }
-    };
-}
-
-place_effect!(UnknownAnchor, ANCHOR);
-place_effect!(UnknownStation, STATION);
-place_effect!(UnknownPlane, PLANE);
-place_effect!(UnknownSocket, SOCKET);
+/// What is the same of every place; its file says the rest.
+pub(super) const ABOUT: About = About {
+    stage: Stage::World,
+    setting: Setting::Place,
+    source: "what the measurements refer to",
+    cause: "the session does not say where it is",
+    usual_size: "any",
+    confused_with: "the base of the robot, where nothing else says where that stands",
+    check: "measure it with another instrument",
+    role: Role::Place,
+    owner: Owner::Session,
+    ..About::PLAIN
+};
 
 impl PlaceKind {
     const ALL: [Self; 4] = [Self::Anchor, Self::Station, Self::Plane, Self::Socket];

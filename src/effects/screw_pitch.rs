@@ -84,5 +84,9 @@ impl Effect for ScrewPitch {
                 by: [s, c],
             }
         });
+        block.turn_by_command(me, me.joint, |at| {
+            let (s, c) = sin_cos(per_mm * at.q);
+            per_mm * (a * c - b * s)
+        });
     }
 }

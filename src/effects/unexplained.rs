@@ -77,6 +77,22 @@ impl Effect for Unexplained {
                 }
             }
         });
+        block.shift_by_command(me, |x, at| {
+            let [motion, ..] = curve.at(at.q);
+            let [turn, radial, axial] = curve.slope(at.q);
+            match kind {
+                JointKind::Revolute => {
+                    let (sin, cos) = motion.sin_cos();
+                    let shift = add_scaled(out.map(|v| v * radial), along, axial);
+                    let shift = turned(shift, along, sin, cos);
+                    add_scaled(shift, cross(along, minus(x, me.frame.origin_mm)), turn)
+                }
+                JointKind::Prismatic => {
+                    let shift = add_scaled(out.map(|v| v * radial), me.frame.across_2, axial);
+                    add_scaled(shift, along, turn)
+                }
+            }
+        });
     }
 }
 

@@ -84,5 +84,8 @@ impl Effect for WristCoupling {
             carry: 1.0,
             by: [commands[at.lane]],
         });
+        if let Some(from) = from {
+            block.turn_by_command(me, from, |_| ratio);
+        }
     }
 }

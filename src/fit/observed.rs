@@ -183,11 +183,9 @@ pub(super) fn columns(layer: &Layer, model: &Model, most: usize) -> DMatrix<f64>
     let open = gauge::open(layer).base;
     let count = layer.used.iter().filter(|used| **used).count();
     let mut kept = layer.used.clone();
-    let mut seen = 0;
-    for used in kept.iter_mut().filter(|used| **used) {
+    for (seen, used) in kept.iter_mut().filter(|used| **used).enumerate() {
         // Evenly: one stays wherever k·most/count steps on.
         *used = count <= most || (seen + 1) * most / count > seen * most / count;
-        seen += 1;
     }
     let mut all: Vec<Vec<f64>> = vec![Vec::new(); model.coefficient_count()];
     layer.visit(model, true, |block: &mut RowBlock| {

@@ -10,6 +10,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use crate::effects::term::setting_quantity;
 use crate::effects::{Form, Setting, Term};
 use crate::kinematics::JointKind;
+use crate::model::Calibration;
 use crate::units::deg_from_rad;
 
 use super::outcome::Estimate;
@@ -20,6 +21,28 @@ pub fn half_width_factor(degrees_of_freedom: usize) -> f64 {
         return f64::INFINITY;
     }
     StudentsT::new(0.0, 1.0, degrees_of_freedom as f64).map_or(1.96, |t| t.inverse_cdf(0.975))
+}
+
+/// The factor by which a standard error becomes half of a 95 % interval where the number of samples
+/// behind it is not known: a model keeps its covariance only.
+pub const NORMAL_95: f64 = 1.959964;
+
+/// The estimates of all parameters that a calibration holds, with intervals by its covariance and
+/// `factor`; without a covariance there are none.
+pub fn all_estimates(calibration: &Calibration, factor: f64) -> Vec<Estimate> {
+    let mut all = Vec::new();
+    let mut first = 0;
+    for term in calibration.model.terms() {
+        let size = term.coefficients.len();
+        let fits = calibration.covariance.as_ref();
+        let fits = fits.filter(|covariance| covariance.nrows() >= first + size);
+        let own = fits.map(|covariance| covariance.view((first, first), (size, size)).into_owned());
+        let kind = calibration.model.robot.joints[term.joint].kind;
+        let open = vec![own.is_none(); size];
+        all.extend(estimates(term, own.as_ref(), factor, &open, kind));
+        first += size;
+    }
+    all
 }
 
 /// The estimates of a term's parameters. `covariance` is that of its own coefficients, `factor`

@@ -10,7 +10,7 @@ use crate::kinematics::JointKind;
 use crate::sessions::assemble::{self, Declared};
 use crate::sessions::columns::{Heading, Layout, Quantity, REMARKS, Unit};
 use crate::sessions::table::{Cells, Table};
-use crate::sessions::{Instrument, References, Session, Target, validation};
+use crate::sessions::{Instrument, Session, Target, validation};
 
 impl Job<'_> {
     /// A measured position of an axis becomes the point to which the nominal robot would carry the
@@ -92,7 +92,7 @@ impl Job<'_> {
     /// Makes the session.
     pub(crate) fn session(
         &mut self,
-        columns: Columns,
+        mut columns: Columns,
         targets: Vec<Target>,
     ) -> Result<Session, Rejected> {
         if let Some(wrong) = self.joints_checked(&columns, &self.place) {
@@ -106,6 +106,7 @@ impl Job<'_> {
                 "numbers that a double can hold in mm",
             );
         }
+        let references = self.references(&mut columns)?;
         let numbers: Vec<u64> = columns.list.iter().map(|column| column.number).collect();
         let table = table(columns, self.settings.robot.joint_count());
         let names = table.names.clone();
@@ -123,7 +124,6 @@ impl Job<'_> {
             place.in_field(names[column].as_str())
         };
         let mut findings = Vec::new();
-        let references = References::default();
         let declared = Declared {
             targets: &targets,
             references: &references,
@@ -135,7 +135,10 @@ impl Job<'_> {
             note: self.said.join(".\n") + ".",
             robot: self.settings.robot.clone(),
             targets,
-            instrument: Instrument::default(),
+            instrument: Instrument {
+                references,
+                ..Instrument::default()
+            },
             tolerance_mm: None,
             regions: Vec::new(),
             compensated_by: None,

@@ -55,7 +55,13 @@ impl Means {
             let sum: f64 = group.rows.iter().map(|&row| values[row]).sum();
             sum / group.rows.len() as f64
         };
-        for quantity in [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Time] {
+        for quantity in [
+            Quantity::X,
+            Quantity::Y,
+            Quantity::Z,
+            Quantity::Distance,
+            Quantity::Time,
+        ] {
             if let Some(values) = measured.numbers(quantity) {
                 let means = groups.iter().map(|group| mean(&values, group)).collect();
                 let unit = if quantity == Quantity::Time {

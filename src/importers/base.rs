@@ -7,7 +7,7 @@ use nalgebra::{Point3, Quaternion, UnitQuaternion};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::beside::points_of;
 use crate::importers::columns::{Column, Columns};
-use crate::importers::csv;
+use crate::importers::formats::csv;
 use crate::importers::matching::{self, Matching, listed};
 use crate::importers::reference::{Alignment, Landmark, align};
 use crate::importers::session::Job;
@@ -50,6 +50,10 @@ impl Job<'_> {
         let Some(companion) = &self.settings.reference else {
             return Ok((columns, None));
         };
+        if columns.find(Quantity::Distance).is_some() && points_of(&columns).is_none() {
+            // Nothing to align: the points are places of anchors.
+            return Ok((columns, None));
+        }
         let known = self.named_points(companion, "reference points")?;
         let place = companion.place();
         let (Some(names), Some(points)) = (columns.points(), points_of(&columns)) else {

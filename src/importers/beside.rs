@@ -9,11 +9,12 @@ use sha2::{Digest, Sha256};
 use crate::diagnostic::Rejected;
 use crate::importers::case::Case;
 use crate::importers::columns::Columns;
+use crate::importers::formats::tracker;
 use crate::importers::headings::Role;
 use crate::importers::matching::listed;
 use crate::importers::session::{Companion, Job};
 use crate::importers::settings::{About, Inspection, Reading};
-use crate::importers::{text, tracker};
+use crate::importers::text;
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
 use crate::sessions::format_v1::read::default_targets;
@@ -48,6 +49,7 @@ impl Job<'_> {
             };
             let mut case = Case {
                 text: &text,
+                bytes: companion.bytes,
                 reading: &reading,
                 place: companion.place(),
                 found: Inspection::default(),

@@ -24,7 +24,10 @@ const SHOWN_NAMES: usize = 100;
 
 /// See the module.
 pub(crate) struct Case<'a> {
+    /// The file as text; empty where it is none.
     pub(crate) text: &'a str,
+    /// The file as it is.
+    pub(crate) bytes: &'a [u8],
     pub(crate) reading: &'a Reading,
     pub(crate) place: Place,
     pub(crate) found: Inspection,
@@ -193,7 +196,11 @@ impl<'a> Case<'a> {
                 })
             })
             .collect();
-        Some(Columns { list, lines })
+        Some(Columns {
+            list,
+            lines,
+            commands: None,
+        })
     }
 
     /// Two columns for one quantity: only a person can say which is meant.
@@ -221,7 +228,12 @@ impl<'a> Case<'a> {
 
     /// Gives every quantity its unit, or asks for it.
     fn settle_units(&mut self, grid: &Grid<'_>, roles: &mut [Role], cells: &[Option<Cells>]) {
-        let position = |q| matches!(q, Quantity::X | Quantity::Y | Quantity::Z);
+        let position = |q| {
+            matches!(
+                q,
+                Quantity::X | Quantity::Y | Quantity::Z | Quantity::Distance
+            )
+        };
         let named = grid.unit_in_preamble();
         let mut spread: f64 = 0.0;
         let (mut lacks_length, mut lacks_angle, mut says_length) = (false, false, None);
@@ -273,7 +285,8 @@ impl<'a> Case<'a> {
                 Some(_) => {}
                 None => {
                     let says = format!(
-                        "the unit of x, y, z is not said: {}",
+                        "the unit of {} is not said: {}",
+                        lengths_in_words(roles),
                         units::hint(spread, self.reading.reach_mm)
                     );
                     self.ask(About::Unit, says, &["mm", "m", "in"]);
@@ -309,6 +322,16 @@ impl<'a> Case<'a> {
         );
         self.ask(About::Columns, says, &[]);
         false
+    }
+}
+
+/// The lengths that a table has.
+fn lengths_in_words(roles: &[Role]) -> &'static str {
+    let has = |quantity| roles.iter().any(|role| role.quantity() == Some(quantity));
+    if has(Quantity::Distance) && !has(Quantity::X) {
+        "the distances"
+    } else {
+        "x, y, z"
     }
 }
 
@@ -358,9 +381,10 @@ impl<'a> CellReader<'a> {
         let empty = |role: &Role| match role {
             Role::Left => None,
             Role::Point | Role::Group | Role::Kept => Some(Cells::Text(Vec::new())),
-            Role::Known(Quantity::Target | Quantity::Setup | Quantity::Use, _) => {
-                Some(Cells::Names(Names::default()))
-            }
+            Role::Known(
+                Quantity::Target | Quantity::Setup | Quantity::Use | Quantity::Anchor,
+                _,
+            ) => Some(Cells::Names(Names::default())),
             Role::Known(..) | Role::Time(_) | Role::Axis(_) => Some(Cells::Numbers(Vec::new())),
         };
         Self {

@@ -25,6 +25,11 @@ const STEPS: usize = 4000;
 /// Measured points that the coarse search looks at, and the fine one.
 const COARSE_POINTS: usize = 500;
 const FINE_POINTS: usize = 5000;
+/// Where more than this part of the measured variance is left at the best offset, nothing was
+/// recognised.
+const UNRELATED: f64 = 0.5;
+/// A path on which no point moves farther, mm, tells nothing.
+const SMALLEST_PATH_MM: f64 = 1e-3;
 /// Entries of the table of positions over time.
 const TABLE: usize = 16_384;
 /// Minima that are refined.
@@ -54,11 +59,21 @@ pub struct ClockOffset {
     pub rms_mm: f64,
 }
 
+impl ClockOffset {
+    /// The 95 % confidence interval of the offset, s; `None` where it was given.
+    pub fn ci95_s(&self) -> Option<[f64; 2]> {
+        let half = 1.96 * self.sigma_s?;
+        Some([self.offset_s - half, self.offset_s + half])
+    }
+}
+
 /// Why the offset cannot be found.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum NoOffset {
     /// Too few points, or nothing moves.
     NothingMoves,
+    /// At no offset do the measured points follow the commanded ones.
+    Unrelated,
     /// Two offsets fit alike.
     Ambiguous(f64, f64),
     /// A shift in time looks like a motion of the instrument.
@@ -69,7 +84,10 @@ impl NoOffset {
     pub(crate) fn in_words(&self) -> String {
         match self {
             Self::NothingMoves => {
-                "too few measured points at different places to find the offset of the clocks".to_owned()
+                "nothing moves, or too few points were measured at different places: the offset of the clocks cannot be found".to_owned()
+            }
+            Self::Unrelated => {
+                "the measured points follow the commanded path at no offset of the clocks: the robot never moved while it was measured, or the files do not belong together".to_owned()
             }
             Self::Ambiguous(a, b) => format!(
                 "the clocks may be {a:.3} s or {b:.3} s apart: the motion repeats, and both fit alike"
@@ -103,6 +121,9 @@ pub(crate) fn find(
     let Some(&(offset_s, cost)) = best.first() else {
         return Err(NoOffset::NothingMoves);
     };
+    if cost.is_nan() || cost > UNRELATED * fine.variance {
+        return Err(NoOffset::Unrelated);
+    }
     // A rival is another valley, not another place in this one.
     let rival = best.iter().skip(1).find(|other| {
         (other.0 - offset_s).abs() > 3.0 * step && fine.is_ridge_between(offset_s, other.0, cost)
@@ -208,7 +229,7 @@ impl<'a> Search<'a> {
             return Err(NoOffset::NothingMoves);
         }
         let mut q = vec![0.0; robot.joint_count()];
-        let table = targets
+        let table: Vec<Vec<Vector3<f64>>> = targets
             .iter()
             .map(|target| {
                 let time = |i: usize| {
@@ -222,6 +243,11 @@ impl<'a> Search<'a> {
                 (0..TABLE).map(&mut position).collect()
             })
             .collect();
+        let moves =
+            |way: &Vec<Vector3<f64>>| way.iter().any(|at| (at - way[0]).norm() > SMALLEST_PATH_MM);
+        if !table.iter().any(moves) {
+            return Err(NoOffset::NothingMoves);
+        }
         Ok(Self {
             path,
             robot,

@@ -47,6 +47,8 @@ pub(crate) struct Columns {
     pub(crate) list: Vec<Column>,
     /// The line of each row.
     pub(crate) lines: Lines,
+    /// Where the robot was over time, where the file has recorded that too.
+    pub(crate) commands: Option<Box<Columns>>,
 }
 
 impl Columns {
@@ -107,7 +109,11 @@ impl Columns {
                 ..column
             })
             .collect();
-        Self { list, lines }
+        Self {
+            list,
+            lines,
+            commands: self.commands,
+        }
     }
 
     /// Puts a column in the place of the one with the same quantity, or behind the others.

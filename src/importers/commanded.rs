@@ -5,7 +5,7 @@ use nalgebra::Point3;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::importers::clock::ClockOffset;
 use crate::importers::columns::Columns;
-use crate::importers::csv;
+use crate::importers::formats::csv;
 use crate::importers::headings::Role;
 use crate::importers::join::{self, Timing};
 use crate::importers::matching::{self, Matching, Pairs, counted, listed};
@@ -19,8 +19,17 @@ impl Job<'_> {
     pub(crate) fn with_commands(
         &mut self,
         columns: Columns,
+        recorded: Option<Box<Columns>>,
         targets: &[Target],
     ) -> Result<(Columns, Option<Matched>), Rejected> {
+        match (&self.settings.commands, recorded) {
+            (None, Some(recorded)) => return self.with_recorded(columns, *recorded, targets),
+            (Some(_), Some(_)) => {
+                let found = "the joint values that the file has recorded are not used";
+                self.note(format!("commands are given: {found}"));
+            }
+            _ => {}
+        }
         let joints = self.settings.robot.joint_count();
         let own: Vec<usize> = (0..joints)
             .filter(|&joint| columns.find(Quantity::Commanded(joint)).is_some())
@@ -88,7 +97,7 @@ impl Job<'_> {
             },
             Matching::Time => {
                 let (columns, mut left, clock) =
-                    self.by_time(columns, commands, targets, &place)?;
+                    self.by_time(columns, commands, targets, &place, false)?;
                 // Both have a time, of course.
                 left.retain(|name| name != &time_heading);
                 matched.clock = Some(clock);
@@ -103,6 +112,36 @@ impl Job<'_> {
             self.note(found);
         }
         matched.samples = columns.rows();
+        Ok((columns, Some(matched)))
+    }
+
+    /// Adds where the robot was by the measured file's own recording, matched by time.
+    fn with_recorded(
+        &mut self,
+        columns: Columns,
+        recorded: Columns,
+        targets: &[Target],
+    ) -> Result<(Columns, Option<Matched>), Rejected> {
+        let place = self.place.clone();
+        if let Some(wrong) = self.joints_checked(&recorded, &place) {
+            return self.refused(wrong);
+        }
+        let joints = self.settings.robot.joint_count();
+        let lacks = |joint: &usize| recorded.find(Quantity::Commanded(*joint)).is_none();
+        if let Some(joint) = (0..joints).find(lacks) {
+            let found = format!("no joint {} in the recording", joint + 1);
+            return self.refuse(place, found, "as many joints as the robot has");
+        }
+        self.said
+            .push("commands are the recorded joint values, matched by time".to_owned());
+        let (columns, _, clock) = self.by_time(columns, recorded, targets, &place, true)?;
+        let matched = Matched {
+            by: Matching::Time,
+            samples: columns.rows(),
+            lonely_measurements: Vec::new(),
+            lonely_commands: Vec::new(),
+            clock: Some(clock),
+        };
         Ok((columns, Some(matched)))
     }
 
@@ -131,6 +170,7 @@ impl Job<'_> {
         commands: Columns,
         targets: &[Target],
         place: &Place,
+        is_recorded: bool,
     ) -> Result<(Columns, Vec<String>, ClockOffset), Rejected> {
         let positions: Vec<Point3<f64>> = targets.iter().map(|target| target.position_mm).collect();
         let used = columns.texts(Role::Known(Quantity::Target, Some(Unit::Fixed)));
@@ -144,6 +184,7 @@ impl Job<'_> {
         let timing = Timing {
             motion: self.settings.motion,
             offset_s: self.settings.clock_offset_s,
+            is_recorded,
         };
         let robot = self.settings.robot;
         let done = join::by_time(
@@ -159,10 +200,10 @@ impl Job<'_> {
             Err(error) => return self.refused(vec![*error]),
         };
         let clock = done.clock;
-        let said = match clock.sigma_s {
-            Some(sigma) => format!(
-                "the clocks are {:+.4} s apart (command less measurement; standard deviation {sigma:.4} s, {:.3} mm left)",
-                clock.offset_s, clock.rms_mm
+        let said = match clock.ci95_s() {
+            Some([from, to]) => format!(
+                "the clocks are {:+.6} s apart (command less measurement; 95 % confidence interval [{:+.6}, {:+.6}], {:.3} mm left)",
+                clock.offset_s, from, to, clock.rms_mm
             ),
             None => format!("the clocks are {:+.4} s apart, as was said", clock.offset_s),
         };

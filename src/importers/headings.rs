@@ -35,7 +35,11 @@ impl Role {
         match self {
             Self::Known(quantity, _) => !matches!(
                 quantity,
-                Quantity::Target | Quantity::Setup | Quantity::Use | Quantity::Direction(_)
+                Quantity::Target
+                    | Quantity::Setup
+                    | Quantity::Use
+                    | Quantity::Anchor
+                    | Quantity::Direction(_)
             ),
             Self::Time(_) => true,
             _ => false,

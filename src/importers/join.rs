@@ -6,6 +6,8 @@
 //! most points were measured in motion, each stays a sample, with the joint values between the
 //! commands before and after and their speed.
 
+use std::ops::RangeInclusive;
+
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
@@ -47,6 +49,8 @@ impl Motion {
 pub(crate) struct Timing {
     pub(crate) motion: Motion,
     pub(crate) offset_s: Option<f64>,
+    /// The commands are where the robot was read to be, with the noise of its encoders.
+    pub(crate) is_recorded: bool,
 }
 
 /// What came of it.
@@ -63,6 +67,12 @@ const MOSTLY: f64 = 0.4;
 /// Parts of a stop that are not used, at its start and at its end.
 const SETTLING: f64 = 1.0 / 3.0;
 const LEAVING: f64 = 0.1;
+
+/// The time of a stop that is used, s.
+fn settled(stop: &Stop) -> RangeInclusive<f64> {
+    let length = stop.to_s - stop.from_s;
+    stop.from_s + SETTLING * length..=stop.to_s - LEAVING * length
+}
 
 /// Matches by time.
 pub(crate) fn by_time(
@@ -124,6 +134,8 @@ pub(crate) fn by_time(
         kinds: &robot_kinds,
         at: &at,
         targets: targets.1,
+        resolution: path.resolution(&stops, timing.is_recorded),
+        is_recorded: timing.is_recorded,
     };
     let (columns, left) = if by_stops {
         if standing == 0 {
@@ -223,6 +235,9 @@ struct Job<'a> {
     /// Time of each measurement on the clock of the commands, s.
     at: &'a [f64],
     targets: &'a [usize],
+    /// How far each joint has to move before that is a motion, rad or mm.
+    resolution: Vec<f64>,
+    is_recorded: bool,
 }
 
 impl Job<'_> {
@@ -274,7 +289,7 @@ impl Job<'_> {
                 .map(|&entry| self.path.speed(joint, entry))
                 .collect();
             if with_dir[joint] {
-                let sides = self.path.came_from(joint);
+                let sides = self.path.came_from(joint, self.resolution[joint]);
                 let dir = entries.iter().zip(&speeds).map(|(&entry, speed)| {
                     if *speed == 0.0 {
                         sides[entry]
@@ -326,8 +341,16 @@ impl Job<'_> {
         };
         let (mut joined, left) = join(measured, commands, &pairs);
         means.put_into(&mut joined);
+        if self.is_recorded {
+            for joint in 0..self.kinds.len() {
+                let mean = |group: &Group| self.path.mean(joint, &settled(&stops[group.stop]));
+                let values = groups.iter().map(mean).collect();
+                let unit = self.unit(joint);
+                joined.put(Column::made(Quantity::Commanded(joint), unit, values));
+            }
+        }
         for joint in (0..self.kinds.len()).filter(|&joint| with_dir[joint]) {
-            let sides = self.path.came_from(joint);
+            let sides = self.path.came_from(joint, self.resolution[joint]);
             let dir = groups.iter().map(|group| sides[stops[group.stop].first]);
             let dir = dir.collect();
             joined.put(Column::made(Quantity::Direction(joint), Unit::Fixed, dir));
@@ -347,12 +370,9 @@ impl Job<'_> {
 
     /// The rows of each stop and target that are averaged.
     fn groups(&self, stops: &[Stop], in_stop: &[Option<usize>], measured: &Columns) -> Vec<Group> {
-        let (x, y, z) = (
-            measured.numbers(Quantity::X),
-            measured.numbers(Quantity::Y),
-            measured.numbers(Quantity::Z),
-        );
-        let coordinates: Vec<&Vec<f64>> = [&x, &y, &z].into_iter().flatten().collect();
+        let quantities = [Quantity::X, Quantity::Y, Quantity::Z, Quantity::Distance];
+        let values = quantities.map(|quantity| measured.numbers(quantity));
+        let coordinates: Vec<&Vec<f64>> = values.iter().flatten().collect();
         let is_there = |row: usize| coordinates.iter().all(|values| values[row].is_finite());
         let target = |row: usize| self.targets.get(row).copied().unwrap_or(0);
         let mut order: Vec<usize> = (0..in_stop.len())
@@ -364,13 +384,9 @@ impl Job<'_> {
             let Some(stop) = in_stop[chunk[0]] else {
                 continue;
             };
-            let Stop { from_s, to_s, .. } = stops[stop];
-            let length = to_s - from_s;
-            let settled = |&&row: &&usize| {
-                self.at[row] >= from_s + SETTLING * length
-                    && self.at[row] <= to_s - LEAVING * length
-            };
-            let mut rows: Vec<usize> = chunk.iter().filter(settled).copied().collect();
+            let used = settled(&stops[stop]);
+            let is_used = |&&row: &&usize| used.contains(&self.at[row]);
+            let mut rows: Vec<usize> = chunk.iter().filter(is_used).copied().collect();
             if rows.is_empty() {
                 rows = chunk.to_vec();
             }

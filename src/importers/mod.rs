@@ -9,7 +9,7 @@
 //! person can answer; the answers go into [`Reading`], and [`import`] makes the session or refuses
 //! with every reason and its place. The command line and the window ask the same questions.
 //!
-//! A new format is one file like `tum.rs` and one line in [`IMPORTERS`].
+//! A new format is one file like `formats/tum.rs` and one line in the register, `formats/mod.rs`.
 
 mod assembled;
 mod averages;
@@ -20,87 +20,45 @@ mod clock;
 mod clock_text;
 mod columns;
 mod commanded;
-mod csv;
 mod decimals;
+mod distances;
+mod formats;
 mod grid;
 mod headings;
-mod iso230;
 mod join;
 mod matching;
-mod optitrack;
 mod path;
 mod reference;
 mod rows;
 mod session;
 mod settings;
 mod text;
-mod tracker;
-mod tum;
 mod units;
+mod upwards;
 #[cfg(test)]
 mod watched;
 
 pub use clock::ClockOffset;
 pub use decimals::Decimal;
+pub use formats::{Asks, IMPORTERS, Importer, Meanings, OwnOption, find};
 pub use join::Motion;
 pub use matching::Matching;
 pub use reference::{AlignError, Alignment, Landmark, Residual, align};
 pub use rows::Separator;
 pub use session::{Companion, Imported, Matched, Settings, import, import_watched};
-pub use settings::{About, ColumnGuess, Inspection, Kind, Known, Question, Reading};
+pub use settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 pub use text::Encoding;
 pub use units::{AngleUnit, LengthUnit};
 
 use case::Case;
 use columns::Columns;
+use formats::{KnownBy, Suits, Trial};
 
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::progress::{Cancelled, Part, Progress, unwatched};
-
-/// A format that instruments write.
-pub struct Importer {
-    /// Which one.
-    pub kind: Kind,
-    /// What it is, for lists.
-    pub about: &'static str,
-    read: fn(&mut Case<'_>) -> Option<Columns>,
-}
-
-/// All of them.
-pub const IMPORTERS: [Importer; 5] = [
-    Importer {
-        kind: Kind::Csv,
-        about: "any table with a header, or with --columns",
-        read: csv::read,
-    },
-    Importer {
-        kind: Kind::Tracker,
-        about: "laser tracker or SpatialAnalyzer text: names, x, y, z",
-        read: tracker::read,
-    },
-    Importer {
-        kind: Kind::Iso230,
-        about: "ISO 230-2 runs of one axis, long or wide",
-        read: iso230::read,
-    },
-    Importer {
-        kind: Kind::Optitrack,
-        about: "OptiTrack Motive CSV 1.2x",
-        read: optitrack::read,
-    },
-    Importer {
-        kind: Kind::Tum,
-        about: "TUM trajectory",
-        read: tum::read,
-    },
-];
-
-/// The format with this name.
-pub fn find(id: &str) -> Option<&'static Importer> {
-    IMPORTERS.iter().find(|importer| importer.kind.id() == id)
-}
 
 /// Looks at a file: what it is, what its columns are taken for, and what has to be answered before
 /// it can be imported. Without a kind in `reading` one is proposed.
@@ -130,7 +88,19 @@ pub fn inspect_watched(
 fn read(bytes: &[u8], reading: &Reading, part: Part<'_>) -> (Inspection, Option<Columns>) {
     let place = reading.place();
     let mut found = Inspection::default();
-    let (text, encoding) = match text::decode(bytes, &place, &mut found.findings) {
+    let is_binary = |importer: &&Importer| match importer.known_by {
+        KnownBy::Bytes(is) => {
+            reading.kind == Some(*importer) || reading.kind.is_none() && is(bytes)
+        }
+        _ => false,
+    };
+    let binary = IMPORTERS.iter().copied().find(is_binary);
+    let decoded = if binary.is_some() {
+        Ok((Cow::Borrowed(""), Encoding::Binary))
+    } else {
+        text::decode(bytes, &place, &mut found.findings)
+    };
+    let (text, encoding) = match decoded {
         Ok(decoded) => decoded,
         Err(error) => {
             found.findings.push(*error);
@@ -138,66 +108,62 @@ fn read(bytes: &[u8], reading: &Reading, part: Part<'_>) -> (Inspection, Option<
         }
     };
     found.encoding = encoding;
-    let kind = reading
-        .kind
-        .unwrap_or_else(|| proposed(&text, reading, part));
-    found.kind = Some(kind);
+    let known = binary.or(reading.kind);
+    let importer = known.unwrap_or_else(|| proposed(&text, reading, part));
+    found.kind = Some(importer);
     let mut case = Case {
         text: &text,
+        bytes,
         reading,
         place,
         found,
         part,
     };
-    let importer = IMPORTERS.iter().find(|importer| importer.kind == kind);
-    let columns = importer.and_then(|importer| (importer.read)(&mut case));
-    let columns = columns.filter(|_| !case.is_open());
+    let columns = (importer.read)(&mut case).filter(|_| !case.is_open());
     (case.found, columns)
 }
 
-/// The kind that a text looks like.
-fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> Kind {
-    if optitrack::is_likely(text) {
-        return Kind::Optitrack;
+/// The format that a text looks like: each is asked whether it has anything against the file, the
+/// pickier ones first.
+fn proposed(text: &str, reading: &Reading, part: Part<'_>) -> &'static Importer {
+    let is_like = |importer: &&Importer| match importer.known_by {
+        KnownBy::Text(is) => is(text),
+        _ => false,
+    };
+    if let Some(importer) = IMPORTERS.iter().copied().find(is_like) {
+        return importer;
     }
-    // Each reader is asked whether it has anything against the file, the pickier ones first.
-    let silent = |kind: Kind| {
-        let importer = IMPORTERS.iter().find(|importer| importer.kind == kind);
+    let mut asked: Vec<(u8, &'static Importer, Suits)> = IMPORTERS
+        .iter()
+        .filter_map(|&importer| match importer.known_by {
+            KnownBy::Reading { turn, suits } => Some((turn, importer, suits)),
+            KnownBy::Bytes(_) | KnownBy::Text(_) => None,
+        })
+        .collect();
+    asked.sort_by_key(|(turn, ..)| *turn);
+    let tried = |importer: &Importer| {
         let mut case = Case {
             text,
+            bytes: text.as_bytes(),
             reading,
             place: reading.place(),
             found: Inspection::default(),
             part,
         };
-        let read = importer.and_then(|importer| (importer.read)(&mut case));
-        let asks_for_columns = case
-            .found
-            .questions
-            .iter()
-            .any(|q| q.about == About::Columns);
-        let errors = |finding: &Diagnostic| finding.severity == Severity::Error;
-        let is_sound = !asks_for_columns && !case.found.findings.iter().any(errors);
-        let names = case
-            .found
-            .columns
-            .iter()
-            .map(|column| column.heading.as_str());
-        // The format's own names, behind a comment sign, are no header of a table.
-        let has_header = case.found.header_line.is_some() && !names.eq(tum::NAMES);
-        (is_sound, has_header, read.is_some())
+        let read = (importer.read)(&mut case);
+        let found = case.found;
+        let asks_for_columns = found.questions.iter().any(|q| q.about == About::Columns);
+        let is_error = |finding: &Diagnostic| finding.severity == Severity::Error;
+        let headings = found.columns.into_iter().map(|column| column.heading);
+        Trial {
+            is_sound: !asks_for_columns && !found.findings.iter().any(is_error),
+            headings: found.header_line.map(|_| headings.collect()),
+            is_complete: read.is_some(),
+        }
     };
-    if let (true, false, true) = silent(Kind::Tum) {
-        return Kind::Tum;
-    }
-    if let (true, true, _) = silent(Kind::Csv) {
-        return Kind::Csv;
-    }
-    if let (true, true, _) = silent(Kind::Iso230) {
-        return Kind::Iso230;
-    }
-    if let (true, ..) = silent(Kind::Tracker) {
-        return Kind::Tracker;
-    }
-    Kind::Csv
+    let suited = asked
+        .iter()
+        .find(|(_, importer, suits)| suits(&tried(importer)));
+    // Of a table that nothing suits, a table's questions are asked.
+    suited.map_or(&formats::csv::IMPORTER, |(_, importer, _)| importer)
 }

@@ -1,5 +1,8 @@
 //! What the robot was told over time, and where it stood still.
 
+use std::ops::RangeInclusive;
+
+use crate::importers::case::extent;
 use crate::importers::columns::Columns;
 use crate::kinematics::Robot;
 use crate::sessions::columns::Quantity;
@@ -149,11 +152,43 @@ impl Path {
         stops
     }
 
+    /// How far each joint has to move before that is a motion, rad or mm. Of values that were read
+    /// back it is twice what they usually wander over while the robot stands.
+    pub(crate) fn resolution(&self, stops: &[Stop], is_read_back: bool) -> Vec<f64> {
+        let of_joint = |q: &Vec<f64>| {
+            let rounding = 1e-7 * extent(q);
+            let mut wander: Vec<f64> = stops
+                .iter()
+                .filter(|_| is_read_back)
+                .map(|stop| extent(&q[stop.first..=stop.last]))
+                .collect();
+            wander.sort_by(f64::total_cmp);
+            let usual = wander.get(wander.len() / 2).copied().unwrap_or(0.0);
+            rounding.max(2.0 * usual)
+        };
+        self.q.iter().map(of_joint).collect()
+    }
+
+    /// The mean of a joint over some time; where no entry falls into it, its value in the middle.
+    pub(crate) fn mean(&self, joint: usize, time_s: &RangeInclusive<f64>) -> f64 {
+        let entries = self.time_s.iter().zip(&self.q[joint]);
+        let from = self.time_s.partition_point(|time| time < time_s.start());
+        let inside = entries
+            .skip(from)
+            .take_while(|(time, _)| *time <= time_s.end());
+        let (count, sum) = inside.fold((0.0, 0.0), |(count, sum), (_, q)| (count + 1.0, sum + q));
+        if count > 0.0 {
+            return sum / count;
+        }
+        let mut q = vec![0.0; self.q.len()];
+        self.at(0.5 * (time_s.start() + time_s.end()), &mut q);
+        q[joint]
+    }
+
     /// The side from which a joint came to each entry: the sign of its last motion before, 0 where
     /// it has not moved yet.
-    pub(crate) fn came_from(&self, joint: usize) -> Vec<f64> {
+    pub(crate) fn came_from(&self, joint: usize, smallest: f64) -> Vec<f64> {
         let q = &self.q[joint];
-        let smallest = 1e-7 * crate::importers::case::extent(q);
         let mut side = 0.0;
         // Slow motion adds up until it is one.
         let mut from = q.first().copied().unwrap_or(0.0);

@@ -11,7 +11,7 @@ use crate::importers::join::Motion;
 use crate::importers::matching::Matching;
 use crate::importers::reference::Alignment;
 use crate::importers::settings::{Inspection, Question, Reading};
-use crate::importers::{optitrack, read};
+use crate::importers::{read, upwards};
 use crate::kinematics::{JointKind, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::Session;
@@ -152,23 +152,27 @@ fn import_in(bytes: &[u8], settings: &Settings<'_>, part: Part<'_>) -> Result<Im
         part: part.part(0.7, 0.95),
     };
     job.say_source(bytes, &inspection);
-    let by_time = settings.commands.is_some() && settings.matching == Matching::Time;
+    let recorded = columns.commands.take();
+    let by_time = match settings.commands {
+        Some(_) => settings.matching == Matching::Time,
+        None => recorded.is_some(),
+    };
     if settings.reference.is_some() || by_time {
         job.lost_become_missing(&mut columns);
     }
     if reading.z_up {
-        optitrack::turn_up(&mut columns);
+        upwards::turn_up(&mut columns);
         job.said
             .push("turned so that z points up: (x, y, z) became (x, -z, y)".to_owned());
-    } else if inspection.kind == Some(super::Kind::Optitrack) && settings.reference.is_none() {
-        let found = "Motive exports with y upwards, and the coordinates are taken as they are: --z-up turns them, --reference aligns them";
+    } else if inspection.kind.is_some_and(|kind| kind.asks.y_up) && settings.reference.is_none() {
+        let found = "these files have y upwards, and the coordinates are taken as they are: --z-up turns them, --reference aligns them";
         job.warn(found, "");
     }
     job.axis_to_points(&mut columns)?;
     let named = columns.find(Quantity::Target).is_some();
     let mut targets = job.targets(&columns)?;
     let (columns, alignment) = job.in_base_frame(columns)?;
-    let (columns, matched) = job.with_commands(columns, &targets)?;
+    let (columns, matched) = job.with_commands(columns, recorded, &targets)?;
     if settings.targets.is_none() && !named {
         // The commands may be the first to name one.
         targets = job.targets(&columns)?;
@@ -197,6 +201,11 @@ fn suited(reading: &Reading, robot: &Robot) -> Result<Reading, Rejected> {
     };
     let mut reading = reading.clone();
     reading.slides = joint.kind == JointKind::Prismatic;
+    reading.joints = robot
+        .joints
+        .iter()
+        .map(|joint| (joint.name.clone(), joint.kind == JointKind::Prismatic))
+        .collect();
     let reach = robot.base_from_tool.translation.vector.norm();
     reading.reach_mm = reading
         .reach_mm
@@ -252,7 +261,7 @@ impl Job<'_> {
     }
 
     fn say_source(&mut self, bytes: &[u8], inspection: &Inspection) {
-        let kind = inspection.kind.map_or("", super::Kind::id);
+        let kind = inspection.kind.map_or("", |kind| kind.id);
         let mut said = format!(
             "imported from {} as {kind}: {}",
             file_in_words(self.reading.file.as_ref(), bytes),

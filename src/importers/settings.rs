@@ -1,49 +1,23 @@
 //! What a person can say about a file, what the program found out by itself, and what it has to
 //! ask.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::importers::decimals::Decimal;
+use crate::importers::formats::Importer;
 use crate::importers::headings::Role;
 use crate::importers::rows::Separator;
 use crate::importers::text::Encoding;
 use crate::importers::units::{AngleUnit, LengthUnit};
-
-/// Where a program wrote the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Any table.
-    Csv,
-    /// Laser tracker or `SpatialAnalyzer` text: names and coordinates, no header.
-    Tracker,
-    /// ISO 230-2 runs of one axis.
-    Iso230,
-    /// `OptiTrack` Motive.
-    Optitrack,
-    /// A TUM trajectory.
-    Tum,
-}
-
-impl Kind {
-    /// As `--as` takes it.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::Csv => "csv",
-            Self::Tracker => "tracker",
-            Self::Iso230 => "iso230",
-            Self::Optitrack => "optitrack",
-            Self::Tum => "tum",
-        }
-    }
-}
 
 /// What a person says about a file. Everything may be left open; what cannot be found out is
 /// asked.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Reading {
     /// What wrote it.
-    pub kind: Option<Kind>,
+    pub kind: Option<&'static Importer>,
     /// Its name, for messages.
     pub file: Option<PathBuf>,
     /// The unit of coordinates that do not say theirs.
@@ -69,6 +43,10 @@ pub struct Reading {
     pub slides: bool,
     /// How far the robot reaches, mm: helps to ask for the unit.
     pub reach_mm: Option<f64>,
+    /// Names of the robot's joints and whether they slide, from base to tool; empty: not known.
+    pub joints: Vec<(String, bool)>,
+    /// Options that only the file's format has, by their names without dashes.
+    pub options: BTreeMap<&'static str, String>,
 }
 
 impl Reading {
@@ -93,19 +71,23 @@ pub enum About {
     Name,
     /// What wrote the file: [`Reading::kind`].
     Kind,
+    /// An option that only the file's format has, by its name: [`Reading::options`].
+    Own(&'static str),
 }
 
 impl About {
     /// The option that answers it on the command line.
-    pub fn option(self) -> &'static str {
-        match self {
-            Self::Unit => "--unit",
-            Self::AngleUnit => "--angle-unit",
-            Self::Decimal => "--decimal",
-            Self::Columns => "--columns",
-            Self::Name => "--name",
-            Self::Kind => "--as",
-        }
+    pub fn option(self) -> String {
+        let name = match self {
+            Self::Unit => "unit",
+            Self::AngleUnit => "angle-unit",
+            Self::Decimal => "decimal",
+            Self::Columns => "columns",
+            Self::Name => "name",
+            Self::Kind => "as",
+            Self::Own(name) => name,
+        };
+        format!("--{name}")
     }
 }
 
@@ -146,7 +128,7 @@ impl Question {
                     "{option} with what each column is, for instance {option} name,x_mm,y_mm,z_mm,-"
                 )
             }
-            ([], _) => option.to_owned(),
+            ([], _) => option,
             (answers, _) => format!("{option} {}", answers.join(" or ")),
         };
         Diagnostic::error(self.place.clone(), self.says.clone(), expected)
@@ -206,7 +188,7 @@ impl ColumnGuess {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inspection {
     /// What wrote it.
-    pub kind: Option<Kind>,
+    pub kind: Option<&'static Importer>,
     /// How its characters are stored.
     pub encoding: Encoding,
     /// What separates cells.

@@ -23,6 +23,8 @@ pub enum Encoding {
     Utf16Be,
     /// What is not valid as anything else.
     Windows1252,
+    /// No text.
+    Binary,
 }
 
 impl fmt::Display for Encoding {
@@ -32,6 +34,7 @@ impl fmt::Display for Encoding {
             Self::Utf16Le => "UTF-16 LE",
             Self::Utf16Be => "UTF-16 BE",
             Self::Windows1252 => "Windows-1252",
+            Self::Binary => "binary",
         })
     }
 }

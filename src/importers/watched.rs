@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use nalgebra::{Point3, Vector3};
 
-use super::{Companion, Kind, Reading, Settings, import, import_watched};
-use super::{inspect, inspect_watched};
+use super::{Companion, Reading, Settings, import, import_watched};
+use super::{IMPORTERS, inspect, inspect_watched};
 use crate::kinematics::{Axis, Joint, JointKind, Robot, pose_from_parts};
 use crate::progress::ReadError;
 use crate::progress::testing::{assert_grows, no_at, told};
@@ -44,7 +44,11 @@ fn table(heading: &str, columns: &[f64]) -> String {
 #[test]
 fn a_file_is_looked_at_with_or_without_its_kind() {
     let text = table("q1_deg,x_mm,y_mm,z_mm", &[1.0, 250.0, 0.5, 300.0]);
-    for kind in [None, Some(Kind::Csv), Some(Kind::Tum), Some(Kind::Tracker)] {
+    let text_formats = IMPORTERS
+        .iter()
+        .copied()
+        .filter(|importer| importer.asks.table);
+    for kind in text_formats.map(Some).chain([None]) {
         let reading = Reading {
             kind,
             ..Reading::default()

@@ -19,6 +19,8 @@
 //! - [`chain`]: the forward map of a pose ([`Robot::base_from_tool`]) and of a point alone
 //!   ([`Robot::point_in_base`]).
 //! - [`jacobian`]: derivatives by joint values.
+//! - [`inverse`]: joint values that reach a pose, all of them; [`configuration`]: which of them a program
+//!   means.
 //! - [`gravity`]: gravity's torque about a joint and its gradient.
 //! - [`dh`], [`urdf`] and [`mjcf`]: robots from Denavit–Hartenberg rows, from URDF and from MJCF
 //!   files ([`robot_from_file`]).
@@ -42,9 +44,11 @@
 //! ```
 
 pub mod chain;
+pub mod configuration;
 pub mod description;
 pub mod dh;
 pub mod gravity;
+pub mod inverse;
 pub mod jacobian;
 pub mod mjcf;
 mod problems;

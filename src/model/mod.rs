@@ -159,6 +159,19 @@ impl Model {
         }
     }
 
+    /// Sends the samples through the model with the exact derivatives of the points by the joints'
+    /// commands: column j of a block is mm per rad, or mm per mm, of joint j's command. Sides,
+    /// speeds and travels are conditions of their own and stay what they are.
+    pub fn visit_by_commands(&self, inputs: &Inputs, mut see: impl FnMut(usize, &Block)) {
+        let placed = self.placed(inputs);
+        let mut block = Block::by_commands(&self.robot);
+        for start in (0..inputs.len()).step_by(LANES) {
+            block.load(inputs, start);
+            self.flow(&placed, &mut block);
+            see(start, &block);
+        }
+    }
+
     /// Where the model says that the samples' reflectors are.
     pub fn predict(&self, inputs: &Inputs) -> Positions {
         let n = inputs.len();

@@ -248,15 +248,12 @@ fn sight(layer: &Layer, item: usize) -> Vector3<f64> {
 fn line(layer: &Layer, item: usize, seen: &[Prediction], from: Vector3<f64>) -> Vector3<f64> {
     let (point, attitude) = seen[item];
     let pointing = layer.session.instrument.references.pointing.as_ref();
-    match (KINDS[layer.items[item].kind].about().looks, pointing) {
-        (Looks::AtAttitude, Some(pointing)) => {
-            Matrix3::from_fn(|r, c| attitude[r][c]) * pointing.axis.into_inner()
-        }
-        _ => {
-            let arm = Vector3::from(point) - from;
-            arm / arm.norm().max(1e-9)
-        }
+    let looks = KINDS[layer.items[item].kind].about().looks;
+    if let (Looks::AtAttitude, Some(pointing)) = (looks, pointing) {
+        return Matrix3::from_fn(|r, c| attitude[r][c]) * pointing.axis.into_inner();
     }
+    let arm = Vector3::from(point) - from;
+    arm / arm.norm().max(1e-9)
 }
 
 /// The rotation that brings one set of directions closest to another.

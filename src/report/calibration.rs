@@ -1,7 +1,6 @@
 //! The report of a model file: what it holds, and what only a session can show.
 
-use crate::fit::Estimate;
-use crate::fit::uncertainty::estimates;
+use crate::fit::uncertainty::{NORMAL_95, all_estimates};
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::units::deg_from_rad;
@@ -14,9 +13,6 @@ use super::parts::{
     tolerance,
 };
 use super::plots::waterfall;
-
-/// Half of a 95 % interval in standard errors, for many degrees of freedom.
-const NORMAL: f64 = 1.959964;
 
 impl Report {
     /// The report of a model file.
@@ -112,7 +108,7 @@ fn history(c: &Calibration) -> Section {
 
 pub(super) fn values(c: &Calibration) -> Section {
     let mut blocks = Vec::new();
-    let all = all_estimates(c);
+    let all = all_estimates(c, NORMAL_95);
     if !all.is_empty() {
         blocks.push(Block::Text(
             "What the real robot does beyond its drawing: a length of −1 mm is 1 mm short. \
@@ -156,26 +152,6 @@ pub(super) fn values(c: &Calibration) -> Section {
         title: "Parameters of the real robot".to_owned(),
         blocks,
     }
-}
-
-fn all_estimates(c: &Calibration) -> Vec<Estimate> {
-    let mut all = Vec::new();
-    let mut first = 0;
-    for term in c.model.terms() {
-        let k = term.coefficients.len();
-        let fits = c.covariance.as_ref().filter(|m| m.nrows() >= first + k);
-        let own = fits.map(|m| m.view((first, first), (k, k)).into_owned());
-        let kind = c.model.robot.joints[term.joint].kind;
-        all.extend(estimates(
-            term,
-            own.as_ref(),
-            NORMAL,
-            &vec![own.is_none(); k],
-            kind,
-        ));
-        first += k;
-    }
-    all
 }
 
 fn missing() -> Section {

@@ -1,7 +1,6 @@
 //! The report of a session: runs the diagnosis and says everything that came out.
 
 use crate::compensation::{Remainder, Verification, verify};
-use crate::diagnosis::set_up_errors::mend;
 use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch};
 use crate::effects::{Inputs, JointValues};
 use crate::export::Job;
@@ -12,6 +11,7 @@ use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::pipeline::diagnose;
 use crate::sessions::{Session, hash_of_samples};
+use crate::set_up_errors::mend;
 use crate::standards::standards;
 
 use super::accuracy;
@@ -58,7 +58,7 @@ impl Report {
         extras: &Extras,
     ) -> Result<Self, ReportError> {
         // What is reported is the session that was diagnosed: with its blunders mended.
-        let mended = mend(session, options);
+        let mended = mend(session, options.joint_values);
         let all_found = found.calibration(&mended.session);
         let calibration = in_use.unwrap_or(&all_found);
         let verification = verify(calibration, &mended.session)?;

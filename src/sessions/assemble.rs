@@ -129,19 +129,10 @@ pub(crate) fn samples(
             _ => {}
         }
     }
-    let heading = |name: &str| {
-        let quantity = match name {
-            "distance" => Quantity::Distance,
-            "azimuth" => Quantity::Azimuth,
-            _ => Quantity::Elevation,
-        };
-        let is = |h: &Heading| matches!(h, Heading::Known(q, _) if *q == quantity);
-        headings.iter().position(is)
-    };
     observed::complete(
         &mut samples.observed,
         declared.references,
-        &heading,
+        &headings,
         locate,
         findings,
     );

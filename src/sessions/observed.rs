@@ -3,6 +3,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::sessions::assemble::Locate;
+use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Session, has_missing};
 use crate::sessions::number::quoted;
 use crate::sessions::references::{ObservedColumns, References};
@@ -83,17 +84,18 @@ impl<'a> NamedColumn<'a> {
 }
 
 /// Completes what only one thing can be meant by, and complains of rows that lack something.
-/// `column` says where the column of a heading stands.
 pub(crate) fn complete(
     observed: &mut ObservedColumns,
     references: &References,
-    column: &dyn Fn(&str) -> Option<usize>,
+    headings: &[Heading],
     locate: Locate<'_>,
     findings: &mut Vec<Diagnostic>,
 ) {
-    let mut complain = |name: &str, rows: &[usize], found: &str, expected: String| {
+    let mut complain = |quantity: Quantity, rows: &[usize], found: &str, expected: String| {
+        let is = |h: &Heading| matches!(h, Heading::Known(q, _) if *q == quantity);
+        let column = headings.iter().position(is).unwrap_or(0);
         for row in rows.iter().take(MOST_COMPLAINTS) {
-            let place = locate(column(name).unwrap_or(0), *row);
+            let place = locate(column, *row);
             findings.push(Diagnostic::error(place, found, &expected));
         }
     };
@@ -109,14 +111,19 @@ pub(crate) fn complete(
         let names = NamedColumn::anchors(references).declared.join(", ");
         let expected = format!("one of the anchors of the session in the column anchor: {names}");
         complain(
-            "distance",
+            Quantity::Distance,
             &lacking,
             "a distance without its anchor",
             expected,
         );
         let negative: Vec<usize> = (0..rows).filter(|i| distance[*i] < 0.0).collect();
         let expected = "a distance of 0 mm or more".to_owned();
-        complain("distance", &negative, "a negative distance", expected);
+        complain(
+            Quantity::Distance,
+            &negative,
+            "a negative distance",
+            expected,
+        );
     }
     if let (Some(azimuth), Some(elevation)) = (&observed.azimuth, &observed.elevation) {
         let rows = azimuth.len();
@@ -124,13 +131,13 @@ pub(crate) fn complete(
             .filter(|i| azimuth[*i].is_nan() != elevation[*i].is_nan())
             .collect();
         let expected = "both angles of a direction, or neither".to_owned();
-        complain("azimuth", &half, "one angle of two", expected);
+        complain(Quantity::Azimuth, &half, "one angle of two", expected);
         let steep: Vec<usize> = (0..rows)
             .filter(|i| elevation[*i].abs() > std::f64::consts::FRAC_PI_2 + 1e-9)
             .collect();
         let expected = "an elevation from -90° to 90°".to_owned();
         complain(
-            "elevation",
+            Quantity::Elevation,
             &steep,
             "an elevation beyond the zenith",
             expected,
@@ -149,7 +156,7 @@ pub(crate) fn complete(
                  pointing, where the tool itself points"
             );
             complain(
-                "azimuth",
+                Quantity::Azimuth,
                 &lacking,
                 "a direction without its station",
                 expected,

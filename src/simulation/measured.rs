@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::scenario::{Measure, Scenario, Unknown};
+use super::scenario::{Measure, Scenario};
 use super::{SimulateError, Stream, random};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
@@ -153,7 +153,7 @@ pub fn measure(
             own.show(session, sample, place.map(|p| p.index), &seen, noise);
         }
     }
-    hide(&mut session.instrument.references, scenario.unknown);
+    hide(&mut session.instrument.references, &scenario.unknown);
     Ok(())
 }
 
@@ -194,24 +194,21 @@ fn brought(
     let mut own = inputs.select(&[sample]);
     for _ in 0..STEPS {
         let at = model.predict(&own).get(0);
-        let (left, rows) = match kind {
-            PlaceKind::Plane => {
-                let Some((normal, distance)) = references.planes[index].known else {
-                    return Ok(());
-                };
-                let n: [f64; 3] = normal.into_inner().into();
-                (vec![distance + off[0] - dot(n, at)], vec![n])
-            }
-            _ => {
-                let Some(socket) = references.sockets[index].position_mm else {
-                    return Ok(());
-                };
-                let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
-                (
-                    left,
-                    vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-                )
-            }
+        let (left, rows) = if kind == PlaceKind::Plane {
+            let Some((normal, distance)) = references.planes[index].known else {
+                return Ok(());
+            };
+            let n: [f64; 3] = normal.into_inner().into();
+            (vec![distance + off[0] - dot(n, at)], vec![n])
+        } else {
+            let Some(socket) = references.sockets[index].position_mm else {
+                return Ok(());
+            };
+            let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
+            (
+                left,
+                vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            )
         };
         if left.iter().all(|v: &f64| v.abs() < THERE_MM) {
             for joint in 0..joints {
@@ -249,17 +246,30 @@ fn brought(
 }
 
 /// Takes away what the session does not say.
-fn hide(references: &mut References, unknown: Unknown) {
-    for anchor in references.anchors.iter_mut().filter(|_| unknown.anchors) {
-        (anchor.position_mm, anchor.offset_mm) = (None, None);
+fn hide(references: &mut References, unknown: &[PlaceKind]) {
+    let hidden = |kind| unknown.contains(&kind);
+    for anchor in &mut references.anchors {
+        if hidden(PlaceKind::Anchor) {
+            (anchor.position_mm, anchor.offset_mm) = (None, None);
+        }
     }
-    for station in references.stations.iter_mut().filter(|_| unknown.stations) {
-        (station.position_mm, station.attitude) = (None, None);
+    for station in &mut references.stations {
+        if hidden(PlaceKind::Station) {
+            (station.position_mm, station.attitude) = (None, None);
+        }
     }
-    for plane in references.planes.iter_mut().filter(|_| unknown.planes) {
+    for plane in references
+        .planes
+        .iter_mut()
+        .filter(|_| hidden(PlaceKind::Plane))
+    {
         plane.known = None;
     }
-    for socket in references.sockets.iter_mut().filter(|_| unknown.sockets) {
+    for socket in references
+        .sockets
+        .iter_mut()
+        .filter(|_| hidden(PlaceKind::Socket))
+    {
         socket.position_mm = None;
     }
 }

@@ -32,7 +32,7 @@ use rand_chacha::rand_core::SeedableRng;
 pub use format_v1::{LoadedScenario, load_scenario, parse_scenario};
 pub use scenario::{
     Circumstances, Measure, Noise, NoiseKind, Order, Outliers, Poses, Scenario, Stop, Sweep,
-    Temperature, Unknown,
+    Temperature,
 };
 pub use truth::Truth;
 

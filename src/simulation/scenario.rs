@@ -3,6 +3,7 @@
 use nalgebra::Point3;
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::effects::places::PlaceKind;
 use crate::effects::{Offered, Term};
 use crate::kinematics::Robot;
 use crate::sessions::{Instrument, Region, Target};
@@ -38,8 +39,8 @@ pub struct Scenario {
     pub outliers: Option<Outliers>,
     /// How the samples are measured, in turn; a point where nothing is said.
     pub measure: Vec<Measure>,
-    /// What the session that is written does not say of the places its measurements refer to.
-    pub unknown: Unknown,
+    /// Places of which the session that is written does not say where they are.
+    pub unknown: Vec<PlaceKind>,
     /// Coordinates are rounded to multiples of this, mm.
     pub resolution_mm: Option<f64>,
     /// Seed where nobody gives another.
@@ -89,19 +90,6 @@ impl Measure {
             Self::Touch => "touch",
         }
     }
-}
-
-/// Which places a session is silent about although they are somewhere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Unknown {
-    /// Positions and offsets of anchors.
-    pub anchors: bool,
-    /// Positions and attitudes of stations.
-    pub stations: bool,
-    /// Planes.
-    pub planes: bool,
-    /// Positions of sockets.
-    pub sockets: bool,
 }
 
 /// Where the robot goes.
@@ -242,7 +230,7 @@ impl Scenario {
             noise: None,
             outliers: None,
             measure: vec![Measure::Point],
-            unknown: Unknown::default(),
+            unknown: Vec::new(),
             resolution_mm: None,
             seed: 0,
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::gui::subject::{Origin, Subject};
-use crate::importers::{Alignment, Companion, Matched, Settings, import_watched};
+use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings, import_watched};
 use crate::kinematics::Robot;
 use crate::progress::{Part, ReadError};
 use crate::sessions::files;
@@ -127,9 +127,16 @@ const OPTIONS: [(&str, &str); 19] = [
 
 /// The same sentence with the names that the sheet has for the command line's options.
 pub(crate) fn in_the_sheets_words(sentence: &str) -> String {
-    OPTIONS
+    let said = OPTIONS
         .iter()
         .fold(sentence.to_owned(), |said, (option, field)| {
             said.replace(option, field)
-        })
+        });
+    // Options that one format has, the longer names first: one may begin like another.
+    let own = IMPORTERS.iter().flat_map(|importer| importer.options);
+    let mut own: Vec<_> = own.map(|option| (option.name, option.title)).collect();
+    own.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
+    own.into_iter().fold(said, |said, (name, title)| {
+        said.replace(&format!("--{name}"), &format!("“{title}”"))
+    })
 }

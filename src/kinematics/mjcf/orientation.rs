@@ -78,34 +78,23 @@ impl Angles {
         document: &Document,
         levels: &[usize],
     ) -> Result<UnitQuaternion<f64>, Rejected> {
-        // Any of these replaces a quat, wherever that is said.
-        const OTHERS: [&str; 4] = ["axisangle", "euler", "xyaxes", "zaxis"];
-        let given = |element: usize| -> Vec<&'static str> {
-            let said = |name: &&str| document.attribute(element, name).is_some();
-            OTHERS.into_iter().filter(said).collect()
-        };
+        const KINDS: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
         for &element in levels {
-            match given(element)[..] {
+            let said = |name: &&str| document.attribute(element, name).is_some();
+            let given: Vec<&str> = KINDS.into_iter().filter(said).collect();
+            match given[..] {
                 [] => {}
-                [name] => return self.other(document, element, name),
+                [name] => return self.one(document, element, name),
                 [first, second, ..] => {
                     let found = format!("both {first} and {second}");
                     return Err(document.refuse(element, found, "one orientation"));
                 }
             }
         }
-        for &element in levels {
-            if let Some([w, x, y, z]) = document.numbers::<4>(element, "quat")? {
-                let quaternion = Quaternion::new(w, x, y, z);
-                return UnitQuaternion::try_new(quaternion, SHORTEST).ok_or_else(|| {
-                    document.refuse_value(element, "quat", "a quaternion of non-zero length")
-                });
-            }
-        }
         Ok(UnitQuaternion::identity())
     }
 
-    fn other(
+    fn one(
         &self,
         document: &Document,
         element: usize,
@@ -114,6 +103,13 @@ impl Angles {
         let no_direction = || document.refuse_value(element, name, "directions of non-zero length");
         let unit = |v: Vector3<f64>| Unit::try_new(v, SHORTEST).ok_or_else(no_direction);
         match name {
+            "quat" => {
+                let [w, x, y, z] = document.numbers(element, name)?.unwrap_or_default();
+                let quaternion = Quaternion::new(w, x, y, z);
+                UnitQuaternion::try_new(quaternion, SHORTEST).ok_or_else(|| {
+                    document.refuse_value(element, name, "a quaternion of non-zero length")
+                })
+            }
             "axisangle" => {
                 let [x, y, z, angle] = document.numbers(element, name)?.unwrap_or_default();
                 let axis = unit(Vector3::new(x, y, z))?;

@@ -20,8 +20,9 @@ mod poses;
 use conditions::conditions;
 use poses::poses;
 
-use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario, Unknown};
+use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::effects::places::PlaceKind;
 use crate::kinematics::Robot;
 use crate::model::format_v1::term;
 use crate::sessions::format_v1::read::{default_targets, instrument, positive, regions, targets};
@@ -184,14 +185,24 @@ fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> 
         )?;
     }
     if let Some(node) = optional(members, "unknown") {
-        let all = ["anchors", "stations", "planes", "sockets"];
-        let hidden = names(fields, node, &path.key("unknown"), &all, |name| name)?;
-        scenario.unknown = Unknown {
-            anchors: hidden.contains(&"anchors"),
-            stations: hidden.contains(&"stations"),
-            planes: hidden.contains(&"planes"),
-            sockets: hidden.contains(&"sockets"),
-        };
+        let all = [
+            PlaceKind::Anchor,
+            PlaceKind::Station,
+            PlaceKind::Plane,
+            PlaceKind::Socket,
+        ];
+        scenario.unknown = names(
+            fields,
+            node,
+            &path.key("unknown"),
+            &all,
+            |kind| match kind {
+                PlaceKind::Anchor => "anchors",
+                PlaceKind::Station => "stations",
+                PlaceKind::Plane => "planes",
+                PlaceKind::Socket => "sockets",
+            },
+        )?;
     }
     scenario.tolerance_mm = optional(members, "tolerance_mm").and_then(|node| {
         let path = &path.key("tolerance_mm");

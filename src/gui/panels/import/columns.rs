@@ -6,7 +6,7 @@ use crate::gui::commands::Command;
 use crate::gui::foreign::{Foreign, Said};
 use crate::gui::tokens::{Palette, size, strong};
 use crate::gui::widgets;
-use crate::importers::{ColumnGuess, Kind, Known};
+use crate::importers::{ColumnGuess, Importer, Known, Meanings};
 
 /// Rows that are shown.
 const ROWS: usize = 5;
@@ -20,20 +20,14 @@ struct Meaning {
 }
 
 /// Every meaning that a column of such a file can have.
-fn meanings(kind: Option<Kind>, joints: usize) -> Vec<Meaning> {
+fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
     let one = |word: &str, text: &str| Meaning {
         word: word.to_owned(),
         text: text.to_owned(),
     };
     let mut all = vec![one("-", "left out")];
-    if kind == Some(Kind::Iso230) {
-        all.extend([
-            one("target", "target position"),
-            one("direction", "direction of approach"),
-            one("run", "run"),
-            one("position", "measured position"),
-            one("deviation", "deviation from the target"),
-        ]);
+    if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
+        all.extend(words.iter().map(|(word, text)| one(word, text)));
         return all;
     }
     all.extend([
@@ -131,7 +125,9 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut V
 
 /// The columns as words that mean the same when they are said, and are guesses still where they
 /// were.
-fn said(kind: Option<Kind>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
+fn said(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
+    let columns_of = kind.map(|importer| importer.asks.columns);
+    let own_words = matches!(columns_of, Some(Meanings::Own(_)));
     let word = |(k, guess): (usize, &ColumnGuess)| match (guess.known, guess.heading.as_str()) {
         (Known::Said, _) => {
             let before = before.get(k).cloned();
@@ -139,7 +135,7 @@ fn said(kind: Option<Kind>, columns: &[ColumnGuess], before: &[String]) -> Vec<S
         }
         (_, "") if matches!(guess.meaning.as_str(), "" | "-") => "-".to_owned(),
         // Such a file's headings are its words.
-        (_, heading) if kind == Some(Kind::Iso230) => match heading {
+        (_, heading) if own_words => match heading {
             "" => guess.meaning.clone(),
             heading => heading.to_owned(),
         },
@@ -153,7 +149,9 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
     let found = &now.seen.inspection;
     let palette = Palette::of(ui);
     let mut changed = None;
-    let fixed = matches!(found.kind, Some(Kind::Optitrack | Kind::Tum));
+    let fixed = found
+        .kind
+        .is_some_and(|importer| importer.asks.columns == Meanings::Fixed);
     let bar = ScrollArea::horizontal().id_salt("columns");
     bar.show(ui, |ui| {
         let grid = Grid::new("columns of the file")
@@ -218,13 +216,13 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::importers::{Reading, inspect};
+    use crate::importers::{Reading, find, inspect};
 
     #[test]
     fn every_meaning_that_is_offered_is_understood() {
-        for meaning in meanings(Some(Kind::Csv), 3) {
+        for meaning in meanings(find("csv"), 3) {
             let reading = Reading {
-                kind: Some(Kind::Csv),
+                kind: find("csv"),
                 columns: vec![meaning.word.clone()],
                 ..Reading::default()
             };
@@ -245,7 +243,7 @@ mod tests {
     fn choosing_one_column_leaves_the_others_what_they_are() {
         let text = b"Timestamp [ms];X [cm];Y [cm];Z [cm];Spalte 5\n1;2,5;3,5;4,5;5\n";
         let reading = Reading {
-            kind: Some(Kind::Csv),
+            kind: find("csv"),
             ..Reading::default()
         };
         let found = inspect(text, &reading);

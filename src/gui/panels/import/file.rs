@@ -1,13 +1,15 @@
 //! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
 //! units; and what it leaves open.
 
+use std::collections::BTreeMap;
+
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
 use crate::gui::foreign::{Foreign, Said, in_the_sheets_words};
 use crate::gui::tokens::Palette;
 use crate::gui::widgets;
 use crate::importers::{
-    About, AngleUnit, Decimal, IMPORTERS, Kind, LengthUnit, Question, Separator, find,
+    About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator, find,
 };
 
 /// The file in a line: rows, separator, encoding, unit.
@@ -37,26 +39,23 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
+    let asks = kind.map_or(Asks::TABLE, |importer| importer.asks);
     widgets::form_row(ui, "Written by", |ui| {
-        let text = |kind: Option<Kind>| {
-            let importer = IMPORTERS.iter().find(|i| Some(i.kind) == kind);
-            importer.map_or("", |importer| plainly(importer.kind))
-        };
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
-            .selected_text(text(kind))
+            .selected_text(kind.map_or("", |importer| importer.plainly))
             .show_ui(ui, |ui| {
-                for importer in &IMPORTERS {
-                    let is = kind == Some(importer.kind);
-                    if ui.selectable_label(is, plainly(importer.kind)).clicked() && !is {
-                        reading.kind = Some(importer.kind);
+                for &importer in IMPORTERS {
+                    let is = kind == Some(importer);
+                    if ui.selectable_label(is, importer.plainly).clicked() && !is {
+                        reading.kind = Some(importer);
                         reading.columns.clear();
                     }
                 }
             });
         super::name(ui, &list.response, "What wrote the file");
     });
-    if !matches!(kind, Some(Kind::Optitrack)) {
+    if asks.table {
         let separators = [
             (Some(Separator::Comma), "commas"),
             (Some(Separator::Semicolon), "semicolons"),
@@ -99,30 +98,46 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
             reading.unit = chosen;
         }
     });
-    if kind == Some(Kind::Optitrack) || reading.z_up {
+    if asks.y_up || reading.z_up {
         ui.checkbox(&mut reading.z_up, "y points up: turn it so that z does");
     }
-    if kind == Some(Kind::Optitrack) {
+    if asks.names {
         names(ui, &found.names, &mut reading.names);
     }
-    if kind == Some(Kind::Iso230) {
+    if asks.joint {
         let mut joint = reading.joint as u64 + 1;
         let field = DragValue::new(&mut joint).range(1..=64);
         if widgets::number(ui, "Joint measured", field).changed() {
             reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
         }
     }
+    for option in kind.map_or(&[][..], |importer| importer.options) {
+        own_option(ui, option, &mut reading.options);
+    }
 }
 
-/// What wrote a file, for somebody who has only that file.
-fn plainly(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Csv => "any program: a table with a header, or with columns chosen below",
-        Kind::Tracker => "a laser tracker or SpatialAnalyzer: names, x, y, z",
-        Kind::Iso230 => "an ISO 230-2 run: targets and positions of one axis",
-        Kind::Optitrack => "OptiTrack Motive",
-        Kind::Tum => "a TUM trajectory: time, position, quaternion",
-    }
+/// An option that only this format has.
+fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
+    widgets::form_row(ui, option.title, |ui| {
+        let mut value = given.get(option.name).cloned().unwrap_or_default();
+        let before = value.clone();
+        if option.values.is_empty() {
+            let field = TextEdit::singleline(&mut value).desired_width(300.0);
+            let field = ui.add(field.hint_text(option.help));
+            super::name(ui, &field, option.title);
+        } else {
+            let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
+            let said = option.values.iter().copied().find(|v| *v == value);
+            if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
+                chosen.clone_into(&mut value);
+            }
+        }
+        if value.trim().is_empty() {
+            given.remove(option.name);
+        } else if value != before {
+            given.insert(option.name, value);
+        }
+    });
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -216,7 +231,10 @@ fn answered(next: &mut Said, about: About, answer: &str) {
             });
         }
         About::Name => reading.names = vec![answer.to_owned()],
-        About::Kind => reading.kind = find(answer).map(|i| i.kind),
+        About::Kind => reading.kind = find(answer),
+        About::Own(name) => {
+            reading.options.insert(name, answer.to_owned());
+        }
         About::Columns => {
             reading.columns = answer.split(',').map(|w| w.trim().to_owned()).collect();
         }

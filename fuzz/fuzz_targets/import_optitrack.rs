@@ -1,9 +1,0 @@
-//! Any bytes as a file of the format `optitrack`.
-#![no_main]
-
-mod importing;
-
-use libfuzzer_sys::fuzz_target;
-use truepose::importers::Kind;
-
-fuzz_target!(|data: &[u8]| importing::import_any(Kind::Optitrack, data));

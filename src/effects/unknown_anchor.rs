@@ -1,0 +1,33 @@
+//! An anchor whose position or offset is not known: `distance = |p − a| + offset`.
+//!
+//! No effect of the robot: see [`super::places`].
+
+use super::about::{About, Form, Quantity};
+use super::block::Block;
+use super::units::Unit;
+use super::{Effect, Placed, places};
+
+/// See the module.
+pub struct UnknownAnchor;
+
+const ABOUT: About = About {
+    id: "unknown-anchor",
+    title: "Anchor",
+    form: Form::Plain(&[
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
+        Quantity::new("offset_mm", Unit::MM),
+    ]),
+    equation: "distance = |p − a| + offset",
+    ..places::ABOUT
+};
+
+impl Effect for UnknownAnchor {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    /// The robot does what it does wherever it is measured from.
+    fn act(&self, _: &Placed, _: &mut Block) {}
+}

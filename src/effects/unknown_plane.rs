@@ -1,0 +1,33 @@
+//! A plane that is not known: `n·p = d`, n along `(normal_x, normal_y, normal_z)`.
+//!
+//! No effect of the robot: see [`super::places`].
+
+use super::about::{About, Form, Quantity};
+use super::block::Block;
+use super::units::Unit;
+use super::{Effect, Placed, places};
+
+/// See the module.
+pub struct UnknownPlane;
+
+const ABOUT: About = About {
+    id: "unknown-plane",
+    title: "Plane",
+    form: Form::Plain(&[
+        Quantity::new("normal_x", Unit::DIRECTION),
+        Quantity::new("normal_y", Unit::DIRECTION),
+        Quantity::new("normal_z", Unit::DIRECTION),
+        Quantity::new("distance_mm", Unit::MM),
+    ]),
+    equation: "n·p = d",
+    ..places::ABOUT
+};
+
+impl Effect for UnknownPlane {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    /// The robot does what it does wherever it is measured from.
+    fn act(&self, _: &Placed, _: &mut Block) {}
+}

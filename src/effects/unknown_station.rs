@@ -1,0 +1,35 @@
+//! A station whose position or attitude is not known: `direction = R(ω)ᵀ (p − s)`.
+//!
+//! No effect of the robot: see [`super::places`].
+
+use super::about::{About, Form, Quantity};
+use super::block::Block;
+use super::units::Unit;
+use super::{Effect, Placed, places};
+
+/// See the module.
+pub struct UnknownStation;
+
+const ABOUT: About = About {
+    id: "unknown-station",
+    title: "Station",
+    form: Form::Plain(&[
+        Quantity::new("about_x_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_y_mrad", Unit::MILLIRADIAN),
+        Quantity::new("about_z_mrad", Unit::MILLIRADIAN),
+        Quantity::new("x_mm", Unit::MM),
+        Quantity::new("y_mm", Unit::MM),
+        Quantity::new("z_mm", Unit::MM),
+    ]),
+    equation: "direction = R(ω)ᵀ (p − s)",
+    ..places::ABOUT
+};
+
+impl Effect for UnknownStation {
+    fn about(&self) -> &'static About {
+        &ABOUT
+    }
+
+    /// The robot does what it does wherever it is measured from.
+    fn act(&self, _: &Placed, _: &mut Block) {}
+}

@@ -1,0 +1,116 @@
+//! What an imported session declares about its distances: the anchors.
+//!
+//! A column of the measured file or of the commands names the anchor of each distance; without one
+//! there is a single anchor. Its place comes from the reference points, if one is called like it, and
+//! is unknown otherwise; so is the constant offset of the instrument, unless a person says it.
+
+use std::collections::BTreeSet;
+
+use crate::diagnostic::Rejected;
+use crate::importers::columns::{Column, Columns};
+use crate::importers::headings::Role;
+use crate::importers::matching::{counted, listed};
+use crate::importers::session::Job;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::number::quoted;
+use crate::sessions::table::{Cells, Names};
+use crate::sessions::{Anchor, References};
+
+/// Option: the anchor of all distances.
+pub(crate) const ANCHOR: &str = "anchor";
+/// Option: what the instrument shows beyond the distance, mm.
+pub(crate) const ANCHOR_OFFSET: &str = "anchor-offset";
+/// What an anchor is called where nobody names it.
+const UNNAMED: &str = "A";
+
+impl Job<'_> {
+    /// Declares the anchors of a session with distances, and completes the column that names them.
+    pub(crate) fn references(&mut self, columns: &mut Columns) -> Result<References, Rejected> {
+        if columns.find(Quantity::Distance).is_none() {
+            return Ok(References::default());
+        }
+        let names = self.anchor_names(columns);
+        let offset_mm = self.anchor_offset()?;
+        let known = match &self.settings.reference {
+            Some(companion) => self.named_points(companion, "reference points")?,
+            None => std::collections::BTreeMap::new(),
+        };
+        let anchors: Vec<Anchor> = names
+            .into_iter()
+            .map(|name| Anchor {
+                position_mm: known.get(&name).copied(),
+                name,
+                offset_mm,
+            })
+            .collect();
+        let unknown: Vec<String> = anchors
+            .iter()
+            .filter(|anchor| anchor.position_mm.is_none())
+            .map(|anchor| quoted(&anchor.name))
+            .collect();
+        let mut said = format!("distances from {}", counted(anchors.len(), "anchor"));
+        if !unknown.is_empty() {
+            said += &format!("; not known where, and to be fitted: {}", listed(&unknown));
+        }
+        if offset_mm.is_none() {
+            said += "; a constant offset of the distances is to be fitted";
+        }
+        self.note(said.clone());
+        self.said.push(said);
+        Ok(References {
+            anchors,
+            ..References::default()
+        })
+    }
+
+    /// The anchors that the samples name; the column is there afterwards.
+    fn anchor_names(&self, columns: &mut Columns) -> BTreeSet<String> {
+        let rows = columns.rows();
+        let is_named = |column: &&mut Column| {
+            column.role == Role::Kept && column.name.trim().eq_ignore_ascii_case("anchor")
+        };
+        if columns.find(Quantity::Anchor).is_none() {
+            // Commands are a table of any columns: there it is no more than text.
+            if let Some(column) = columns.list.iter_mut().find(is_named) {
+                if let Cells::Text(cells) = &column.cells {
+                    let mut names = Names::default();
+                    for cell in cells {
+                        names.push(cell.trim());
+                    }
+                    column.cells = Cells::Names(names);
+                }
+                column.role = Role::Known(Quantity::Anchor, Some(Unit::Fixed));
+            } else {
+                let said = self.reading.options.get(ANCHOR).map(|name| name.trim());
+                let name = said.filter(|name| !name.is_empty()).unwrap_or(UNNAMED);
+                let mut names = Names::default();
+                for _ in 0..rows {
+                    names.push(name);
+                }
+                columns.list.push(Column {
+                    name: "anchor".to_owned(),
+                    number: 0,
+                    role: Role::Known(Quantity::Anchor, Some(Unit::Fixed)),
+                    cells: Cells::Names(names),
+                });
+            }
+        }
+        let role = Role::Known(Quantity::Anchor, Some(Unit::Fixed));
+        let names = columns.texts(role).unwrap_or_default();
+        let named = names.into_iter().filter(|name| !name.is_empty());
+        named.map(str::to_owned).collect()
+    }
+
+    fn anchor_offset(&self) -> Result<Option<f64>, Rejected> {
+        let Some(said) = self.reading.options.get(ANCHOR_OFFSET) else {
+            return Ok(None);
+        };
+        match said.trim().parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(Some(value)),
+            _ => {
+                let found = format!("--{ANCHOR_OFFSET}: {}", quoted(said));
+                self.refuse(self.place.clone(), found, "a length in mm, such as 0")
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Distances: the log of a telescoping ballbar, a draw-wire or an interferometer.
+//!
+//! One column is the distance, from the anchor on the table to the target on the tool; time, anchor,
+//! load and the like may stand beside it. A log that shows deviations from a nominal length needs
+//! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
+//! distances, the session declares: [`crate::importers::distances`].
+
+use crate::importers::case::{Case, fixed};
+use crate::importers::columns::{Column, Columns};
+use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
+use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
+use crate::importers::headings::{Role, understand, words_and_unit};
+use crate::importers::settings::About;
+use crate::importers::units::Word;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::number::quoted;
+
+const NOMINAL_LENGTH: &str = "nominal-length";
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "ballbar",
+    about: "distances by a ballbar, a draw-wire or an interferometer",
+    plainly: "a ballbar, a draw-wire or an interferometer: distances",
+    asks: Asks::TABLE,
+    options: &[
+        OwnOption {
+            name: ANCHOR,
+            title: "Anchor",
+            value: "NAME",
+            help: "the anchor of all distances, where no column names it [default: A]",
+            values: &[],
+        },
+        OwnOption {
+            name: ANCHOR_OFFSET,
+            title: "Constant offset",
+            value: "MM",
+            help: "what the instrument shows beyond the true distance, mm: 0 for a calibrated ballbar [default: unknown, and fitted]",
+            values: &[],
+        },
+        OwnOption {
+            name: NOMINAL_LENGTH,
+            title: "Nominal length",
+            value: "MM",
+            help: "the length, mm, that is to be added to every reading of a log of deviations",
+            values: &[],
+        },
+    ],
+    known_by: KnownBy::Reading {
+        turn: 4,
+        suits: |trial| trial.is_sound && trial.headings.is_some(),
+    },
+    read,
+};
+
+/// Words for a distance in a heading, and for what is one only together with a nominal length.
+const DISTANCE: [&str; 15] = [
+    "distance",
+    "dist",
+    "abstand",
+    "distanz",
+    "länge",
+    "laenge",
+    "length",
+    "radius",
+    "range",
+    "seillänge",
+    "seilweg",
+    "ballbar",
+    "reading",
+    "messwert",
+    "weg",
+];
+const DEVIATION: [&str; 3] = ["deviation", "abweichung", "extension"];
+
+/// Reads the distances.
+fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+    let mut found: Vec<(Role, bool)> = names.iter().map(|name| role(name)).collect();
+    found.resize(grid.width, (Role::Kept, false));
+    let mut roles: Vec<Role> = found.iter().map(|(role, _)| *role).collect();
+    if let Some(given) = case.given_roles(&grid, Some(&roles)) {
+        roles = given;
+    } else if !case.reading.columns.is_empty() {
+        return None;
+    }
+    let is_distance = |role: &Role| role.quantity() == Some(Quantity::Distance);
+    let Some(at) = roles.iter().position(is_distance) else {
+        let says = match names {
+            [] => "no header, and no column that is said to be the distance".to_owned(),
+            names => {
+                let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+                format!(
+                    "no column is the distance for certain among {}",
+                    names.join(", ")
+                )
+            }
+        };
+        case.ask(About::Columns, says, &[]);
+        return None;
+    };
+    let is_deviation = found[at].1;
+    let length_mm = nominal_length(case, is_deviation)?;
+    let mut columns = case.columns(&grid, roles)?;
+    if length_mm != 0.0
+        && let Some(mut values) = columns.numbers(Quantity::Distance)
+    {
+        for value in &mut values {
+            *value += length_mm;
+        }
+        columns.put(Column::made(Quantity::Distance, Unit::Length(1.0), values));
+        case.note(format!(
+            "{length_mm} mm were added to every reading, as was said"
+        ));
+    }
+    Some(columns)
+}
+
+/// The length to add to every reading, mm. `None`: it is asked, or wrong.
+fn nominal_length(case: &mut Case<'_>, is_deviation: bool) -> Option<f64> {
+    match case.reading.options.get(NOMINAL_LENGTH) {
+        Some(said) => {
+            let value = said
+                .trim()
+                .parse()
+                .ok()
+                .filter(|value: &f64| value.is_finite());
+            if value.is_none() {
+                let found = format!("--{NOMINAL_LENGTH}: {}", quoted(said));
+                case.refuse(found, "a length in mm, such as 300.0015");
+            }
+            value
+        }
+        None if is_deviation => {
+            let says = "the readings are deviations from a length that nothing says";
+            case.ask(About::Own(NOMINAL_LENGTH), says, &[]);
+            None
+        }
+        None => Some(0.0),
+    }
+}
+
+/// What a heading says, and whether that is a deviation from a nominal length.
+fn role(heading: &str) -> (Role, bool) {
+    let plain = heading.trim().trim_matches('"').to_lowercase();
+    let (words, unit) = words_and_unit(&plain);
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let one_of = |list: &[&str]| matches!(words[..], [word] | [word, _] if list.contains(&word));
+    let is_deviation = one_of(&DEVIATION);
+    let unit = match unit {
+        None => Some(None),
+        Some(Word::Unit(unit @ Unit::Length(_))) => Some(Some(unit)),
+        Some(_) => None,
+    };
+    if let (Some(unit), true) = (unit, is_deviation || one_of(&DISTANCE)) {
+        return (Role::Known(Quantity::Distance, unit), is_deviation);
+    }
+    let role = match words[..] {
+        ["anchor" | "ball" | "mount" | "centre" | "center" | "anker" | "kugel"] => {
+            fixed(Quantity::Anchor, Unit::Fixed)
+        }
+        _ => understand(heading),
+    };
+    (role, false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_are_understood_as_people_write_them() {
+        for (heading, meant, is_deviation) in [
+            ("distance_mm", "distance_mm", false),
+            ("Distance [m]", "distance_m", false),
+            ("Länge [mm]", "distance_mm", false),
+            ("Radius", "distance", false),
+            ("Deviation [um]", "distance_um", true),
+            ("Deviation [arcsec]", "-", false),
+            ("Time [ms]", "time_s", false),
+            ("anchor", "anchor", false),
+            ("remark", "-", false),
+        ] {
+            let (role, deviation) = role(heading);
+            assert_eq!(
+                (role.to_string().as_str(), deviation),
+                (meant, is_deviation),
+                "{heading}"
+            );
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! Poses of a calibration board that a camera saw: a row for each image.
+//!
+//! `rvec_x, rvec_y, rvec_z` (rad) and `tvec_x, tvec_y, tvec_z`, as `OpenCV`'s `solvePnP` and the
+//! detectors of chessboards, `ChArUco` boards and `AprilTag` grids give them; or the quaternion
+//! `qw, qx, qy, qz` in place of the first three. Both turn the board's coordinates into those of the
+//! camera:
+//!
+//! ```text
+//! p_camera = R(rvec) p_board + tvec,   R(rvec) = a turn by |rvec| about rvec
+//! ```
+//!
+//! The camera looks along +z, x points to the right and y downwards in the image. With a camera that
+//! stands still and the board on the tool this is the pose of the tool frame in the camera frame.
+//! With the camera on the tool and the board standing still the inverse is: the pose of the camera in
+//! the frame of the board. Which of the two it is nobody can see in the numbers: `--camera` says it.
+
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+
+use crate::importers::case::{Case, fixed};
+use crate::importers::columns::{Column, Columns};
+use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
+use crate::importers::headings::{Role, understand, words_and_unit};
+use crate::importers::settings::{About, Known};
+use crate::importers::units::Word;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::table::{Cells, Names};
+
+const CAMERA: &str = "camera";
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "board",
+    about: "poses of a calibration board by a camera (OpenCV): rvec or quaternion, and tvec",
+    plainly: "a camera that sees a calibration board: rvec and tvec of each image",
+    asks: Asks::TABLE,
+    options: &[OwnOption {
+        name: CAMERA,
+        title: "Camera",
+        value: "WHERE",
+        help: "the camera stands still and sees the board on the tool, or sits on the tool and sees a board that stands still",
+        values: &["fixed", "on-tool"],
+    }],
+    known_by: KnownBy::Reading {
+        turn: 1,
+        suits: |trial| trial.is_sound && trial.headings.is_some(),
+    },
+    read,
+};
+
+/// A column of the table, before it is a session's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Part {
+    /// Component of the rotation vector.
+    Turn(usize),
+    /// Component of the translation, in this unit if its heading says one.
+    Shift(usize, Option<Unit>),
+    Other(Role),
+}
+
+/// Reads the poses.
+fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    let names = grid.header.as_ref().map_or(&[][..], |header| &header.1);
+    let mut parts: Vec<Part> = names.iter().map(|name| part(name)).collect();
+    parts.resize(grid.width, Part::Other(Role::Kept));
+    let has =
+        |wanted: &dyn Fn(&Part) -> bool| parts.iter().filter(|part| wanted(part)).count() == 3;
+    let is_turned = has(&|part| matches!(part, Part::Turn(_)));
+    let is_shifted = has(&|part| matches!(part, Part::Shift(..)));
+    let orientations = (0..4).filter(|&at| {
+        let quantity = Some(Quantity::Orientation(at));
+        parts
+            .iter()
+            .any(|part| matches!(part, Part::Other(role) if role.quantity() == quantity))
+    });
+    let by_quaternion = orientations.count() == 4;
+    if !is_shifted || is_turned == by_quaternion {
+        let found = "no header with tvec_x, tvec_y, tvec_z and either rvec_x, rvec_y, rvec_z or qw, qx, qy, qz";
+        case.refuse(found, "image,rvec_x,rvec_y,rvec_z,tvec_x,tvec_y,tvec_z");
+        return None;
+    }
+    let roles = parts.iter().map(|part| match part {
+        // Three numbers: they become a quaternion once they are read.
+        Part::Turn(at) => fixed(Quantity::Orientation(at + 1), Unit::Fixed),
+        Part::Shift(at, unit) => Role::Known([Quantity::X, Quantity::Y, Quantity::Z][*at], *unit),
+        Part::Other(role) => *role,
+    });
+    let columns = case.columns(&grid, roles.collect());
+    for (guess, part) in case.found.columns.iter_mut().zip(&parts) {
+        if let Part::Turn(at) = part {
+            guess.meaning = format!("rvec_{}", ["x", "y", "z"][*at]);
+        }
+        if !matches!(part, Part::Other(_)) {
+            guess.known = Known::Certain;
+        }
+    }
+    let Some(camera) = case.reading.options.get(CAMERA).cloned() else {
+        let says = "the poses turn the board's coordinates into the camera's, and nothing says which of the two moves";
+        case.ask(About::Own(CAMERA), says, &["fixed", "on-tool"]);
+        return None;
+    };
+    let mut columns = columns?;
+    into_tool_poses(case, &mut columns, is_turned, camera == "on-tool")?;
+    Some(columns)
+}
+
+/// What a heading says.
+fn part(heading: &str) -> Part {
+    let plain = heading.trim().trim_matches('"').to_lowercase();
+    let (words, unit) = words_and_unit(&plain);
+    let joined = words.concat();
+    let axis = |prefixes: [&str; 3]| {
+        let rest = prefixes
+            .iter()
+            .find_map(|prefix| joined.strip_prefix(prefix))?;
+        [["x", "0"], ["y", "1"], ["z", "2"]]
+            .iter()
+            .position(|names| names.contains(&rest))
+    };
+    if let Some(at) = axis(["rvec", "rotationvector", "r"]) {
+        return match unit {
+            None | Some(Word::Unit(Unit::Angle(1.0))) => Part::Turn(at),
+            // OpenCV writes radians: anything else is not understood.
+            Some(_) => Part::Other(Role::Kept),
+        };
+    }
+    if let Some(at) = axis(["tvec", "translation", "t"]) {
+        return match unit {
+            None => Part::Shift(at, None),
+            Some(Word::Unit(unit @ Unit::Length(_))) => Part::Shift(at, Some(unit)),
+            Some(_) => Part::Other(Role::Kept),
+        };
+    }
+    match (words.first().map(String::as_str), words.len()) {
+        (Some("image" | "filename" | "file" | "frame" | "view"), 1) => Part::Other(Role::Point),
+        _ => Part::Other(understand(heading)),
+    }
+}
+
+/// Makes poses of the tool of what was seen.
+fn into_tool_poses(
+    case: &mut Case<'_>,
+    columns: &mut Columns,
+    is_turned: bool,
+    is_on_tool: bool,
+) -> Option<()> {
+    let shift: Vec<Vec<f64>> = [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .map(|quantity| columns.numbers(quantity))
+        .collect::<Option<_>>()?;
+    let first = usize::from(is_turned);
+    let turn: Vec<Vec<f64>> = (first..4)
+        .map(|at| columns.numbers(Quantity::Orientation(at)))
+        .collect::<Option<_>>()?;
+    let mut unseen = 0;
+    let poses: Vec<Option<Isometry3<f64>>> = (0..columns.rows())
+        .map(|row| {
+            let of = |list: &[Vec<f64>], at: usize| list[at][row];
+            let rotation = if is_turned {
+                let vector = Vector3::new(of(&turn, 0), of(&turn, 1), of(&turn, 2));
+                vector
+                    .norm()
+                    .is_finite()
+                    .then(|| UnitQuaternion::from_scaled_axis(vector))
+            } else {
+                let [w, x, y, z] = [0, 1, 2, 3].map(|at| of(&turn, at));
+                let quaternion = Quaternion::new(w, x, y, z);
+                let is_sound = quaternion.norm().is_finite() && quaternion.norm() > 0.0;
+                is_sound.then(|| UnitQuaternion::from_quaternion(quaternion))
+            };
+            let translation = Translation3::new(of(&shift, 0), of(&shift, 1), of(&shift, 2));
+            let is_there = translation.vector.norm().is_finite();
+            let seen = rotation.filter(|_| is_there);
+            unseen += usize::from(seen.is_none());
+            let camera_from_board = Isometry3::from_parts(translation, seen?);
+            Some(if is_on_tool {
+                camera_from_board.inverse()
+            } else {
+                camera_from_board
+            })
+        })
+        .collect();
+    if unseen > 0 {
+        let found = format!(
+            "the board was not seen in {unseen} of {} images",
+            poses.len()
+        );
+        case.warn(found, "");
+    }
+    let mut put = |quantity, unit, of: &dyn Fn(&Isometry3<f64>) -> f64| {
+        let values = poses.iter().map(|pose| pose.as_ref().map_or(f64::NAN, of));
+        columns.put(Column::made(quantity, unit, values.collect()));
+    };
+    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .enumerate()
+    {
+        put(quantity, Unit::Length(1.0), &|pose| {
+            pose.translation.vector[axis]
+        });
+    }
+    let parts: [fn(&Quaternion<f64>) -> f64; 4] = [|q| q.w, |q| q.i, |q| q.j, |q| q.k];
+    for (at, of) in parts.into_iter().enumerate() {
+        let quantity = Quantity::Orientation(at);
+        put(quantity, Unit::Fixed, &|pose| {
+            of(pose.rotation.quaternion())
+        });
+    }
+    say_frame(case, columns, is_on_tool);
+    Some(())
+}
+
+/// The frame is that of the camera or of the board: one that nobody has aligned with the base.
+fn say_frame(case: &mut Case<'_>, columns: &mut Columns, is_on_tool: bool) {
+    let (of, frame) = if is_on_tool {
+        ("the camera on the tool", "board")
+    } else {
+        ("the board on the tool", "camera")
+    };
+    case.note(format!(
+        "poses are those of {of}, in the frame of the {frame}, taken from p_camera = R p_board + t"
+    ));
+    if columns.find(Quantity::Setup).is_none() {
+        let mut names = Names::default();
+        for _ in 0..columns.rows() {
+            names.push(frame);
+        }
+        columns.list.push(Column {
+            name: "setup".to_owned(),
+            number: 0,
+            role: fixed(Quantity::Setup, Unit::Fixed),
+            cells: Cells::Names(names),
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_are_understood_as_people_write_them() {
+        let metre = Some(Unit::Length(1000.0));
+        for (heading, meant) in [
+            ("rvec_x", Part::Turn(0)),
+            ("rvec[2]", Part::Turn(2)),
+            ("rvec1", Part::Turn(1)),
+            ("rx", Part::Turn(0)),
+            ("rvec_y [rad]", Part::Turn(1)),
+            ("tvec_z_m", Part::Shift(2, metre)),
+            ("tvec_x [mm]", Part::Shift(0, Some(Unit::Length(1.0)))),
+            ("tz", Part::Shift(2, None)),
+            ("image", Part::Other(Role::Point)),
+            ("rvec_x [deg]", Part::Other(Role::Kept)),
+            ("rms", Part::Other(Role::Kept)),
+        ] {
+            assert_eq!(part(heading), meant, "{heading}");
+        }
+        assert_eq!(
+            part("qw"),
+            Part::Other(fixed(Quantity::Orientation(0), Unit::Fixed))
+        );
+    }
+}

@@ -1,0 +1,340 @@
+//! Runs after ISO 230-2: an axis goes to the same targets several times, from both sides, and its
+//! own position is measured.
+//!
+//! Long: a row for each measurement, with target, direction, run and position. Wide: a row for each
+//! target, and a column for each run and direction, whose heading says both (`Run 1 +`, `2↓`). A
+//! position may be given as the deviation from its target; then a heading says so, or the numbers
+//! leave no doubt and the program says so.
+//!
+//! Time goes run by run; within a run of a wide table upwards first, and then downwards.
+
+mod in_units;
+mod parts;
+
+use crate::diagnostic::Diagnostic;
+use crate::importers::case::{Case, direction, extent, fixed};
+use crate::importers::columns::{Column, Columns};
+use crate::importers::decimals::{Decimal, value};
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
+use crate::importers::grid::{Complaints, Grid};
+use crate::importers::headings::Role;
+use crate::importers::settings::{ColumnGuess, Known};
+use crate::sessions::Lines;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::number::quoted;
+use crate::sessions::table::Cells;
+
+use in_units::{Units, units_of};
+use parts::{Part, headings, parts};
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "iso230",
+    about: "ISO 230-2 runs of one axis, long or wide",
+    plainly: "an ISO 230-2 run: targets and positions of one axis",
+    asks: Asks {
+        columns: Meanings::Own(&[
+            ("target", "target position"),
+            ("direction", "direction of approach"),
+            ("run", "run"),
+            ("position", "measured position"),
+            ("deviation", "deviation from the target"),
+        ]),
+        joint: true,
+        ..Asks::TABLE
+    },
+    options: &[],
+    known_by: KnownBy::Reading {
+        turn: 3,
+        suits: |trial| trial.is_sound && trial.headings.is_some(),
+    },
+    read,
+};
+
+/// One measurement, in the order of the file.
+#[derive(Debug, Clone, Copy)]
+struct Measurement {
+    run: u64,
+    dir: f64,
+    target: f64,
+    measured: f64,
+    line: u64,
+}
+
+/// Reads the runs of an axis.
+fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    let headings = headings(&grid);
+    let parts = parts(case, &grid, &headings)?;
+    let said = &case.reading.columns;
+    case.found.columns = headings
+        .iter()
+        .zip(&parts)
+        .enumerate()
+        .map(|(k, (heading, part))| ColumnGuess {
+            heading: heading.clone(),
+            known: match (said.get(k), heading.as_str()) {
+                (Some(word), heading) if word != heading => Known::Said,
+                (_, "") => Known::FromContent,
+                _ => Known::FromHeading,
+            },
+            meaning: match part {
+                Part::Target => "target".to_owned(),
+                Part::Direction => "direction".to_owned(),
+                Part::Run => "run".to_owned(),
+                Part::Position => "position".to_owned(),
+                Part::Deviation => "deviation".to_owned(),
+                Part::Of { run, dir } => {
+                    format!("run {run} {}", if *dir < 0.0 { "-" } else { "+" })
+                }
+                Part::Other => "-".to_owned(),
+            },
+        })
+        .collect();
+    let is_number = |index: usize| {
+        !matches!(
+            parts.get(index),
+            None | Some(Part::Direction | Part::Run | Part::Other)
+        )
+    };
+    let place = case.place.clone();
+    let found = &mut case.found;
+    let decimal = grid.decimal(
+        case.reading.decimal,
+        &is_number,
+        &place,
+        &mut found.questions,
+        &mut found.findings,
+    );
+    case.found.decimal = decimal;
+    let units = units_of(case, &grid, &headings, &parts);
+    let (decimal, units) = (decimal?, units?);
+    let list = measurements(case, &grid, &parts, decimal);
+    case.found.rows = list.len();
+    if list.is_empty() && !case.is_open() {
+        case.refuse("no measurement", "at least one");
+    }
+    if case.is_open() {
+        return None;
+    }
+    let is_wide = parts.iter().any(|part| matches!(part, Part::Of { .. }));
+    let is_deviation = deviations(case, &parts, &list, units)?;
+    Some(columns(case, &in_order(list, is_wide), is_deviation, units))
+}
+
+/// Reads every measured cell.
+fn measurements(
+    case: &mut Case<'_>,
+    grid: &Grid<'_>,
+    parts: &[Part],
+    decimal: Decimal,
+) -> Vec<Measurement> {
+    let mut list = Vec::new();
+    let mut complaints = Complaints::default();
+    let mut empty = 0;
+    let place = case.place.clone();
+    grid.each_row(&place, &mut complaints, |row, complaints| {
+        let cell = |index: usize| row.cells.get(index).map_or("", |cell| cell.as_ref());
+        let mut wrong = |index: usize, expected: &str| {
+            complaints.add(|| {
+                let place = place.clone().at_line(row.line).at_column(index as u64 + 1);
+                Diagnostic::error(place, quoted(cell(index)), expected)
+            });
+        };
+        let (mut target, mut dir, mut run) = (None, 0.0, 1);
+        for (index, part) in parts.iter().enumerate() {
+            match part {
+                Part::Target => match value(cell(index), decimal) {
+                    Ok(number) => target = Some(number),
+                    Err(_) => wrong(index, "the target as a number"),
+                },
+                Part::Direction => match direction(cell(index)) {
+                    Some(number) => dir = number,
+                    None => wrong(index, "+ or -, 1 or -1, forward or backward"),
+                },
+                Part::Run => match cell(index).parse() {
+                    Ok(number) => run = number,
+                    Err(_) => wrong(index, "the number of the run"),
+                },
+                _ => {}
+            }
+        }
+        for (index, part) in parts.iter().enumerate() {
+            let (run, dir) = match part {
+                Part::Position | Part::Deviation => (run, dir),
+                Part::Of { run, dir } => (*run, *dir),
+                _ => continue,
+            };
+            if cell(index).is_empty() {
+                empty += 1;
+                continue;
+            }
+            match (value(cell(index), decimal), target) {
+                (Ok(measured), Some(target)) => list.push(Measurement {
+                    run,
+                    dir,
+                    target,
+                    measured,
+                    line: row.line,
+                }),
+                (Ok(_), None) => {}
+                (Err(_), _) => wrong(
+                    index,
+                    "a number, or an empty cell where it was not measured",
+                ),
+            }
+        }
+    });
+    complaints.into(&place, &mut case.found.findings);
+    if empty > 0 {
+        case.note(format!("{empty} cells are empty: not measured, left out"));
+    }
+    list
+}
+
+/// Whether deviations stand in the place of positions.
+fn deviations(
+    case: &mut Case<'_>,
+    parts: &[Part],
+    list: &[Measurement],
+    units: Units,
+) -> Option<bool> {
+    if parts.contains(&Part::Deviation) {
+        return Some(true);
+    }
+    let targets: Vec<f64> = list
+        .iter()
+        .map(|m| m.target * units.target.factor())
+        .collect();
+    let travel = extent(&targets);
+    let largest = |of: &dyn Fn(f64, f64) -> f64| {
+        let each = list.iter().zip(&targets);
+        let each = each.map(|(m, target)| of(m.measured * units.measured.factor(), *target).abs());
+        each.fold(0.0, f64::max)
+    };
+    let off = largest(&|measured, target| measured - target);
+    if travel == 0.0 || off <= 0.1 * travel {
+        return Some(false);
+    }
+    if largest(&|measured, _| measured) <= 0.02 * travel {
+        case.warn(
+            "the measured values are far too small for positions: they are taken as deviations from the targets",
+            "a heading with the word deviation, or positions",
+        );
+        return Some(true);
+    }
+    case.refuse(
+        format!(
+            "measured positions are up to {:.1} % of the travel away from their targets",
+            100.0 * off / travel
+        ),
+        "positions near their targets, in the same unit, or deviations",
+    );
+    None
+}
+
+/// In the order in which it was measured.
+fn in_order(mut list: Vec<Measurement>, is_wide: bool) -> Vec<Measurement> {
+    if is_wide {
+        // Upwards with rising targets, then downwards with falling ones.
+        list.sort_by(|a, b| {
+            let run = a.run.cmp(&b.run).then(b.dir.total_cmp(&a.dir));
+            let target = a.target.total_cmp(&b.target);
+            run.then(if a.dir < 0.0 {
+                target.reverse()
+            } else {
+                target
+            })
+        });
+    } else {
+        list.sort_by_key(|measurement| measurement.run);
+    }
+    list
+}
+
+fn columns(case: &Case<'_>, list: &[Measurement], is_deviation: bool, units: Units) -> Columns {
+    let joint = case.reading.joint;
+    let of = |get: fn(&Measurement) -> f64| list.iter().map(get).collect::<Vec<f64>>();
+    let position = |m: &Measurement| {
+        let measured = m.measured * units.measured.factor();
+        let target = if is_deviation {
+            m.target * units.target.factor()
+        } else {
+            0.0
+        };
+        target + measured
+    };
+    let mut lines = Lines::default();
+    for measurement in list {
+        lines.add(measurement.line, 1);
+    }
+    let commanded = Quantity::Commanded(joint);
+    let mut columns = vec![
+        Column::made(commanded, units.target, of(|m| m.target)),
+        Column {
+            name: "position".to_owned(),
+            number: 0,
+            role: Role::Axis(joint),
+            cells: Cells::Numbers(list.iter().map(position).collect()),
+        },
+        Column {
+            name: "run".to_owned(),
+            number: 0,
+            role: Role::Kept,
+            cells: Cells::Text(list.iter().map(|m| m.run.to_string()).collect()),
+        },
+    ];
+    let dir = of(|m| m.dir);
+    if dir.iter().any(|dir| *dir != 0.0) {
+        columns.push(Column {
+            name: format!("dir{}", joint + 1),
+            number: 0,
+            role: fixed(Quantity::Direction(joint), Unit::Fixed),
+            cells: Cells::Numbers(dir),
+        });
+    }
+    Columns {
+        list: columns,
+        lines,
+        commands: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wide_table_is_put_into_the_order_of_measuring() {
+        let at = |run, dir, target| Measurement {
+            run,
+            dir,
+            target,
+            measured: 0.0,
+            line: 0,
+        };
+        let list = vec![
+            at(1, 1.0, 0.0),
+            at(1, -1.0, 0.0),
+            at(2, 1.0, 0.0),
+            at(1, 1.0, 9.0),
+            at(1, -1.0, 9.0),
+            at(2, 1.0, 9.0),
+        ];
+        let order: Vec<(u64, f64, f64)> = in_order(list, true)
+            .iter()
+            .map(|m| (m.run, m.dir, m.target))
+            .collect();
+        assert_eq!(
+            order,
+            [
+                (1, 1.0, 0.0),
+                (1, 1.0, 9.0),
+                (1, -1.0, 9.0),
+                (1, -1.0, 0.0),
+                (2, 1.0, 0.0),
+                (2, 1.0, 9.0)
+            ]
+        );
+    }
+}

@@ -1,0 +1,263 @@
+//! MCAP recordings of ROS 2, or of anything that writes the same messages as JSON.
+//!
+//! One topic says where the joints were (`JointState`), another one what was measured (`PoseStamped`,
+//! `PointStamped`, `TransformStamped`, or one child frame of a `TFMessage`). They come at different
+//! times and from different clocks: the joint values become a path over time, to which the measured
+//! points are matched as to any controller's log ([`crate::importers::clock`]). The times are those
+//! of the headers, or of the recorder where a header has none.
+
+mod cdr;
+mod container;
+mod messages;
+mod recorded;
+mod topics;
+
+use crate::diagnostic::Diagnostic;
+use crate::importers::case::Case;
+use crate::importers::columns::Columns;
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
+use crate::importers::settings::{About, ColumnGuess, Known};
+use crate::sessions::number::quoted;
+
+use messages::Type;
+use topics::{Topic, Topics};
+
+const TOPIC_JOINTS: &str = "topic-joints";
+const TOPIC_MEASURED: &str = "topic-measured";
+const FRAME_CHILD: &str = "frame-child";
+const JOINT_NAMES: &str = "joint-names";
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "mcap",
+    about: "MCAP recording (ROS 2 or JSON): joint states and measured poses, points or transforms",
+    plainly: "an MCAP recording: joint states and measured poses",
+    asks: Asks {
+        table: false,
+        columns: Meanings::Fixed,
+        y_up: false,
+        names: false,
+        joint: false,
+    },
+    options: &[
+        OwnOption {
+            name: TOPIC_JOINTS,
+            title: "Topic of the joints",
+            value: "TOPIC",
+            help: "the JointState topic of the joints, where there are several",
+            values: &[],
+        },
+        OwnOption {
+            name: TOPIC_MEASURED,
+            title: "Measured topic",
+            value: "TOPIC",
+            help: "the topic that was measured, where there are several",
+            values: &[],
+        },
+        OwnOption {
+            name: FRAME_CHILD,
+            title: "Child frame",
+            value: "FRAME",
+            help: "the child frame of the transforms that were measured",
+            values: &[],
+        },
+        OwnOption {
+            name: JOINT_NAMES,
+            title: "Joints",
+            value: "A,B,…",
+            help: "the recorded joints from base to tool, where their names are not the robot's",
+            values: &[],
+        },
+    ],
+    known_by: KnownBy::Bytes(|bytes| bytes.starts_with(&container::MAGIC[..6])),
+    read,
+};
+
+/// Reads a recording.
+fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let topics = gathered(case)?;
+    case.found.names = topics.names().map(str::to_owned).collect();
+    case.note(format!("topics: {}", topics.in_words()));
+    let joints = chosen(case, &topics, &JOINTS);
+    let measured = chosen(case, &topics, &MEASURED);
+    let (joints, measured) = (joints.ok()?, measured.ok()?);
+    let Some(measured) = measured else {
+        let expected = format!("a topic of one of the types {}", MEASURED.types_in_words());
+        case.refuse(
+            "no topic with measured poses, points or transforms",
+            expected,
+        );
+        return None;
+    };
+    let path = if let Some(topic) = joints {
+        Some(recorded::path(case, topic)?)
+    } else {
+        case.note("no topic with joint states: --commands says where the robot was sent");
+        None
+    };
+    let start_ns = joints.and_then(Topic::start_ns).or(measured.start_ns())?;
+    let mut columns = recorded::points(case, measured, start_ns)?;
+    "m and rad, as the messages have it".clone_into(&mut case.found.unit);
+    columns.commands = path.map(|path| Box::new(path.into_columns(start_ns)));
+    let listed = columns.commands.iter().flat_map(|path| &path.list);
+    case.found.columns = listed
+        .chain(&columns.list)
+        .map(|column| ColumnGuess {
+            heading: column.name.clone(),
+            meaning: column.role.to_string(),
+            known: Known::Certain,
+        })
+        .collect();
+    case.found.rows = columns.rows();
+    (!case.is_open()).then_some(columns)
+}
+
+/// Everything of use in the file, by topic. A recording that is cut off is good up to there.
+fn gathered(case: &mut Case<'_>) -> Option<Topics> {
+    let mut topics = Topics::default();
+    let part = case.part;
+    let mut cancelled = false;
+    let read = container::Reader::default().read(case.bytes, &mut |channels, message, share| {
+        cancelled = part.reached(0.9 * share).is_err();
+        topics.add(&channels[message.channel], message);
+        !cancelled
+    });
+    if cancelled {
+        return None;
+    }
+    if let Err(broken) = read {
+        let found = format!("byte {}: {}", broken.byte, broken.found);
+        let place = case.place.clone();
+        if broken.is_cut && topics.messages() > 0 {
+            let found = format!("{found}; what stands before is read");
+            let diagnostic = Diagnostic::warning(place, found, broken.expected);
+            case.found.findings.push(diagnostic);
+        } else {
+            let diagnostic = Diagnostic::error(place, found, broken.expected);
+            case.found.findings.push(diagnostic);
+            return None;
+        }
+    }
+    if topics.messages() == 0 {
+        case.refuse(
+            "a recording without messages",
+            "joint states and measured poses",
+        );
+        return None;
+    }
+    Some(topics)
+}
+
+/// Something is asked or wrong, and stands in the inspection.
+struct Open;
+
+/// Which topic is looked for, and how.
+struct Wanted {
+    option: &'static str,
+    what: &'static str,
+    /// Types, the ones that are preferred first.
+    types: &'static [&'static [Type]],
+}
+
+const JOINTS: Wanted = Wanted {
+    option: TOPIC_JOINTS,
+    what: "joint states",
+    types: &[&[Type::JointState]],
+};
+
+/// Transforms of a whole tree are taken only where nothing else was measured: most of them are what
+/// the robot believes of itself.
+const MEASURED: Wanted = Wanted {
+    option: TOPIC_MEASURED,
+    what: "measured poses, points or transforms",
+    types: &[
+        &[
+            Type::PoseStamped,
+            Type::PointStamped,
+            Type::TransformStamped,
+        ],
+        &[Type::TfMessage],
+    ],
+};
+
+impl Wanted {
+    fn types_in_words(&self) -> String {
+        let names: Vec<&str> = self
+            .types
+            .iter()
+            .flat_map(|t| t.iter())
+            .map(|t| t.name())
+            .collect();
+        names.join(", ")
+    }
+}
+
+/// The topic that was said, or the only one of the types that are wanted. `None`: there is none.
+fn chosen<'t>(
+    case: &mut Case<'_>,
+    topics: &'t Topics,
+    wanted: &Wanted,
+) -> Result<Option<&'t Topic>, Open> {
+    let of = |types: &[Type]| -> Vec<&'t Topic> {
+        let all = topics.list.values();
+        all.filter(|topic| types.contains(&topic.type_)).collect()
+    };
+    let suited: Vec<&Topic> = wanted.types.iter().flat_map(|types| of(types)).collect();
+    if let Some(said) = case.reading.options.get(wanted.option) {
+        let is =
+            |topic: &&&Topic| topic.name.trim_start_matches('/') == said.trim_start_matches('/');
+        let found = suited.iter().find(is).copied();
+        if found.is_none() {
+            let names: Vec<String> = suited.iter().map(|topic| quoted(&topic.name)).collect();
+            let found = format!(
+                "--{}: no topic {} with {}",
+                wanted.option,
+                quoted(said),
+                wanted.what
+            );
+            let expected = match &names[..] {
+                [] => format!("a topic of one of the types {}", wanted.types_in_words()),
+                names => format!("one of {}", names.join(", ")),
+            };
+            case.refuse(found, expected);
+            return Err(Open);
+        }
+        return sound(case, found);
+    }
+    for types in wanted.types {
+        let mut candidates = of(types);
+        // What never changes was not measured while the robot moved.
+        if candidates.len() > 1 {
+            candidates.retain(|topic| !topic.name.ends_with("tf_static"));
+        }
+        match candidates[..] {
+            [] => {}
+            [only] => return sound(case, Some(only)),
+            _ => {
+                let names: Vec<&str> = candidates.iter().map(|topic| topic.name.as_str()).collect();
+                let says = format!("several topics have {}: {}", wanted.what, names.join(", "));
+                case.ask(About::Own(wanted.option), says, &names);
+                return Err(Open);
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The topic, if its messages can be read.
+fn sound<'t>(case: &mut Case<'_>, topic: Option<&'t Topic>) -> Result<Option<&'t Topic>, Open> {
+    if let Some(topic) = topic
+        && let Some(wrong) = &topic.wrong
+    {
+        let found = format!(
+            "byte {}: message {} of {}: {}",
+            wrong.byte,
+            wrong.number,
+            quoted(&topic.name),
+            wrong.says
+        );
+        case.refuse(found, format!("a {} in CDR or JSON", topic.type_.name()));
+        return Err(Open);
+    }
+    Ok(topic)
+}

@@ -1,0 +1,328 @@
+//! From the messages of two topics to a path of the joints and to measured points.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::importers::case::{Case, fixed};
+use crate::importers::columns::{Column, Columns};
+use crate::importers::headings::Role;
+use crate::importers::matching::listed_up_to;
+use crate::importers::settings::About;
+use crate::sessions::Lines;
+use crate::sessions::columns::{Quantity, Unit};
+use crate::sessions::number::quoted;
+use crate::sessions::table::{Cells, Names};
+
+use super::messages::Measured;
+use super::topics::Topic;
+use super::{FRAME_CHILD, JOINT_NAMES, Open};
+
+/// Joint states that are nearer in time are averaged: encoders' noise over a millisecond looks like
+/// motion.
+const SPACING_NS: i64 = 20_000_000;
+/// Names that a message lists.
+const SHOWN: usize = 20;
+
+/// Where the joints were over time.
+pub(super) struct Path {
+    /// ns, increasing; with the fraction that averaging brings.
+    time_ns: Vec<f64>,
+    /// One for each joint of the robot; rad or m.
+    q: Vec<Vec<f64>>,
+    slides: Vec<bool>,
+    start_ns: i64,
+}
+
+/// The path of the robot's joints. `None`: something is asked, or wrong.
+pub(super) fn path(case: &mut Case<'_>, topic: &Topic) -> Option<Path> {
+    let names = joints_of(case, topic)?;
+    let slides = match &case.reading.joints[..] {
+        [] => vec![false; names.len()],
+        joints => joints.iter().map(|(_, slides)| *slides).collect(),
+    };
+    // A row for each time at which all of them are known; what comes twice is taken once.
+    let mut rows: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
+    for (joint, name) in names.iter().enumerate() {
+        for (time, value) in topic.joints.get(name).into_iter().flatten() {
+            let row = rows
+                .entry(*time)
+                .or_insert_with(|| vec![f64::NAN; names.len()]);
+            if row[joint].is_nan() {
+                row[joint] = *value;
+            }
+        }
+    }
+    let all = rows.len();
+    rows.retain(|_, values| values.iter().all(|value| value.is_finite()));
+    if rows.is_empty() {
+        let says = format!("no message of {} has all joints", quoted(&topic.name));
+        case.refuse(says, listed_up_to(&names, SHOWN));
+        return None;
+    }
+    if rows.len() < all {
+        let found = format!(
+            "{} of {all} joint states are left out: a joint has no value there",
+            all - rows.len()
+        );
+        case.warn(found, "");
+    }
+    let start_ns = topic.start_ns()?;
+    let path = Path::averaged(&rows, names.len(), slides, start_ns);
+    case.note(format!(
+        "joint values are those that {} reports, {} of them, taken as commanded: {}",
+        quoted(&topic.name),
+        rows.len(),
+        names.join(", ")
+    ));
+    Some(path)
+}
+
+/// The recorded joints that are the robot's, from base to tool.
+fn joints_of(case: &mut Case<'_>, topic: &Topic) -> Option<Vec<String>> {
+    let robot: Vec<&str> = case
+        .reading
+        .joints
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .collect();
+    let recorded = listed_up_to(&topic.joint_names, SHOWN);
+    if let Some(said) = case.reading.options.get(JOINT_NAMES) {
+        let names: Vec<String> = said.split(',').map(|name| name.trim().to_owned()).collect();
+        let unknown = names.iter().find(|name| !topic.joints.contains_key(*name));
+        let distinct: BTreeSet<&String> = names.iter().collect();
+        let found = match unknown {
+            Some(name) => format!("no joint {} in {}", quoted(name), quoted(&topic.name)),
+            None if distinct.len() < names.len() => "a joint that comes twice".to_owned(),
+            None if !robot.is_empty() && robot.len() != names.len() => {
+                format!(
+                    "{} joints for a robot that has {}",
+                    names.len(),
+                    robot.len()
+                )
+            }
+            None => return Some(names),
+        };
+        case.refuse(
+            format!("--{JOINT_NAMES}: {found}"),
+            format!("as many names as the robot has joints, of {recorded}"),
+        );
+        return None;
+    }
+    if robot.is_empty() {
+        return Some(topic.joint_names.clone());
+    }
+    if robot.iter().all(|name| topic.joints.contains_key(*name)) {
+        return Some(robot.into_iter().map(str::to_owned).collect());
+    }
+    if robot.len() == 1 && topic.joint_names.len() == 1 {
+        return Some(topic.joint_names.clone());
+    }
+    let says = format!(
+        "the recorded joints ({recorded}) are not called like the robot's ({}), and their order in a message is no order of the robot",
+        robot.join(", ")
+    );
+    let answer = topic.joint_names.join(",");
+    let answers: &[&str] = if topic.joint_names.len() == robot.len() {
+        &[&answer]
+    } else {
+        &[]
+    };
+    case.ask(About::Own(JOINT_NAMES), says, answers);
+    None
+}
+
+impl Path {
+    fn averaged(
+        rows: &BTreeMap<i64, Vec<f64>>,
+        joints: usize,
+        slides: Vec<bool>,
+        start_ns: i64,
+    ) -> Self {
+        let mut path = Self {
+            time_ns: Vec::new(),
+            q: vec![Vec::new(); joints],
+            slides,
+            start_ns,
+        };
+        let mut rows = rows.iter().peekable();
+        while let Some((&first, values)) = rows.next() {
+            let mut sum = values.clone();
+            let (mut count, mut later_ns) = (1.0, 0.0);
+            while let Some((time, values)) =
+                rows.next_if(|(time, _)| time.saturating_sub(first) < SPACING_NS)
+            {
+                count += 1.0;
+                later_ns += (time - first) as f64;
+                for (sum, value) in sum.iter_mut().zip(values) {
+                    *sum += value;
+                }
+            }
+            // Relative to the start: a double cannot hold a nanosecond of these days.
+            path.time_ns
+                .push(first.saturating_sub(start_ns) as f64 + later_ns / count);
+            for (column, sum) in path.q.iter_mut().zip(sum) {
+                column.push(sum / count);
+            }
+        }
+        path
+    }
+
+    /// As a table of commands whose times count from `start_ns`.
+    pub(super) fn into_columns(self, start_ns: i64) -> Columns {
+        let shift_ns = self.start_ns.saturating_sub(start_ns) as f64;
+        let time_s = self.time_ns.iter().map(|time| 1e-9 * (time + shift_ns));
+        let mut list = vec![time_column(time_s.collect())];
+        for (joint, (values, slides)) in self.q.into_iter().zip(self.slides).enumerate() {
+            let unit = if slides {
+                Unit::Length(1000.0)
+            } else {
+                Unit::Angle(1.0)
+            };
+            list.push(Column::made(Quantity::Commanded(joint), unit, values));
+        }
+        Columns {
+            list,
+            ..Columns::default()
+        }
+    }
+}
+
+fn time_column(time_s: Vec<f64>) -> Column {
+    Column {
+        role: Role::Time(1.0),
+        ..Column::made(Quantity::Time, Unit::Fixed, time_s)
+    }
+}
+
+/// What was measured, in the order of time. `None`: something is asked.
+pub(super) fn points(case: &mut Case<'_>, topic: &Topic, start_ns: i64) -> Option<Columns> {
+    let child = child_of(case, topic).ok()?;
+    let mut list: Vec<&Measured> = topic
+        .measured
+        .iter()
+        .filter(|measured| child.as_ref().is_none_or(|child| measured.child == *child))
+        .collect();
+    list.sort_by_key(|measured| measured.header.time_ns);
+    let is_there = |measured: &&&Measured| measured.is_there();
+    let lost = list.len() - list.iter().filter(is_there).count();
+    if lost > 0 {
+        let found = format!(
+            "{lost} of {} measurements of {} have no position or no orientation: left out",
+            list.len(),
+            quoted(&topic.name)
+        );
+        case.warn(found, "");
+        list.retain(|measured| measured.is_there());
+    }
+    if list.is_empty() {
+        case.refuse(
+            format!("nothing was measured in {}", quoted(&topic.name)),
+            "",
+        );
+        return None;
+    }
+    let frames: BTreeSet<&str> = list.iter().map(|m| m.header.frame.as_str()).collect();
+    let frames: Vec<String> = frames.into_iter().map(quoted).collect();
+    let child = child.map_or_else(String::new, |child| format!(", child {}", quoted(&child)));
+    case.note(format!(
+        "measured is {}{child}, {} times, in the frame {}",
+        quoted(&topic.name),
+        list.len(),
+        listed_up_to(&frames, SHOWN)
+    ));
+    let of = |part: &dyn Fn(&Measured) -> f64| list.iter().map(|m| part(m)).collect::<Vec<f64>>();
+    let mut columns = Columns::default();
+    for (axis, quantity) in [Quantity::X, Quantity::Y, Quantity::Z]
+        .into_iter()
+        .enumerate()
+    {
+        let values = of(&|m| m.position_m[axis]);
+        columns.put(Column::made(quantity, Unit::Length(1000.0), values));
+    }
+    if list
+        .iter()
+        .all(|measured| measured.orientation_xyzw.is_some())
+    {
+        for part in 0..4 {
+            // x, y, z, w in the messages.
+            let values = of(&|m| m.orientation_xyzw.map_or(f64::NAN, |q| q[(part + 3) % 4]));
+            columns.put(Column::made(
+                Quantity::Orientation(part),
+                Unit::Fixed,
+                values,
+            ));
+        }
+    }
+    columns.list.push(time_column(of(&|m| {
+        1e-9 * m.header.time_ns.saturating_sub(start_ns) as f64
+    })));
+    if frames.len() > 1 {
+        let mut names = Names::default();
+        for measured in &list {
+            names.push(&measured.header.frame);
+        }
+        columns.list.push(Column {
+            name: "setup".to_owned(),
+            number: 0,
+            role: fixed(Quantity::Setup, Unit::Fixed),
+            cells: Cells::Names(names),
+        });
+    }
+    // A message has no line: its number finds it again.
+    columns.lines = Lines::default();
+    Some(columns)
+}
+
+/// The child frame that was measured: `None` where there are no transforms.
+fn child_of(case: &mut Case<'_>, topic: &Topic) -> Result<Option<String>, Open> {
+    let children: BTreeSet<&str> = topic.measured.iter().map(|m| m.child.as_str()).collect();
+    let children: Vec<&str> = children
+        .into_iter()
+        .filter(|child| !child.is_empty())
+        .collect();
+    if let Some(said) = case.reading.options.get(FRAME_CHILD) {
+        if children.contains(&said.as_str()) {
+            return Ok(Some(said.clone()));
+        }
+        let names: Vec<String> = children.iter().map(|name| quoted(name)).collect();
+        let found = format!(
+            "--{FRAME_CHILD}: no frame {} in {}",
+            quoted(said),
+            quoted(&topic.name)
+        );
+        let expected = match &names[..] {
+            [] => format!(
+                "a topic with transforms; this one has {}",
+                topic.type_.name()
+            ),
+            names => format!("one of {}", listed_up_to(names, SHOWN)),
+        };
+        case.refuse(found, expected);
+        return Err(Open);
+    }
+    match children[..] {
+        [] => Ok(None),
+        [only] => Ok(Some(only.to_owned())),
+        _ => {
+            let says = format!(
+                "{} has transforms to several frames: {}",
+                quoted(&topic.name),
+                children.join(", ")
+            );
+            case.ask(About::Own(FRAME_CHILD), says, &children);
+            Err(Open)
+        }
+    }
+}
+
+impl Measured {
+    /// A position and, where there is an orientation, one: an instrument that lost its target may
+    /// write zeros.
+    fn is_there(&self) -> bool {
+        let is_finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+        let turns = self.orientation_xyzw.is_none_or(|q| {
+            let norm: f64 = q.iter().map(|part| part * part).sum();
+            is_finite(&q) && norm > 0.25 && norm < 4.0
+        });
+        turns && is_finite(&self.position_m)
+    }
+}

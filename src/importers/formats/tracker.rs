@@ -1,0 +1,170 @@
+//! Text of a laser tracker or of `SpatialAnalyzer`: `Point,X,Y,Z` or `Group,Point,X,Y,Z`, without a
+//! header; the person who exported it chose the fields.
+//!
+//! Names come first. A first column of whole numbers before columns with fractions holds names too
+//! (points are often numbered). Where the columns do not tell, the person does.
+
+use crate::importers::case::Case;
+use crate::importers::columns::Columns;
+use crate::importers::decimals::{Shape, shape};
+use crate::importers::formats::{Asks, Importer, KnownBy};
+use crate::importers::grid::{Complaints, Grid};
+use crate::importers::headings::{Role, understand};
+use crate::importers::settings::About;
+use crate::sessions::columns::Quantity;
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "tracker",
+    about: "laser tracker or SpatialAnalyzer text: names, x, y, z",
+    plainly: "a laser tracker or SpatialAnalyzer: names, x, y, z",
+    asks: Asks::TABLE,
+    options: &[],
+    known_by: KnownBy::Reading {
+        turn: 5,
+        suits: |trial| trial.is_sound,
+    },
+    read,
+};
+
+/// What all cells of a column are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    Empty,
+    Whole,
+    Fraction,
+    Text,
+}
+
+/// Reads measured points.
+pub(crate) fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    // Some programs can be told to write a header: then it says.
+    let found = roles_by_header(&grid).or_else(|| {
+        let names = names_before(&kinds(&grid, case))?;
+        Some(roles(names, grid.width))
+    });
+    let roles = match (case.given_roles(&grid, found.as_deref()), found) {
+        (Some(given), _) => given,
+        (None, _) if !case.reading.columns.is_empty() => return None,
+        (None, Some(found)) => found,
+        (None, None) => {
+            let says = format!(
+                "{} columns, of which it is not certain where x, y and z begin",
+                grid.width
+            );
+            case.ask(About::Columns, says, &[]);
+            vec![Role::Left; grid.width]
+        }
+    };
+    case.require_position(&roles, "");
+    case.columns(&grid, roles)
+}
+
+/// What a header says, if it says where x and y are.
+fn roles_by_header(grid: &Grid<'_>) -> Option<Vec<Role>> {
+    let (_, names) = grid.header.as_ref()?;
+    let mut roles: Vec<Role> = names.iter().map(|name| understand(name)).collect();
+    roles.truncate(grid.width);
+    let has = |wanted| roles.iter().any(|role| role.quantity() == Some(wanted));
+    (has(Quantity::X) && has(Quantity::Y)).then_some(roles)
+}
+
+/// What the columns are over the whole file.
+fn kinds(grid: &Grid<'_>, case: &Case<'_>) -> Vec<Kind> {
+    let mut kinds = vec![Kind::Empty; grid.width];
+    // What is wrong with rows is said when they are read.
+    let mut ignored = Complaints::default();
+    grid.each_row(&case.place, &mut ignored, |row, _| {
+        for (kind, cell) in kinds.iter_mut().zip(&row.cells) {
+            if *kind == Kind::Text || cell.is_empty() {
+                continue;
+            }
+            let is = match shape(cell) {
+                Some(Shape::Whole) => Kind::Whole,
+                Some(_) => Kind::Fraction,
+                None => Kind::Text,
+            };
+            *kind = is.max(*kind);
+        }
+    });
+    kinds
+}
+
+/// How many columns of names stand before x, y and z.
+fn names_before(kinds: &[Kind]) -> Option<usize> {
+    let text = kinds.iter().take_while(|kind| **kind == Kind::Text).count();
+    let numbers = kinds[text..]
+        .iter()
+        .take_while(|kind| **kind != Kind::Text)
+        .count();
+    let is_whole = |at: usize| kinds.get(at) == Some(&Kind::Whole);
+    let fractions_from = |at: usize| {
+        (at..at + 3).all(|at| kinds.get(at).is_some_and(|kind| *kind != Kind::Text))
+            && (at..at + 3).any(|at| kinds.get(at) == Some(&Kind::Fraction))
+    };
+    match (text, numbers) {
+        (_, 0..3) => None,
+        (0, 3) => Some(0),
+        // x, y, z and then a number more: only a first column without fractions is a name.
+        (0, 4) => is_whole(0).then_some(1),
+        (0, _) => match (is_whole(0), is_whole(1)) {
+            (true, false) => Some(1),
+            (true, true) if fractions_from(2) && !is_whole(2) => Some(2),
+            _ => None,
+        },
+        (text, 3) => Some(text),
+        // A group, and points with numbers for names; or a tool number behind the coordinates.
+        (text, _) => Some(
+            if is_whole(text) && fractions_from(text + 1) && !is_whole(text + 1) {
+                text + 1
+            } else {
+                text
+            },
+        ),
+    }
+}
+
+fn roles(names: usize, width: usize) -> Vec<Role> {
+    let coordinates = [Quantity::X, Quantity::Y, Quantity::Z];
+    (0..width)
+        .map(|index| match index {
+            index if index + 1 == names => Role::Point,
+            index if index + 2 == names => Role::Group,
+            index if index < names => Role::Kept,
+            index => match coordinates.get(index - names) {
+                Some(quantity) => Role::Known(*quantity, None),
+                None => Role::Kept,
+            },
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_stand_before_the_coordinates() {
+        use Kind::{Fraction as F, Text as T, Whole as W};
+        for (kinds, names) in [
+            (&[F, F, F][..], Some(0)),
+            (&[W, W, W], Some(0)),
+            (&[T, F, F, F], Some(1)),
+            (&[T, W, W, W], Some(1)),
+            (&[T, T, F, F, F], Some(2)),
+            (&[T, W, F, F, F], Some(2)),
+            (&[T, T, T, F, F, F, F], Some(3)),
+            (&[T, F, F, F, F, T], Some(1)),
+            (&[W, F, F, F], Some(1)),
+            (&[W, F, F, F, F], Some(1)),
+            (&[W, W, F, F, F], Some(2)),
+            (&[F, F, F, F], None),
+            (&[T, F, F], None),
+            (&[F, T, F, F], None),
+            (&[W, W, W, F, F], None),
+        ] {
+            assert_eq!(names_before(kinds), names, "{kinds:?}");
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! A trajectory in the format of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw`, in
+//! seconds and metres, comments behind `#`. The quaternion's real part comes last.
+
+use crate::importers::case::{Case, fixed};
+use crate::importers::columns::Columns;
+use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
+use crate::importers::headings::Role;
+use crate::importers::settings::Known;
+use crate::importers::units::LengthUnit;
+use crate::sessions::columns::{Quantity, Unit};
+
+/// The columns as the format calls them.
+const NAMES: [&str; 8] = ["timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"];
+
+/// See the module.
+pub(crate) static IMPORTER: Importer = Importer {
+    id: "tum",
+    about: "TUM trajectory",
+    plainly: "a TUM trajectory: time, position, quaternion",
+    asks: Asks {
+        columns: Meanings::Fixed,
+        ..Asks::TABLE
+    },
+    options: &[],
+    known_by: KnownBy::Reading { turn: 0, suits },
+    read,
+};
+
+/// The format's own names, behind a comment sign, are no header of a table.
+fn suits(trial: &Trial) -> bool {
+    let headings = trial.headings.as_ref();
+    trial.is_sound && trial.is_complete && headings.is_none_or(|names| names.iter().eq(NAMES))
+}
+
+/// Reads a trajectory.
+fn read(case: &mut Case<'_>) -> Option<Columns> {
+    let grid = case.grid()?;
+    if grid.width != 8 {
+        let found = format!("{} columns", grid.width);
+        case.refuse(found, "8: timestamp tx ty tz qx qy qz qw");
+        return None;
+    }
+    let unit = case.reading.unit.unwrap_or(LengthUnit::Metres);
+    if unit != LengthUnit::Metres {
+        let found = format!("lengths are taken in {}, as was said", unit.symbol());
+        case.warn(found, "m, which the format has");
+    }
+    let position = |quantity| fixed(quantity, unit.unit());
+    let part = |part| fixed(Quantity::Orientation(part), Unit::Fixed);
+    let roles = vec![
+        Role::Time(1.0),
+        position(Quantity::X),
+        position(Quantity::Y),
+        position(Quantity::Z),
+        part(1),
+        part(2),
+        part(3),
+        part(0),
+    ];
+    let columns = case.columns(&grid, roles);
+    for column in &mut case.found.columns {
+        column.known = Known::Certain;
+    }
+    case.found.unit = format!("{}, as the format has it", unit.symbol());
+    columns
+}

@@ -1,0 +1,401 @@
+//! The joint values that bring the nominal tool to a pose: from a start, and all of them.
+//!
+//! ```text
+//! least |(p(q) − p)/L|² + |log(R(q)ᵀ R)|²  over the free joints,   L the robot's reach
+//! ```
+//!
+//! Levenberg–Marquardt (Marquardt 1963) on the exact Jacobian, for any chain. All solutions are
+//! those that many starts lead to: what was found before, mirror images of it, and points that are
+//! spread evenly over the joints' travel (Halton 1960). The starts are always the same, and so is
+//! the answer. A robot with more joints than the pose asks for has endlessly many solutions; for it
+//! only the one nearest to a start means anything.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{DMatrix, DVector, Point3, UnitQuaternion, Vector3};
+
+use super::quaternion;
+use super::robot::{JointKind, Pose, Robot};
+
+/// Starts that are spread over the travel.
+const STARTS: usize = 72;
+/// Steps of one search; one that has not settled by then leads nowhere.
+const MOST_STEPS: usize = 60;
+/// A step below this (rad, or the same part of the reach) changes nothing any more.
+const SETTLED: f64 = 1e-13;
+/// A pose is reached when no more than this is missing, mm: files round to hundredths.
+pub const REACHED_MM: f64 = 0.02;
+/// The same for the orientation, rad.
+pub const REACHED_RAD: f64 = 2e-4;
+/// Solutions nearer to each other than this (rad, or the same part of the reach) are one.
+const SAME: f64 = 1e-5;
+
+/// Where the tool is to go.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Goal {
+    /// The tool's origin in the base frame, mm.
+    pub position_mm: Point3<f64>,
+    /// The tool frame's orientation in the base frame; `None`: any.
+    pub rotation: Option<UnitQuaternion<f64>>,
+}
+
+impl Goal {
+    /// A whole pose.
+    pub fn pose(pose: &Pose) -> Self {
+        Self {
+            position_mm: pose.translation.vector.into(),
+            rotation: Some(pose.rotation),
+        }
+    }
+
+    /// How many numbers it asks for.
+    fn size(&self) -> usize {
+        if self.rotation.is_some() { 6 } else { 3 }
+    }
+}
+
+/// A robot of which some joints are free to reach a goal.
+#[derive(Debug, Clone)]
+pub struct Inverse<'a> {
+    robot: &'a Robot,
+    free: Vec<usize>,
+    reach_mm: f64,
+}
+
+impl<'a> Inverse<'a> {
+    /// The joints in `free` (counted from 0) move; the others stay where a start puts them.
+    pub fn new(robot: &'a Robot, free: Vec<usize>) -> Self {
+        Self {
+            robot,
+            free,
+            reach_mm: robot.reach_mm(),
+        }
+    }
+
+    /// Whether the goal leaves the free joints only single solutions, not whole lines of them.
+    pub fn is_determined(&self, goal: &Goal) -> bool {
+        self.free.len() <= goal.size()
+    }
+
+    /// The solution that a start (one value per joint, rad or mm) leads to; limits play no part.
+    pub fn from_start(&self, goal: &Goal, start: &[f64]) -> Option<Vec<f64>> {
+        let mut q = start.to_vec();
+        let mut left = self.missing(goal, &q);
+        let mut damping = 1e-3;
+        for _ in 0..MOST_STEPS {
+            let jacobian = self.jacobian(goal, &q);
+            let normal = jacobian.transpose() * &jacobian;
+            let downhill = jacobian.transpose() * &left;
+            let step = self.damped(&normal, &downhill, damping)?;
+            let trial = self.stepped(&q, &step);
+            let trial_left = self.missing(goal, &trial);
+            if trial_left.norm_squared() <= left.norm_squared() {
+                (q, left) = (trial, trial_left);
+                damping = (damping * 0.1).max(1e-15);
+                if step.amax() < SETTLED {
+                    break;
+                }
+            } else if damping > 1e6 || step.amax() < SETTLED {
+                break;
+            } else {
+                damping *= 10.0;
+            }
+        }
+        self.is_reached(goal, &q).then_some(q)
+    }
+
+    /// Every solution within the limits (of a joint without: within a turn either way), in a fixed
+    /// order. `fixed` has the values of the joints that are not free; `known` are solutions of a
+    /// goal near by, which help to find all of these quickly.
+    pub fn all(&self, goal: &Goal, fixed: &[f64], known: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        let mut starts: Vec<Vec<f64>> = known.to_vec();
+        starts.extend((0..STARTS).map(|k| self.spread(fixed, k)));
+        // Mirror images of what is found are starts as well.
+        let mut next = 0;
+        while next < starts.len() && found.len() < MOST_SOLUTIONS {
+            if let Some(solution) = self.from_start(goal, &starts[next]) {
+                let solution = self.wound_back(solution);
+                if found.iter().all(|f| self.distance(f, &solution) > SAME) {
+                    starts.extend(self.mirrored(&solution));
+                    found.push(solution);
+                }
+            }
+            next += 1;
+        }
+        found.sort_by(|a, b| {
+            let pairs = a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
+            pairs.fold(std::cmp::Ordering::Equal, std::cmp::Ordering::then)
+        });
+        found.iter().flat_map(|q| self.turns(q)).collect()
+    }
+
+    /// How far apart two sets of joint values are: rad, sliding joints by parts of the reach.
+    pub fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
+        let squares = self.free.iter().map(|j| {
+            let by = (a[*j] - b[*j]) / self.unit(*j);
+            by * by
+        });
+        squares.sum::<f64>().sqrt()
+    }
+
+    fn unit(&self, joint: usize) -> f64 {
+        match self.robot.joints[joint].kind {
+            JointKind::Revolute => 1.0,
+            JointKind::Prismatic => self.reach_mm,
+        }
+    }
+
+    fn missing(&self, goal: &Goal, q: &[f64]) -> DVector<f64> {
+        let here = self.robot.base_from_tool(q);
+        let way = (goal.position_mm.coords - here.translation.vector) / self.reach_mm;
+        let mut missing: Vec<f64> = way.iter().copied().collect();
+        if let Some(rotation) = &goal.rotation {
+            let turn = quaternion::log(&(rotation * here.rotation.inverse()));
+            missing.extend(turn.iter());
+        }
+        DVector::from_vec(missing)
+    }
+
+    fn jacobian(&self, goal: &Goal, q: &[f64]) -> DMatrix<f64> {
+        let here = self.robot.base_from_tool(q);
+        let tool = Point3::from(here.translation.vector);
+        let twists = self.robot.joint_twists(q);
+        let mut jacobian = DMatrix::zeros(goal.size(), self.free.len());
+        for (column, joint) in self.free.iter().enumerate() {
+            let unit = self.unit(*joint);
+            let way: Vector3<f64> = twists[*joint].velocity_at(&tool) * (unit / self.reach_mm);
+            let turn = twists[*joint].angular * unit;
+            for axis in 0..3 {
+                jacobian[(axis, column)] = way[axis];
+                if goal.rotation.is_some() {
+                    jacobian[(axis + 3, column)] = turn[axis];
+                }
+            }
+        }
+        jacobian
+    }
+
+    fn damped(
+        &self,
+        normal: &DMatrix<f64>,
+        downhill: &DVector<f64>,
+        damping: f64,
+    ) -> Option<DVector<f64>> {
+        let n = self.free.len();
+        let mean = normal.trace() / n.max(1) as f64;
+        let damped = normal + DMatrix::identity(n, n) * (damping * mean + f64::MIN_POSITIVE);
+        let step = damped.cholesky()?.solve(downhill);
+        step.iter().all(|v| v.is_finite()).then_some(step)
+    }
+
+    fn stepped(&self, q: &[f64], step: &DVector<f64>) -> Vec<f64> {
+        let mut q = q.to_vec();
+        // More than a quarter turn at once leads anywhere.
+        let shrink = (0.25 * TAU / step.amax().max(f64::MIN_POSITIVE)).min(1.0);
+        for (joint, by) in self.free.iter().zip(step.iter()) {
+            q[*joint] += by * shrink * self.unit(*joint);
+        }
+        q
+    }
+
+    /// Whether the tool is where the goal says.
+    pub fn is_reached(&self, goal: &Goal, q: &[f64]) -> bool {
+        let here = self.robot.base_from_tool(q);
+        let way = goal.position_mm.coords - here.translation.vector;
+        let turn = goal.rotation.map_or(0.0, |r| r.angle_to(&here.rotation));
+        way.norm() <= REACHED_MM && turn <= REACHED_RAD
+    }
+
+    /// Point k of an even spread over the travel of the free joints.
+    fn spread(&self, fixed: &[f64], k: usize) -> Vec<f64> {
+        let mut q = fixed.to_vec();
+        for (joint, prime) in self.free.iter().zip(PRIMES.iter().cycle()) {
+            let share = radical_inverse(k + 1, *prime);
+            let limits = self.robot.joints[*joint].limits;
+            let (from, to) = match self.robot.joints[*joint].kind {
+                // More than a turn has nothing new.
+                JointKind::Revolute => {
+                    limits.map_or((-PI, PI), |l| (l.from.max(-PI), l.to.min(PI)))
+                }
+                JointKind::Prismatic => {
+                    limits.map_or((-self.reach_mm, self.reach_mm), |l| (l.from, l.to))
+                }
+            };
+            q[*joint] = from + share * (to - from);
+        }
+        q
+    }
+
+    /// Where other solutions of the same goal are likely: wrist, elbow and shoulder turned over.
+    fn mirrored(&self, q: &[f64]) -> Vec<Vec<f64>> {
+        let turns: Vec<usize> = self
+            .free
+            .iter()
+            .copied()
+            .filter(|j| self.turns_round(*j))
+            .collect();
+        let mut mirrored = Vec::new();
+        for window in turns.windows(3) {
+            let mut other = q.to_vec();
+            other[window[0]] += PI;
+            other[window[1]] = -other[window[1]];
+            other[window[2]] += PI;
+            mirrored.push(self.wound_back(other));
+        }
+        for joint in &turns {
+            for by in [-other_side(q[*joint]), PI] {
+                let mut other = q.to_vec();
+                other[*joint] += by;
+                mirrored.push(self.wound_back(other));
+            }
+        }
+        mirrored
+    }
+
+    fn turns_round(&self, joint: usize) -> bool {
+        self.robot.joints[joint].kind == JointKind::Revolute
+    }
+
+    /// Every free turning joint within half a turn of its zero.
+    fn wound_back(&self, mut q: Vec<f64>) -> Vec<f64> {
+        for joint in self.free.iter().filter(|j| self.turns_round(**j)) {
+            q[*joint] -= TAU * (q[*joint] / TAU).round();
+        }
+        q
+    }
+
+    /// The same pose with whole turns of joints more or less, as far as the limits allow.
+    fn turns(&self, q: &[f64]) -> Vec<Vec<f64>> {
+        let mut all = vec![q.to_vec()];
+        for joint in &self.free {
+            let limits = self.robot.joints[*joint].limits;
+            let steps: &[f64] = if self.turns_round(*joint) {
+                &[0.0, -TAU, TAU]
+            } else {
+                &[0.0]
+            };
+            let mut further = Vec::new();
+            for q in &all {
+                for by in steps {
+                    let value = q[*joint] + by;
+                    let inside = match limits {
+                        Some(l) => value >= l.from - ON_THE_LIMIT && value <= l.to + ON_THE_LIMIT,
+                        None => *by == 0.0 || value.abs() <= TAU,
+                    };
+                    if inside && further.len() < MOST_SOLUTIONS {
+                        let mut q = q.clone();
+                        q[*joint] = value;
+                        further.push(q);
+                    }
+                }
+            }
+            all = further;
+        }
+        all
+    }
+}
+
+/// Twice the way to zero: from a bent elbow to the one bent the other way.
+fn other_side(value: f64) -> f64 {
+    2.0 * value
+}
+
+/// A pose that was written with few digits may lie beyond the limit by so much, rad or mm.
+const ON_THE_LIMIT: f64 = 1e-6;
+/// More are a pose through which lines of solutions run.
+const MOST_SOLUTIONS: usize = 512;
+const PRIMES: [usize; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
+
+/// The digits of `k` in base `base`, mirrored at the point: from 0 to 1.
+fn radical_inverse(mut k: usize, base: usize) -> f64 {
+    let (mut sum, mut part) = (0.0, 1.0);
+    while k > 0 {
+        part /= base as f64;
+        sum += (k % base) as f64 * part;
+        k /= base;
+    }
+    sum
+}
+
+impl Robot {
+    /// The longest distance that matters, mm: of the tool and of any axis from the base, and of the
+    /// tool from any axis, at home; at least 1.
+    pub fn reach_mm(&self) -> f64 {
+        let tool = self.base_from_tool.translation.vector;
+        let points = self.joints.iter().map(|joint| joint.axis.point_mm.coords);
+        let far = points.map(|p| p.norm().max((tool - p).norm()));
+        far.fold(tool.norm(), f64::max).max(1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::{Axis, Joint, Range};
+
+    fn arm(limit_deg: f64) -> Robot {
+        let rows: [([f64; 3], [f64; 3]); 6] = [
+            ([0.0, 0.0, 1.0], [0.0, 0.0, 0.0]),
+            ([0.0, 1.0, 0.0], [30.0, 0.0, 330.0]),
+            ([0.0, 1.0, 0.0], [30.0, 0.0, 640.0]),
+            ([1.0, 0.0, 0.0], [30.0, 0.0, 710.0]),
+            ([0.0, 1.0, 0.0], [340.0, 0.0, 710.0]),
+            ([1.0, 0.0, 0.0], [340.0, 0.0, 710.0]),
+        ];
+        let joint = |(direction, point): ([f64; 3], [f64; 3])| {
+            let axis = Axis::through(direction.into(), point.into()).unwrap();
+            let mut joint = Joint::new("j", JointKind::Revolute, axis);
+            joint.limits = Some(Range {
+                from: -limit_deg.to_radians(),
+                to: limit_deg.to_radians(),
+            });
+            joint
+        };
+        Robot {
+            name: "arm".to_owned(),
+            joints: rows.into_iter().map(joint).collect(),
+            base_from_tool: Pose::translation(420.0, 15.0, 730.0),
+            gravity_m_s2: None,
+            source: crate::kinematics::RobotSource::Axes,
+        }
+    }
+
+    #[test]
+    fn a_spherical_wrist_has_eight_solutions_and_all_of_them_reach() {
+        let robot = arm(180.0);
+        let inverse = Inverse::new(&robot, (0..6).collect());
+        for k in 0..20 {
+            let q: Vec<f64> = (0..6)
+                .map(|j| 1.2 * (f64::from(k) * 1.7 + f64::from(j) * 2.3).sin() + 0.3)
+                .collect();
+            let goal = Goal::pose(&robot.base_from_tool(&q));
+            let all = inverse.all(&goal, &[0.0; 6], &[]);
+            assert!(all.iter().all(|q| inverse.is_reached(&goal, q)));
+            assert!(all.iter().any(|a| inverse.distance(a, &q) < 1e-8), "{k}");
+            assert!(all.len() % 2 == 0 && all.len() <= 8, "{k}: {}", all.len());
+            assert!(all.len() >= 4, "{k}: {}", all.len());
+        }
+    }
+
+    #[test]
+    fn whole_turns_count_where_the_limits_allow_them() {
+        let narrow = arm(180.0);
+        let wide = arm(360.0);
+        let q = [0.3, 0.4, -0.2, 0.9, 0.7, -1.1];
+        let goal = Goal::pose(&narrow.base_from_tool(&q));
+        let count = |robot: &Robot| {
+            let inverse = Inverse::new(robot, (0..6).collect());
+            inverse.all(&goal, &[0.0; 6], &[]).len()
+        };
+        assert!(count(&wide) > count(&narrow));
+    }
+
+    #[test]
+    fn out_of_reach_there_is_none() {
+        let robot = arm(180.0);
+        let inverse = Inverse::new(&robot, (0..6).collect());
+        let goal = Goal::pose(&Pose::translation(5000.0, 0.0, 0.0));
+        assert!(inverse.all(&goal, &[0.0; 6], &[]).is_empty());
+    }
+}

@@ -1,0 +1,201 @@
+//! `truepose-compensation/1`: what became of the targets of a file, as JSON.
+//!
+//! ```json
+//! { "format": "truepose-compensation/1", "model": "cell.model.json", "file": "p.mod", "as": "rapid",
+//!   "frame": { "position_mm": [0, 0, 0], "quaternion_wxyz": [1, 0, 0, 0] },
+//!   "summary": { "targets": 12, "corrected": 11, "left": 1, "at_run_time": 2,
+//!                "before_mm": 1.31, "max_before_mm": 2.02, "after_mm": 0.0, "max_after_mm": 0.0 },
+//!   "targets": [ { "name": "p10", "line": 4, "column": 26, "kind": "pose", "corrected": true,
+//!                  "because": null, "says": null, "q_deg": [], "change_deg": [], "dir": [], "load_kg": 0,
+//!                  "before_mm": 1.2, "after_mm": 0.0, "before_mrad": 2.1, "after_mrad": 0.0 } ],
+//!   "at_run_time": [ { "line": 9, "column": 5, "says": "…" } ],
+//!   "remarks": [ { "line": 2, "column": 1, "says": "…" } ], "notes": ["…"] }
+//! ```
+//!
+//! - `frame`: where the poses of the file are given, in the robot's base frame; they are poses of the
+//!   model's tool.
+//! - `before_mm`, `after_mm`: how far the real tool, as the model knows it, is from the target without and
+//!   with the correction; in the summary the root mean square over the corrected targets.
+//! - `because`: `singular`, `unreachable`, `ambiguous` or `relative` for a target that was left as it is.
+//! - `q_deg`, `change_deg`: the commands that the target means and what was added; mm for a sliding joint.
+//! - `at_run_time`: what the program computes or takes from elsewhere; it is not corrected.
+
+use serde::Serialize;
+
+use crate::kinematics::{Pose, Robot};
+use crate::programs::{Answer, Outcome};
+
+/// The document.
+#[derive(Debug, Serialize)]
+pub struct Document<'a> {
+    format: &'static str,
+    model: &'a str,
+    file: &'a str,
+    #[serde(rename = "as")]
+    language: &'static str,
+    frame: Frame,
+    summary: Summary,
+    targets: Vec<Entry<'a>>,
+    at_run_time: Vec<Placed<'a>>,
+    remarks: Vec<Placed<'a>>,
+    notes: &'a [String],
+}
+
+#[derive(Debug, Serialize)]
+struct Frame {
+    position_mm: [f64; 3],
+    quaternion_wxyz: [f64; 4],
+}
+
+/// How many targets were corrected, and how far off they were and are.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Summary {
+    /// Targets of the file.
+    pub targets: usize,
+    /// Those that were corrected.
+    pub corrected: usize,
+    /// Those that were left as they are.
+    pub left: usize,
+    /// What is computed at run time.
+    pub at_run_time: usize,
+    /// Root mean square of the position error without correction, mm.
+    pub before_mm: f64,
+    /// The largest.
+    pub max_before_mm: f64,
+    /// With it.
+    pub after_mm: f64,
+    /// The largest.
+    pub max_after_mm: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Entry<'a> {
+    name: &'a str,
+    line: u64,
+    column: u64,
+    kind: &'static str,
+    corrected: bool,
+    because: Option<&'static str>,
+    says: Option<&'a str>,
+    q_deg: Option<Vec<f64>>,
+    change_deg: Option<Vec<f64>>,
+    dir: Option<&'a [f64]>,
+    load_kg: Option<f64>,
+    before_mm: Option<f64>,
+    after_mm: Option<f64>,
+    before_mrad: Option<f64>,
+    after_mrad: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct Placed<'a> {
+    line: u64,
+    column: u64,
+    says: &'a str,
+}
+
+/// mrad in a rad.
+const MRAD: f64 = 1e3;
+
+impl<'a> Document<'a> {
+    /// The document of an answer; `model` and `file` are the names of the inputs.
+    pub fn new(
+        answer: &'a Answer,
+        robot: &Robot,
+        [model, file]: [&'a str; 2],
+        language: &'static str,
+        frame: &Pose,
+    ) -> Self {
+        let at = frame.translation.vector;
+        let q = frame.rotation.quaternion();
+        Self {
+            format: "truepose-compensation/1",
+            model,
+            file,
+            language,
+            frame: Frame {
+                position_mm: at.into(),
+                quaternion_wxyz: [q.w, q.i, q.j, q.k],
+            },
+            summary: Summary::new(answer),
+            targets: answer.targets.iter().map(|t| entry(t, robot)).collect(),
+            at_run_time: placed(&answer.at_run_time),
+            remarks: placed(&answer.remarks),
+            notes: &answer.notes,
+        }
+    }
+}
+
+impl Summary {
+    /// Over the targets of an answer.
+    pub fn new(answer: &Answer) -> Self {
+        let corrected: Vec<_> = answer.targets.iter().flat_map(|t| &t.result).collect();
+        let n = corrected.len().max(1) as f64;
+        let rms = |k: usize| {
+            let squares = corrected.iter().map(|w| w.position_mm[k].powi(2));
+            (squares.sum::<f64>() / n).sqrt()
+        };
+        let most = |k: usize| {
+            corrected
+                .iter()
+                .map(|w| w.position_mm[k])
+                .fold(0.0, f64::max)
+        };
+        Self {
+            targets: answer.targets.len(),
+            corrected: corrected.len(),
+            left: answer.left(),
+            at_run_time: answer.at_run_time.len(),
+            before_mm: rms(0),
+            max_before_mm: most(0),
+            after_mm: rms(1),
+            max_after_mm: most(1),
+        }
+    }
+}
+
+fn entry<'a>(outcome: &'a Outcome, robot: &Robot) -> Entry<'a> {
+    let (line, column) = outcome.place;
+    let written = outcome.result.as_ref().ok();
+    let left = outcome.result.as_ref().err();
+    let outer = |values: Vec<f64>| -> Vec<f64> {
+        let pairs = robot.joints.iter().zip(values);
+        pairs
+            .map(|(joint, value)| joint.kind.outer(value))
+            .collect()
+    };
+    let change = |w: &crate::programs::Written| {
+        let pairs = w.corrected.iter().zip(&w.commanded);
+        outer(
+            pairs
+                .map(|(corrected, commanded)| corrected - commanded)
+                .collect(),
+        )
+    };
+    Entry {
+        name: &outcome.name,
+        line,
+        column,
+        kind: if outcome.is_pose { "pose" } else { "joints" },
+        corrected: written.is_some(),
+        because: left.map(|l| l.reason.name()),
+        says: left.map(|l| l.says.as_str()),
+        q_deg: written.map(|w| outer(w.commanded.clone())),
+        change_deg: written.map(change),
+        dir: written.map(|w| &w.dir[..]),
+        load_kg: written.map(|w| w.load_kg),
+        before_mm: written.map(|w| w.position_mm[0]),
+        after_mm: written.map(|w| w.position_mm[1]),
+        before_mrad: written.map(|w| MRAD * w.rotation_rad[0]),
+        after_mrad: written.map(|w| MRAD * w.rotation_rad[1]),
+    }
+}
+
+fn placed(all: &[(u64, u64, String)]) -> Vec<Placed<'_>> {
+    let placed = all.iter().map(|(line, column, says)| Placed {
+        line: *line,
+        column: *column,
+        says,
+    });
+    placed.collect()
+}

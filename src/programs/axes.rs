@@ -1,0 +1,124 @@
+//! Which axis of a controller is which joint of the model.
+//!
+//! Controllers count six axes of the robot (A1 … A6, J1 … J6, `rax_1` …) and six external ones (E1 … E6,
+//! `eax_a` … `eax_f`). A joint of the model that has the name of an external axis is that one; the others
+//! are the robot's, in order.
+
+use crate::kinematics::{JointKind, Robot};
+
+/// An axis of a controller, counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slot {
+    /// One of the robot's own.
+    Own(usize),
+    /// An external one.
+    External(usize),
+}
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axes {
+    /// The axis of each joint.
+    slots: Vec<Slot>,
+    kinds: Vec<JointKind>,
+}
+
+/// Axes of one kind that a controller has.
+pub(super) const MOST_OWN: usize = 6;
+
+impl Axes {
+    /// The axes of a robot.
+    pub fn new(robot: &Robot) -> Self {
+        let mut own = 0;
+        let slots = robot.joints.iter().map(|joint| {
+            external(&joint.name).map_or_else(
+                || {
+                    own += 1;
+                    Slot::Own(own - 1)
+                },
+                Slot::External,
+            )
+        });
+        Self {
+            slots: slots.collect(),
+            kinds: robot.joints.iter().map(|joint| joint.kind).collect(),
+        }
+    }
+
+    /// Number of joints.
+    pub fn joints(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// Number of the robot's own axes.
+    pub fn own(&self) -> usize {
+        let own = self.slots.iter().filter(|s| matches!(s, Slot::Own(_)));
+        own.count()
+    }
+
+    /// The joint at an axis.
+    pub fn joint(&self, slot: Slot) -> Option<usize> {
+        self.slots.iter().position(|s| *s == slot)
+    }
+
+    /// The axis of a joint.
+    pub fn slot(&self, joint: usize) -> Slot {
+        self.slots[joint]
+    }
+
+    /// What a joint does.
+    pub fn kind(&self, joint: usize) -> JointKind {
+        self.kinds[joint]
+    }
+
+    /// rad or mm in a degree or mm of each joint.
+    pub fn inner_of_degrees(&self) -> Vec<f64> {
+        self.kinds.iter().map(|kind| kind.inner(1.0)).collect()
+    }
+
+    /// Joints that a correction moves: external axes stay where the program puts them, unless there
+    /// is nothing else to move.
+    pub fn free(&self) -> Vec<usize> {
+        let own = |j: &usize| matches!(self.slots[*j], Slot::Own(_));
+        let free: Vec<usize> = (0..self.joints()).filter(own).collect();
+        if free.is_empty() {
+            (0..self.joints()).collect()
+        } else {
+            free
+        }
+    }
+}
+
+/// The external axis of this name.
+fn external(name: &str) -> Option<usize> {
+    let name = name.to_lowercase();
+    let letter = name.strip_prefix("eax_").map(|l| l.as_bytes().to_vec());
+    let by_letter = letter.and_then(|l| match l[..] {
+        [l @ b'a'..=b'f'] => Some(usize::from(l - b'a')),
+        _ => None,
+    });
+    by_letter.or_else(|| match name.as_bytes() {
+        [b'e', digit @ b'1'..=b'6'] => Some(usize::from(digit - b'1')),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kinematics::testing::column;
+
+    #[test]
+    fn external_axes_go_by_their_names() {
+        let mut robot = column();
+        let mut track = robot.joints[0].clone();
+        track.name = "E1".to_owned();
+        robot.joints.insert(0, track);
+        let axes = Axes::new(&robot);
+        assert_eq!(axes.slot(0), Slot::External(0));
+        assert_eq!(axes.joint(Slot::Own(0)), Some(1));
+        assert_eq!((axes.own(), axes.free()), (1, vec![1]));
+        assert_eq!(external("eax_c"), Some(2));
+        assert_eq!(external("elbow"), None);
+    }
+}

@@ -1,0 +1,487 @@
+//! The targets of a file, corrected in place.
+//!
+//! For each target the commands that bring the real tool where the nominal robot would have put it:
+//! the same configuration, within the limits, under the load that is stated. Position and orientation
+//! are met where the joints allow both, else the position. External axes stay where they are.
+//!
+//! A target is left as it is, and named, when it is singular, beyond the limits, or ambiguous. What was
+//! written is read back before it is given out.
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use crate::compensation::pose::{Reached, commands_for_poses, tool_poses};
+use crate::compensation::{Compensation, TableError};
+use crate::diagnostic::Rejected;
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
+use crate::effects::{Inputs, Role, Term};
+use crate::kinematics::{Pose, Robot};
+use crate::model::Calibration;
+
+use super::axes::Axes;
+use super::configuration::leaves_its_sides;
+use super::resolve::{Resolved, Resolver, beyond_a_limit};
+use super::rewrite;
+use super::target::{Program, Remark, Shape, Target};
+use super::text::Text;
+use super::{Language, sequence};
+
+/// More than this of a position or an orientation is not reached, mm and rad.
+const REACHED: [f64; 2] = [1e-4, 1e-7];
+/// What is read back may differ from what was meant by rounding of numbers, mm and rad, per number.
+const ROUNDING: f64 = 1e-3;
+
+/// What is to be corrected, and with what.
+#[derive(Debug, Clone)]
+pub struct Request<'a> {
+    /// The model.
+    pub calibration: &'a Calibration,
+    /// The file.
+    pub bytes: &'a [u8],
+    /// How to read it.
+    pub language: &'static Language,
+    /// Its name, for messages.
+    pub file: Option<&'a Path>,
+    /// Load at the tool's origin where the file says none, kg.
+    pub load_kg: f64,
+    /// Joint values before the first target, rad or mm.
+    pub start: Option<Vec<f64>>,
+    /// The frame in which the file gives its poses, in the robot's base frame.
+    pub frame: Pose,
+    /// Whether the frame in which the session was measured, brought into the base, is the robot's base,
+    /// so that what the first joint shares with it is corrected too.
+    pub measured_frame: bool,
+}
+
+/// Why nothing was corrected.
+#[derive(Debug, thiserror::Error)]
+pub enum CompensateError {
+    /// The file cannot be read.
+    #[error(transparent)]
+    Rejected(#[from] Rejected),
+    /// The model makes no corrections.
+    #[error(transparent)]
+    Model(#[from] TableError),
+    /// The start does not have one value per joint.
+    #[error(
+        "{found} joint values to start from; expected {expected}, one for each joint of the model"
+    )]
+    Start {
+        /// How many were given.
+        found: usize,
+        /// How many joints there are.
+        expected: usize,
+    },
+    /// The model has no such frame.
+    #[error(
+        "the model knows no measuring frame that was brought into the robot's base: --measured-frame has no \
+         meaning for it"
+    )]
+    NoMeasuredFrame,
+    /// What was written does not read back as it was meant.
+    #[error("what was written reads back differently: {0}")]
+    ReadBack(String),
+}
+
+/// Why a target was left as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// The tool can hardly be moved in some direction there.
+    Singular,
+    /// No joint values within the limits reach it.
+    Unreachable,
+    /// Several sets of joint values reach it, and nothing says which.
+    Ambiguous,
+    /// It is a way from where the robot is, and no place.
+    Relative,
+}
+
+impl Reason {
+    /// Its name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Singular => "singular",
+            Self::Unreachable => "unreachable",
+            Self::Ambiguous => "ambiguous",
+            Self::Relative => "relative",
+        }
+    }
+}
+
+/// A target that was left as it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Left {
+    /// What kind of reason there is.
+    pub reason: Reason,
+    /// The reason in words.
+    pub says: String,
+}
+
+impl Left {
+    pub(super) fn new(reason: Reason, says: impl Into<String>) -> Self {
+        let says = says.into();
+        Self { reason, says }
+    }
+}
+
+/// A target that was corrected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Written {
+    /// Joint values that the target means, rad or mm.
+    pub commanded: Vec<f64>,
+    /// Joint values that it means now.
+    pub corrected: Vec<f64>,
+    /// Side from which each joint comes: +1, −1, 0 unknown.
+    pub dir: Vec<f64>,
+    /// Load at the tool's origin, kg.
+    pub load_kg: f64,
+    /// How far the real tool is from the target without and with the correction, mm.
+    pub position_mm: [f64; 2],
+    /// The same of its orientation, rad.
+    pub rotation_rad: [f64; 2],
+}
+
+/// What became of one target.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Its name.
+    pub name: String,
+    /// Line and column, from 1.
+    pub place: (u64, u64),
+    /// Whether it is a pose rather than joint values.
+    pub is_pose: bool,
+    /// What became of it.
+    pub result: Result<Written, Left>,
+}
+
+/// A corrected file, and what there is to say about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Every target, in the order of the file.
+    pub targets: Vec<Outcome>,
+    /// What is worked out at run time and was not corrected: line, column, words.
+    pub at_run_time: Vec<(u64, u64, String)>,
+    /// What else there is to know, with line and column.
+    pub remarks: Vec<(u64, u64, String)>,
+    /// What was assumed.
+    pub notes: Vec<String>,
+}
+
+impl Answer {
+    /// Targets that were left as they are.
+    pub fn left(&self) -> usize {
+        self.targets.iter().filter(|t| t.result.is_err()).count()
+    }
+}
+
+/// Corrects the targets of a file.
+///
+/// # Errors
+/// See [`CompensateError`].
+pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
+    let calibration = request.calibration;
+    if let Some(hash) = &calibration.compensated_by {
+        return Err(TableError::AlreadyCompensated(hash.clone()).into());
+    }
+    let robot = &calibration.model.robot;
+    if let Some(start) = &request.start
+        && start.len() != robot.joints.len()
+    {
+        let (found, expected) = (start.len(), robot.joints.len());
+        return Err(CompensateError::Start { found, expected });
+    }
+    if request.measured_frame && measured_frame(calibration).is_none() {
+        return Err(CompensateError::NoMeasuredFrame);
+    }
+    let axes = Axes::new(robot);
+    let program = request.language.read(request.bytes, &axes, request.file)?;
+    let results = resolved(request, &program, &axes);
+    let conditions = sequence::Sequence::new(&program, &results, request.load_kg);
+    let corrected = corrected(request, &program, &axes, &conditions, &results);
+    let bytes = written(request, &program, robot, &corrected);
+    read_back(request, &program, &axes, &corrected, &bytes)?;
+    let text = Text::new(request.bytes);
+    let outcome = |(target, result): (&Target, Result<Written, Left>)| Outcome {
+        name: target.name.clone(),
+        place: text.place(target.at),
+        is_pose: matches!(target.shape, Shape::Pose(_)),
+        result,
+    };
+    let placed = |remarks: &[Remark]| {
+        let mut remarks: Vec<_> = remarks
+            .iter()
+            .map(|remark| {
+                let (line, column) = text.place(remark.at);
+                (line, column, remark.says.clone())
+            })
+            .collect();
+        remarks.sort();
+        remarks
+    };
+    let mut remarks = placed(&program.notes);
+    remarks.extend(placed(&conditions.remarks));
+    let notes = notes(request, &program);
+    Ok(Answer {
+        bytes,
+        at_run_time: placed(&program.at_run_time),
+        remarks,
+        notes,
+        targets: program.targets.iter().zip(corrected).map(outcome).collect(),
+    })
+}
+
+/// The joint values that every target means, in the order of the file.
+fn resolved(request: &Request, program: &Program, axes: &Axes) -> Vec<Result<Resolved, Left>> {
+    let robot = &request.calibration.model.robot;
+    let mut resolver = Resolver::new(robot, axes, request.frame, request.start.clone());
+    let nothing = || Err(Left::new(Reason::Ambiguous, String::new()));
+    let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
+    for k in program.order() {
+        results[k] = resolver.resolve(&program.targets[k]);
+    }
+    results
+}
+
+/// The corrected commands of every target that could be resolved.
+fn corrected(
+    request: &Request,
+    program: &Program,
+    axes: &Axes,
+    conditions: &sequence::Sequence,
+    results: &[Result<Resolved, Left>],
+) -> Vec<Result<Written, Left>> {
+    let robot = &request.calibration.model.robot;
+    let mut compensation = Compensation::new(request.calibration);
+    let frame = measured_frame(request.calibration).filter(|_| request.measured_frame);
+    if let Some(frame) = frame {
+        compensation.robot = compensation.robot.with_term(frame.clone());
+    }
+    let good: Vec<usize> = (0..results.len()).filter(|k| results[*k].is_ok()).collect();
+    let all: Vec<&Resolved> = results.iter().flatten().collect();
+    let inputs = conditions.inputs(&good, &all, robot);
+    let wanted: Vec<Pose> = all.iter().map(|r| r.pose).collect();
+    let reached = reached(&compensation, &inputs, &wanted, axes);
+    let before = if compensation.regional.is_some() {
+        wanted.clone()
+    } else {
+        tool_poses(&compensation.robot, &inputs)
+    };
+    let mut answers: Vec<Option<Result<Written, Left>>> = results
+        .iter()
+        .map(|r| r.as_ref().err().cloned().map(Err))
+        .collect();
+    for (i, k) in good.iter().copied().enumerate() {
+        let commanded = all[i].q.clone();
+        let checked = check(robot, &program.targets[k], &commanded, &reached[i], axes);
+        answers[k] = Some(checked.map(|()| Written {
+            commanded,
+            corrected: reached[i].q.clone(),
+            dir: conditions.dir(k),
+            load_kg: conditions.load_kg(k),
+            position_mm: [
+                (before[i].translation.vector - wanted[i].translation.vector).norm(),
+                reached[i].position_mm,
+            ],
+            rotation_rad: [
+                before[i].rotation.angle_to(&wanted[i].rotation),
+                reached[i].rotation_rad,
+            ],
+        }));
+    }
+    answers.into_iter().flatten().collect()
+}
+
+/// The measuring frame of a session that was brought into the robot's base.
+fn measured_frame(calibration: &Calibration) -> Option<&Term> {
+    let mut terms = calibration.model.terms().iter();
+    terms.find(|t| t.effect.about().role == Role::FreeFrame && t.label.is_none())
+}
+
+/// By the model, or by the paper's method.
+fn reached(
+    compensation: &Compensation,
+    inputs: &Inputs,
+    wanted: &[Pose],
+    axes: &Axes,
+) -> Vec<Reached> {
+    if compensation.regional.is_none() {
+        return commands_for_poses(&compensation.robot, inputs, wanted, &axes.free());
+    }
+    let corrections = compensation.joint_corrections(inputs);
+    let mut corrected = inputs.clone();
+    for (q, by) in corrected.q.iter_mut().zip(&corrections) {
+        for (q, by) in q.to_mut().iter_mut().zip(by) {
+            *q += by;
+        }
+    }
+    let left = crate::compensation::remainder::left_over(compensation, inputs);
+    left.iter()
+        .enumerate()
+        .map(|(i, left)| Reached {
+            q: corrected.q.iter().map(|q: &Cow<[f64]>| q[i]).collect(),
+            position_mm: crate::lanes::dot(*left, *left).sqrt(),
+            rotation_rad: 0.0,
+            singular: false,
+            settled: true,
+        })
+        .collect()
+}
+
+/// Whether corrected commands may be written.
+fn check(
+    robot: &Robot,
+    target: &Target,
+    commanded: &[f64],
+    reached: &Reached,
+    axes: &Axes,
+) -> Result<(), Left> {
+    if reached.singular {
+        let says = "it is singular: a small correction would take a large move of the joints";
+        return Err(Left::new(Reason::Singular, says));
+    }
+    if !reached.settled {
+        let says = "no correction was found that settles: it is near a singular pose";
+        return Err(Left::new(Reason::Singular, says));
+    }
+    if let Some(says) = beyond_a_limit(robot, &reached.q) {
+        return Err(Left::new(
+            Reason::Unreachable,
+            format!("{says} with its correction"),
+        ));
+    }
+    let whole = axes.free().len() >= 6 && robot.mobility() == 6;
+    if whole && (reached.position_mm > REACHED[0] || reached.rotation_rad > REACHED[1]) {
+        let says = format!(
+            "the real tool does not reach it: {:.4} mm and {:.4} mrad are left",
+            reached.position_mm,
+            1e3 * reached.rotation_rad
+        );
+        return Err(Left::new(Reason::Unreachable, says));
+    }
+    if leaves_its_sides(target, robot, commanded, &reached.q) {
+        let says = "its correction would lead into another configuration";
+        return Err(Left::new(Reason::Singular, says));
+    }
+    Ok(())
+}
+
+fn written(
+    request: &Request,
+    program: &Program,
+    robot: &Robot,
+    corrected: &[Result<Written, Left>],
+) -> Vec<u8> {
+    let program_from_base = request.frame.inverse();
+    let mut edits = Vec::new();
+    for (target, result) in program.targets.iter().zip(corrected) {
+        if let Ok(written) = result {
+            edits.extend(rewrite::edits(
+                target,
+                robot,
+                &program_from_base,
+                &written.corrected,
+            ));
+        }
+    }
+    rewrite::applied(request.bytes, edits)
+}
+
+/// Reads what was written, and compares it with what was meant.
+fn read_back(
+    request: &Request,
+    program: &Program,
+    axes: &Axes,
+    corrected: &[Result<Written, Left>],
+    bytes: &[u8],
+) -> Result<(), CompensateError> {
+    let robot = &request.calibration.model.robot;
+    let wrong = |what: String| Err(CompensateError::ReadBack(what));
+    let again = match request.language.read(bytes, axes, request.file) {
+        Ok(again) => again,
+        Err(rejected) => return wrong(rejected.to_string()),
+    };
+    if again.targets.len() != program.targets.len() {
+        return wrong(format!("{} targets", again.targets.len()));
+    }
+    for ((target, before), result) in again.targets.iter().zip(&program.targets).zip(corrected) {
+        let Ok(written) = result else {
+            let values = |t: &Target| t.shape.values();
+            if values(target) != values(before) {
+                return wrong(format!("{} was to be left", target.name));
+            }
+            continue;
+        };
+        let off = match &target.shape {
+            Shape::Joints { numbers, inner, .. } => {
+                let values = numbers.iter().zip(inner).zip(&written.corrected);
+                let off = values.map(|((number, inner), q)| (number.value * inner - q).abs());
+                off.fold(0.0, f64::max)
+            }
+            Shape::Pose(frame) => {
+                let meant = request.frame.inverse() * robot.base_from_tool(&written.corrected);
+                let Some(goal) = frame.goal() else {
+                    return wrong(format!("{} has no orientation", target.name));
+                };
+                let way = (goal.position_mm.coords - meant.translation.vector).norm();
+                let turn = goal.rotation.map_or(0.0, |r| r.angle_to(&meant.rotation));
+                way.max(turn)
+            }
+        };
+        if off > ROUNDING {
+            return wrong(format!("{} by {off:.6}", target.name));
+        }
+    }
+    Ok(())
+}
+
+/// What was assumed, in words.
+fn notes(request: &Request, program: &Program) -> Vec<String> {
+    let mut notes = Vec::new();
+    let poses = program
+        .targets
+        .iter()
+        .any(|t| matches!(t.shape, Shape::Pose(_)));
+    if poses {
+        let frame = if request.frame == Pose::identity() {
+            "in the robot's base frame"
+        } else {
+            "in the frame that was stated"
+        };
+        notes.push(format!(
+            "poses are read as those of the model's tool {frame}; tool and frame of the controller have to \
+             be the same"
+        ));
+    }
+    if let Some(frame) = measured_frame(request.calibration) {
+        let c = &frame.coefficients;
+        let length = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        notes.push(if request.measured_frame {
+            "the robot's base is the frame in which the session was measured".to_owned()
+        } else {
+            format!(
+                "the robot's base is where its first axis is; the measuring frame stands {:.3} mm and {:.3} mrad \
+                 from it (--measured-frame corrects to that frame)",
+                length(&c[3..]),
+                1e3 * length(&c[..3])
+            )
+        });
+    }
+    let unstated = |t: &Target| t.circumstances.load_kg.is_none();
+    if program.targets.iter().any(unstated) {
+        notes.push(format!(
+            "targets without a load are corrected for {} kg",
+            request.load_kg
+        ));
+    }
+    let cold = |t: &Target| t.circumstances.temperature_c.is_none();
+    let terms = request.calibration.model.terms().iter();
+    let mut warm = terms.filter(|t| t.effect.about().over == crate::effects::Over::Temperature);
+    if program.targets.iter().any(cold) && warm.next().is_some() {
+        notes.push(format!(
+            "targets without a temperature are corrected for {REFERENCE_TEMPERATURE_C} °C"
+        ));
+    }
+    notes
+}

@@ -1,0 +1,66 @@
+//! Numbers of a configuration that change where a corrected joint crosses a border.
+
+use crate::kinematics::Robot;
+use crate::kinematics::configuration::{Statement, quadrant_of, turns_of};
+
+use super::rewrite::Edit;
+use super::target::{Mark, Target};
+
+/// What has to be written for a target's configuration at the corrected values.
+pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
+    let agrees = |statement: &Statement| statement.agrees(robot, q) != Some(false);
+    let still = |joint: usize| {
+        let about = |s: &&Statement| match s {
+            Statement::Quadrant { joint: j, .. }
+            | Statement::Turns { joint: j, .. }
+            | Statement::Negative { joint: j, .. } => *j == joint,
+            _ => false,
+        };
+        target.configuration.iter().filter(about).all(agrees)
+    };
+    let edit = |mark: &Mark| match mark {
+        Mark::Quadrant { range, joint } => (!still(*joint)).then(|| Edit {
+            range: range.clone(),
+            text: quadrant_of(q[*joint]).to_string(),
+        }),
+        Mark::Turns { range, joint } => (!still(*joint)).then(|| Edit {
+            range: range.clone(),
+            text: turns_of(q[*joint]).to_string(),
+        }),
+        Mark::Signs {
+            range,
+            joints,
+            value,
+            binary_digits,
+        } => {
+            let mut now = *value;
+            for (bit, joint) in joints.iter().enumerate() {
+                if let Some(joint) = joint
+                    && !still(*joint)
+                {
+                    now ^= 1 << bit;
+                }
+            }
+            (now != *value).then(|| Edit {
+                range: range.clone(),
+                text: match binary_digits {
+                    0 => now.to_string(),
+                    digits => format!("'B{now:0digits$b}'"),
+                },
+            })
+        }
+    };
+    target.marks.iter().filter_map(edit).collect()
+}
+
+/// Whether corrected values have left the sides that the target stated and the values before had.
+pub(super) fn leaves_its_sides(
+    target: &Target,
+    robot: &Robot,
+    before: &[f64],
+    now: &[f64],
+) -> bool {
+    let sides = target.configuration.iter().filter(|s| !s.is_certain());
+    let mut left = sides.filter(|s| s.agrees(robot, before) == Some(true));
+    left.any(|s| s.agrees(robot, now) == Some(false))
+}

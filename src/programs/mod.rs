@@ -1,0 +1,135 @@
+//! Targets in files that robots are driven by: tables of poses and robot programs.
+//!
+//! A reader finds the targets of a file, each number with its place, and leaves every other byte
+//! alone: comments and strings are no targets, and what a program computes at run time is listed.
+//! [`compensate()`] replaces the numbers by those of the corrected commands, in place.
+//!
+//! # To add a language
+//! Write one file like its neighbours, a function from [`Text`] and [`Axes`] to a [`Program`], and add
+//! one line to [`LANGUAGES`].
+//!
+//! Poses are those of the model's tool in the robot's base frame, or in the frame that the caller
+//! states ([`Request::frame`]).
+
+mod axes;
+mod compensate;
+mod configuration;
+mod csv;
+mod fanuc;
+mod krl;
+mod number;
+mod pose;
+mod rapid;
+mod resolve;
+mod rewrite;
+mod sequence;
+mod target;
+mod text;
+mod tokens;
+mod urscript;
+
+pub use axes::{Axes, Slot};
+pub use compensate::{
+    Answer, CompensateError, Left, Outcome, Reason, Request, Written, compensate,
+};
+pub use number::Number;
+pub use target::{Program, Remark, Shape, Target};
+pub use text::Text;
+
+use target::Problem;
+
+/// One language that targets are written in.
+pub struct Language {
+    /// Its name on the command line.
+    pub id: &'static str,
+    /// Its name for people.
+    pub title: &'static str,
+    /// Endings of its files, in small letters, without the dot.
+    pub extensions: &'static [&'static str],
+    /// Whether a file looks like it.
+    looks_like: fn(&[u8]) -> bool,
+    read: fn(&Text, &Axes) -> Result<Program, Vec<Problem>>,
+}
+
+/// Every language, in the order in which their looks are tried.
+pub const LANGUAGES: &[Language] = &[
+    Language {
+        id: "fanuc-ls",
+        title: "FANUC LS",
+        extensions: &["ls"],
+        looks_like: fanuc::looks_like,
+        read: fanuc::read,
+    },
+    Language {
+        id: "krl",
+        title: "KRL",
+        extensions: &["src", "dat", "sub"],
+        looks_like: krl::looks_like,
+        read: krl::read,
+    },
+    Language {
+        id: "rapid",
+        title: "RAPID",
+        extensions: &["mod", "modx", "sys", "sysx", "prg"],
+        looks_like: rapid::looks_like,
+        read: rapid::read,
+    },
+    Language {
+        id: "urscript",
+        title: "URScript",
+        extensions: &["script", "urscript"],
+        looks_like: urscript::looks_like,
+        read: urscript::read,
+    },
+    Language {
+        id: "csv",
+        title: "CSV",
+        extensions: &["csv", "tsv"],
+        looks_like: csv::looks_like,
+        read: csv::read,
+    },
+];
+
+/// The language of this name.
+pub fn find(id: &str) -> Option<&'static Language> {
+    LANGUAGES.iter().find(|language| language.id == id)
+}
+
+/// The language of a file: by the ending of its name, else by what it looks like.
+pub fn language_of(path: &std::path::Path, bytes: &[u8]) -> Option<&'static Language> {
+    let ending = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+    let by_name = |l: &&Language| ending.as_deref().is_some_and(|e| l.extensions.contains(&e));
+    let mut all = LANGUAGES.iter();
+    all.clone()
+        .find(by_name)
+        .or_else(|| all.find(|language| (language.looks_like)(bytes)))
+}
+
+impl Language {
+    /// The targets of a file, for a robot with these axes.
+    ///
+    /// # Errors
+    /// Every target that is broken, with line, column and what was expected.
+    pub fn read(
+        &self,
+        bytes: &[u8],
+        axes: &Axes,
+        file: Option<&std::path::Path>,
+    ) -> Result<Program, crate::diagnostic::Rejected> {
+        let text = Text::new(bytes);
+        if let Some(problem) = text.unreadable() {
+            return Err(text.rejected(vec![problem], file));
+        }
+        let program = (self.read)(&text, axes).map_err(|mut problems| {
+            problems.sort_by_key(|problem| problem.at);
+            text.rejected(problems, file)
+        })?;
+        Ok(program)
+    }
+}
+
+impl std::fmt::Debug for Language {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.id)
+    }
+}

@@ -1,0 +1,148 @@
+//! Numbers as they stand in a file, and as they are written back.
+
+use std::ops::Range;
+
+/// A number in a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Number {
+    /// Its bytes, sign included.
+    pub range: Range<usize>,
+    /// Its value, in the file's unit.
+    pub value: f64,
+    /// Digits behind the point; none with an exponent.
+    pub decimals: usize,
+    /// Whether the decimal sign is a comma.
+    pub comma: bool,
+}
+
+/// Why bytes are no number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum NoNumber {
+    /// They do not look like one.
+    Malformed,
+    /// One that overflows.
+    TooLarge,
+}
+
+/// Digits that a pose carries at most; more are rounding.
+const MOST_DECIMALS: usize = 15;
+
+impl Number {
+    /// Reads `[+-]digits[.digits][e±digits]`; with `comma` the decimal sign is a comma.
+    pub(super) fn read(bytes: &[u8], range: Range<usize>, comma: bool) -> Result<Self, NoNumber> {
+        let text = &bytes[range.clone()];
+        let unsigned = text
+            .strip_prefix(b"-")
+            .or(text.strip_prefix(b"+"))
+            .unwrap_or(text);
+        // A sign may stand off its digits.
+        let unsigned = unsigned.trim_ascii_start();
+        let sign = if comma { b',' } else { b'.' };
+        let whole = leading_digits(unsigned);
+        let mut rest = &unsigned[whole..];
+        let mut decimals = 0;
+        if rest.first() == Some(&sign) {
+            decimals = leading_digits(&rest[1..]);
+            rest = &rest[1 + decimals..];
+        }
+        if whole + decimals == 0 {
+            return Err(NoNumber::Malformed);
+        }
+        let mut digits: String = unsigned[..unsigned.len() - rest.len()]
+            .iter()
+            .map(|b| if *b == sign { '.' } else { *b as char })
+            .collect();
+        if let Some((b'e' | b'E', power)) = rest.split_first() {
+            let power_digits = power
+                .strip_prefix(b"-")
+                .or(power.strip_prefix(b"+"))
+                .unwrap_or(power);
+            if power_digits.is_empty() || leading_digits(power_digits) != power_digits.len() {
+                return Err(NoNumber::Malformed);
+            }
+            digits.push('e');
+            digits.extend(power.iter().map(|b| *b as char));
+            decimals = 0;
+        } else if !rest.is_empty() {
+            return Err(NoNumber::Malformed);
+        }
+        let value: f64 = digits.parse().map_err(|_| NoNumber::Malformed)?;
+        if !value.is_finite() {
+            return Err(NoNumber::TooLarge);
+        }
+        let value = if text.first() == Some(&b'-') {
+            -value
+        } else {
+            value
+        };
+        Ok(Self {
+            range,
+            value,
+            decimals,
+            comma,
+        })
+    }
+
+    /// How another value is written in its place: with the digits that it had, at least `least`
+    /// behind the point. The same value stays as it was, byte for byte.
+    pub(super) fn written(&self, value: f64, least: usize) -> Option<String> {
+        let decimals = self.decimals.max(least).min(MOST_DECIMALS);
+        let half = 0.5 * 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
+        if (value - self.value).abs() < half {
+            return None;
+        }
+        let mut text = format!("{value:.decimals$}");
+        // Rounded to nothing it has no sign.
+        if text.starts_with('-') && text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.')) {
+            text.remove(0);
+        }
+        Some(if self.comma {
+            text.replace('.', ",")
+        } else {
+            text
+        })
+    }
+}
+
+fn leading_digits(text: &[u8]) -> usize {
+    text.iter().take_while(|b| b.is_ascii_digit()).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str, comma: bool) -> Result<(f64, usize), NoNumber> {
+        let number = Number::read(text.as_bytes(), 0..text.len(), comma)?;
+        Ok((number.value, number.decimals))
+    }
+
+    #[test]
+    fn numbers_of_every_maker_are_read_and_nothing_else() {
+        assert_eq!(read("-.384", false), Ok((-0.384, 3)));
+        assert_eq!(read("9E+09", false), Ok((9e9, 0)));
+        assert_eq!(read("+1.", false), Ok((1.0, 0)));
+        assert_eq!(read("- 5", false), Ok((-5.0, 0)));
+        assert_eq!(read("1,25", true), Ok((1.25, 2)));
+        for bad in [
+            "", "-", ".", "1.2.3", "nan", "inf", "0x10", "1e", "1,2", "--1", "1e+-2",
+        ] {
+            assert_eq!(read(bad, false), Err(NoNumber::Malformed), "{bad}");
+        }
+        assert_eq!(read("1e999", false), Err(NoNumber::TooLarge));
+    }
+
+    #[test]
+    fn a_value_is_written_with_the_files_digits_or_more() {
+        let number = |text: &str| Number::read(text.as_bytes(), 0..text.len(), false).unwrap();
+        assert_eq!(
+            number("10.00").written(10.123_456_78, 5).unwrap(),
+            "10.12346"
+        );
+        assert_eq!(number("1.12345678").written(2.0, 5).unwrap(), "2.00000000");
+        assert_eq!(number("10.0").written(10.000_000_1, 5), None);
+        assert_eq!(number("0.5").written(-1e-9, 5).unwrap(), "0.00000");
+        let comma = Number::read(b"1,5", 0..3, true).unwrap();
+        assert_eq!(comma.written(-1.25, 3).unwrap(), "-1,250");
+    }
+}

@@ -1,0 +1,263 @@
+//! Which joint values a target means.
+
+use std::f64::consts::TAU;
+
+use crate::compensation::pose::is_singular;
+use crate::kinematics::configuration::{Statement, turns_of};
+use crate::kinematics::inverse::{Goal, Inverse};
+use crate::kinematics::{JointKind, Pose, Robot};
+
+use super::axes::Axes;
+use super::compensate::{Left, Reason};
+use super::target::{Shape, Target};
+
+/// Two solutions are equally near when the farther one is not farther than this times as far.
+const AS_NEAR: f64 = 1.1;
+/// As many solutions of one pose help to find those of the next.
+const MOST_KNOWN: usize = 16;
+/// Joint values nearer to each other than this (rad or mm) are the same.
+const SAME: f64 = 1e-5;
+/// A limit is kept to this, rad or mm.
+const ON_THE_LIMIT: f64 = 1e-9;
+
+/// A target as joint values and as the pose that the nominal tool has there.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Resolved {
+    pub(super) q: Vec<f64>,
+    pub(super) pose: Pose,
+}
+
+/// See the module. Targets have to come in the order in which they are gone to.
+pub(super) struct Resolver<'a> {
+    robot: &'a Robot,
+    free: Vec<usize>,
+    inverse: Inverse<'a>,
+    base_from_program: Pose,
+    /// Joint values of the target before.
+    before: Option<Vec<f64>>,
+    /// All solutions of the pose before: the next ones are not far.
+    known: Vec<Vec<f64>>,
+}
+
+impl<'a> Resolver<'a> {
+    pub(super) fn new(
+        robot: &'a Robot,
+        axes: &Axes,
+        base_from_program: Pose,
+        start: Option<Vec<f64>>,
+    ) -> Self {
+        Self {
+            robot,
+            free: axes.free(),
+            inverse: Inverse::new(robot, axes.free()),
+            base_from_program,
+            before: start,
+            known: Vec::new(),
+        }
+    }
+
+    pub(super) fn resolve(&mut self, target: &Target) -> Result<Resolved, Left> {
+        if let Some(because) = &target.left {
+            return Err(Left::new(Reason::Relative, because.clone()));
+        }
+        let (q, pose) = match &target.shape {
+            Shape::Joints { numbers, inner, .. } => {
+                let values = numbers.iter().zip(inner);
+                let q: Vec<f64> = values.map(|(number, inner)| number.value * inner).collect();
+                self.check_limits(&q)?;
+                let pose = self.robot.base_from_tool(&q);
+                (q, pose)
+            }
+            Shape::Pose(frame) => {
+                let Some(mut goal) = frame.goal() else {
+                    let says = "its orientation is none";
+                    return Err(Left::new(Reason::Unreachable, says));
+                };
+                goal.position_mm = self.base_from_program * goal.position_mm;
+                goal.rotation = goal.rotation.map(|r| self.base_from_program.rotation * r);
+                let q = self.solution(target, &goal)?;
+                let here = self.robot.base_from_tool(&q);
+                let rotation = goal.rotation.unwrap_or(here.rotation);
+                (
+                    q,
+                    Pose::from_parts(goal.position_mm.coords.into(), rotation),
+                )
+            }
+        };
+        self.before = Some(q.clone());
+        Ok(Resolved { q, pose })
+    }
+
+    fn check_limits(&self, q: &[f64]) -> Result<(), Left> {
+        beyond_a_limit(self.robot, q).map_or(Ok(()), |says| {
+            Err(Left::new(
+                Reason::Unreachable,
+                format!("{says} in the file"),
+            ))
+        })
+    }
+
+    fn solution(&mut self, target: &Target, goal: &Goal) -> Result<Vec<f64>, Left> {
+        let mut fixed = vec![0.0; self.robot.joints.len()];
+        for (joint, value) in &target.external {
+            fixed[*joint] = *value;
+        }
+        let near = target.near.clone().or_else(|| self.before.clone());
+        let near = near.map(|mut q| {
+            for (joint, value) in &target.external {
+                q[*joint] = *value;
+            }
+            q
+        });
+        if !self.inverse.is_determined(goal) {
+            return self.nearest_of_a_line(goal, near.as_deref());
+        }
+        let known = self.with_external(&target.external);
+        let all = self.inverse.all(goal, &fixed, &known);
+        if all.is_empty() {
+            let says = "no joint values within the limits reach it";
+            return Err(Left::new(Reason::Unreachable, says));
+        }
+        let possible = self.as_stated(target, &all)?;
+        // Solutions that differ by whole turns lead to the same ones.
+        let turns = |q: &[f64]| {
+            let pairs = self.robot.joints.iter().zip(q);
+            pairs
+                .filter(|(joint, _)| joint.kind == JointKind::Revolute)
+                .any(|(_, value)| turns_of(*value) != 0)
+        };
+        let once = all.iter().filter(|q| !turns(q)).take(MOST_KNOWN).cloned();
+        self.known = once.collect();
+        self.nearest(possible, near.as_deref())
+    }
+
+    fn with_external(&self, external: &[(usize, f64)]) -> Vec<Vec<f64>> {
+        let mut known = self.known.clone();
+        for q in &mut known {
+            for (joint, value) in external {
+                q[*joint] = *value;
+            }
+        }
+        known
+    }
+
+    /// A robot with more joints than the pose asks for goes there from where it is.
+    fn nearest_of_a_line(&self, goal: &Goal, near: Option<&[f64]>) -> Result<Vec<f64>, Left> {
+        let Some(near) = near else {
+            let says = "endlessly many joint values reach it, and no target before it says which";
+            return Err(Left::new(Reason::Ambiguous, says));
+        };
+        let Some(q) = self.inverse.from_start(goal, near) else {
+            let says = "no joint values near those of the target before reach it";
+            return Err(Left::new(Reason::Unreachable, says));
+        };
+        self.check_limits(&q)?;
+        Ok(q)
+    }
+
+    /// The solutions that have the stated configuration. What is certain has to be met; what makers
+    /// define each for their own arms decides between what is left.
+    fn as_stated(&self, target: &Target, all: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, Left> {
+        let meets = |q: &[f64], s: &Statement| s.agrees(self.robot, q) != Some(false);
+        let (certain, sides): (Vec<&Statement>, Vec<&Statement>) =
+            target.configuration.iter().partition(|s| s.is_certain());
+        let mut possible: Vec<Vec<f64>> = all
+            .iter()
+            .filter(|q| certain.iter().all(|s| meets(q, s)))
+            .cloned()
+            .collect();
+        if possible.is_empty() {
+            let says = "joint values reach it, but none with its configuration";
+            return Err(Left::new(Reason::Unreachable, says));
+        }
+        for side in sides {
+            let fewer: Vec<Vec<f64>> = possible
+                .iter()
+                .filter(|q| meets(q, side))
+                .cloned()
+                .collect();
+            if !fewer.is_empty() {
+                possible = fewer;
+            }
+        }
+        Ok(possible)
+    }
+
+    /// Of joint values that differ by whole turns only those nearest to zero: the pose is the same.
+    fn with_fewest_turns(&self, mut possible: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let zero = vec![0.0; self.robot.joints.len()];
+        let far = |q: &Vec<f64>| self.inverse.distance(q, &zero);
+        possible.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        let mut kept: Vec<Vec<f64>> = Vec::new();
+        for q in possible {
+            let same = |other: &Vec<f64>| {
+                let pairs = self.robot.joints.iter().zip(q.iter().zip(other));
+                let mut apart = pairs.map(|(joint, (a, b))| match joint.kind {
+                    JointKind::Revolute => (a - b - TAU * ((a - b) / TAU).round()).abs(),
+                    JointKind::Prismatic => (a - b).abs(),
+                });
+                apart.all(|by| by < SAME)
+            };
+            if !kept.iter().any(same) {
+                kept.push(q);
+            }
+        }
+        kept
+    }
+
+    fn nearest(&self, mut possible: Vec<Vec<f64>>, near: Option<&[f64]>) -> Result<Vec<f64>, Left> {
+        if let Some(near) = near {
+            let far = |q: &Vec<f64>| self.inverse.distance(q, near);
+            possible.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        } else {
+            possible = self.with_fewest_turns(possible);
+        }
+        let singular = || is_singular(self.robot, &possible[0], &self.free);
+        let says = match (&possible[..], near) {
+            ([only], _) => return Ok(only.clone()),
+            (_, None) => "several joint values reach it, and no target before it says which",
+            ([first, second, ..], Some(near)) => {
+                let [first_far, second_far] =
+                    [first, second].map(|q| self.inverse.distance(q, near));
+                if second_far > AS_NEAR * first_far {
+                    return Ok(first.clone());
+                }
+                "two sets of joint values reach it that are as near to the target before"
+            }
+            ([], Some(_)) => "no joint values reach it",
+        };
+        if !possible.is_empty() && singular() {
+            let says = "it is singular: lines of joint values reach it";
+            return Err(Left::new(Reason::Singular, says));
+        }
+        Err(Left::new(Reason::Ambiguous, says))
+    }
+}
+
+/// The first joint beyond a limit, in words.
+pub(super) fn beyond_a_limit(robot: &Robot, q: &[f64]) -> Option<String> {
+    robot
+        .joints
+        .iter()
+        .zip(q)
+        .enumerate()
+        .find_map(|(k, (joint, value))| {
+            let limits = joint.limits?;
+            let inside = *value >= limits.from - ON_THE_LIMIT && *value <= limits.to + ON_THE_LIMIT;
+            if inside {
+                return None;
+            }
+            let limit = if *value < limits.from {
+                limits.from
+            } else {
+                limits.to
+            };
+            let (kind, sign) = (joint.kind, joint.kind.sign());
+            Some(format!(
+                "joint {} would be at {:.4}{sign}, beyond its limit of {:.4}{sign},",
+                k + 1,
+                kind.outer(*value),
+                kind.outer(limit)
+            ))
+        })
+}

@@ -1,0 +1,58 @@
+//! Bytes replaced in place.
+
+use std::ops::Range;
+
+use crate::kinematics::{Pose, Robot};
+
+use super::target::{Shape, Target};
+
+/// New bytes for a range of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Edit {
+    pub(super) range: Range<usize>,
+    pub(super) text: String,
+}
+
+/// The edits that put corrected joint values into a target. `program_from_base`: the frame in which
+/// the file gives its poses, from the robot's base.
+pub(super) fn edits(
+    target: &Target,
+    robot: &Robot,
+    program_from_base: &Pose,
+    q: &[f64],
+) -> Vec<Edit> {
+    let numbers: Vec<(&super::Number, f64, usize)> = match &target.shape {
+        Shape::Joints {
+            numbers,
+            inner,
+            decimals,
+        } => {
+            let values = numbers.iter().zip(inner).zip(q);
+            let values = values.map(|((number, inner), q)| (number, q / inner, *decimals));
+            values.collect()
+        }
+        Shape::Pose(frame) => frame.values(&(program_from_base * robot.base_from_tool(q))),
+    };
+    let written = numbers.into_iter().filter_map(|(number, value, decimals)| {
+        let text = number.written(value, decimals)?;
+        let range = number.range.clone();
+        Some(Edit { range, text })
+    });
+    let mut edits: Vec<Edit> = written.collect();
+    edits.extend(super::configuration::edits(target, robot, q));
+    edits
+}
+
+/// The file with its edits; they must not overlap.
+pub(super) fn applied(bytes: &[u8], mut edits: Vec<Edit>) -> Vec<u8> {
+    edits.sort_by_key(|edit| edit.range.start);
+    let mut written = Vec::with_capacity(bytes.len() + 8 * edits.len());
+    let mut at = 0;
+    for edit in edits {
+        written.extend_from_slice(&bytes[at..edit.range.start]);
+        written.extend_from_slice(edit.text.as_bytes());
+        at = edit.range.end;
+    }
+    written.extend_from_slice(&bytes[at..]);
+    written
+}

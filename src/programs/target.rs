@@ -1,0 +1,158 @@
+//! What a reader finds in a file.
+
+use std::ops::Range;
+
+use crate::kinematics::configuration::Statement;
+
+use super::number::Number;
+use super::pose::Frame;
+
+/// Something broken in a file: at which byte, what is there and what should be.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Problem {
+    pub(super) at: usize,
+    pub(super) found: String,
+    pub(super) expected: String,
+}
+
+impl Problem {
+    pub(super) fn new(at: usize, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self {
+            at,
+            found: found.into(),
+            expected: expected.into(),
+        }
+    }
+}
+
+/// Something in a file that a person has to know.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Remark {
+    /// The byte that it is about.
+    pub at: usize,
+    /// What there is to say.
+    pub says: String,
+}
+
+/// The numbers of a target.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// One number for each joint of the robot.
+    Joints {
+        /// In the order of the robot's joints.
+        numbers: Vec<Number>,
+        /// rad or mm in one of the file's units, joint by joint.
+        inner: Vec<f64>,
+        /// Digits behind the point that a number needs at least.
+        decimals: usize,
+    },
+    /// A pose of the tool.
+    Pose(Frame),
+}
+
+impl Shape {
+    /// The values as they stand in the file.
+    pub fn values(&self) -> Vec<f64> {
+        match self {
+            Self::Joints { numbers, .. } => numbers.iter().map(|n| n.value).collect(),
+            Self::Pose(frame) => {
+                let all = frame.position.iter().chain(&frame.turn);
+                all.map(|n| n.value).collect()
+            }
+        }
+    }
+}
+
+/// Numbers of a configuration, which are written anew where a joint crosses a border.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Mark {
+    /// The quadrant of a joint.
+    Quadrant { range: Range<usize>, joint: usize },
+    /// The whole turns of a joint.
+    Turns { range: Range<usize>, joint: usize },
+    /// One bit for each axis that is below zero.
+    Signs {
+        range: Range<usize>,
+        /// The axes of the bits, from the lowest: a joint of the robot or none.
+        joints: Vec<Option<usize>>,
+        value: u32,
+        /// Digits between the quotes of a binary number; 0 for a decimal one.
+        binary_digits: usize,
+    },
+}
+
+/// What is known of the circumstances of a target.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Circumstances {
+    /// Load at the tool's origin, kg.
+    pub load_kg: Option<f64>,
+    /// Temperature, °C.
+    pub temperature_c: Option<f64>,
+    /// Side from which each joint comes, +1, −1 or 0 (unknown); `None`: it follows from the target
+    /// before.
+    pub dir: Vec<Option<f64>>,
+    /// Signed speed of each joint, rad/s or mm/s.
+    pub speed: Vec<Option<f64>>,
+}
+
+/// One target of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Target {
+    /// Its name, or what it is a part of.
+    pub name: String,
+    /// Its first byte.
+    pub at: usize,
+    /// Its numbers.
+    pub shape: Shape,
+    /// What the file says about its configuration.
+    pub configuration: Vec<Statement>,
+    /// Joint values that its configuration is the nearest to, rad or mm.
+    pub near: Option<Vec<f64>>,
+    /// Values of the joints that the pose does not move (external axes), rad or mm, by joint.
+    pub external: Vec<(usize, f64)>,
+    /// What is known of its circumstances.
+    pub circumstances: Circumstances,
+    /// Why it cannot be corrected, whatever its numbers.
+    pub left: Option<String>,
+    pub(super) marks: Vec<Mark>,
+}
+
+impl Target {
+    pub(super) fn new(name: impl Into<String>, at: usize, shape: Shape) -> Self {
+        Self {
+            name: name.into(),
+            at,
+            shape,
+            configuration: Vec::new(),
+            near: None,
+            external: Vec::new(),
+            circumstances: Circumstances::default(),
+            left: None,
+            marks: Vec::new(),
+        }
+    }
+}
+
+/// A file with its targets.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Program {
+    /// In the order of the file.
+    pub targets: Vec<Target>,
+    /// The targets in the order in which the file's motions name them, as far as it names them.
+    pub visits: Vec<usize>,
+    /// Motions and values that the file computes at run time, or takes from elsewhere: not corrected.
+    pub at_run_time: Vec<Remark>,
+    /// What else there is to know.
+    pub notes: Vec<Remark>,
+}
+
+impl Program {
+    /// Every target in the order in which they are gone to: as the motions name them, the others
+    /// after them in the order of the file.
+    pub(super) fn order(&self) -> Vec<usize> {
+        let mut seen = vec![false; self.targets.len()];
+        let all = self.visits.iter().copied().chain(0..self.targets.len());
+        all.filter(|k| !std::mem::replace(&mut seen[*k], true))
+            .collect()
+    }
+}

@@ -1,0 +1,384 @@
+//! Lines of a stream, put down as a CSV file that grows by whole lines.
+//!
+//! An instrument or a controller sends a line of text for each measurement. Every line that is
+//! complete goes to the file before the next bytes are waited for, so that whoever follows the file
+//! (the window does) and whoever pulls the plug find whole lines only. The file begins with headings:
+//! the stream's own first line, or those that a person gives. Cells between semicolons, tabs or
+//! spaces come out between commas, with a decimal point.
+
+use std::io::{self, Write};
+
+use crate::sessions::number::quoted;
+
+/// A line is shorter, bytes.
+const LONGEST_LINE: usize = 1 << 20;
+
+/// Why a stream cannot be recorded.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordError {
+    /// The first line holds numbers, and nobody said what they are.
+    #[error(
+        "line 1 of the stream: {found}: no headings; expected --columns with what each cell is, such as --columns time_s,x_mm,y_mm,z_mm"
+    )]
+    NoHeadings {
+        /// The first line.
+        found: String,
+    },
+    /// The headings that were given are more or fewer than the cells.
+    #[error(
+        "line {line} of the stream: {cells} cells; expected {headings}, as many as --columns has"
+    )]
+    Width {
+        /// Counted from 1.
+        line: u64,
+        /// Cells of the line.
+        cells: usize,
+        /// Headings that were given.
+        headings: usize,
+    },
+    /// No line ends.
+    #[error("line {line} of the stream: longer than a megabyte; expected lines of text")]
+    LongLine {
+        /// Counted from 1.
+        line: u64,
+    },
+    /// The file cannot be written.
+    #[error("cannot write the recording: {0}")]
+    Io(#[from] io::Error),
+}
+
+impl RecordError {
+    /// Whether the stream or the arguments are wrong (rather than the disk, say).
+    pub fn is_refusal(&self) -> bool {
+        !matches!(self, Self::Io(_))
+    }
+}
+
+/// See the module. `open` makes the file when the first line of it is known: a stream that brings
+/// nothing leaves nothing.
+pub struct Recorder<F, W> {
+    open: Option<F>,
+    out: Option<W>,
+    /// Headings that a person gave; empty: the stream's own.
+    given: Vec<String>,
+    form: Option<Form>,
+    /// The start of a line that is not complete.
+    pending: Vec<u8>,
+    /// Lines of the stream so far.
+    lines: u64,
+    recorded: u64,
+    complaints: Vec<String>,
+}
+
+/// What the lines of a stream are like.
+struct Form {
+    separator: Separator,
+    headings: Vec<String>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Separator {
+    Sign(char),
+    Spaces,
+}
+
+impl Separator {
+    fn of(line: &str) -> Self {
+        let signs = [';', '\t', ',']
+            .into_iter()
+            .find(|sign| line.contains(*sign));
+        signs.map_or(Self::Spaces, Self::Sign)
+    }
+
+    fn cells(self, line: &str) -> Vec<String> {
+        let plain = |cell: &str| {
+            let cell = cell.trim().trim_matches('"');
+            match self {
+                Self::Sign(',') => cell.to_owned(),
+                _ => with_point(cell),
+            }
+        };
+        match self {
+            Self::Sign(sign) => line.split(sign).map(plain).collect(),
+            Self::Spaces => line.split_whitespace().map(plain).collect(),
+        }
+    }
+}
+
+/// A number with a decimal comma gets a point; anything else stays.
+fn with_point(cell: &str) -> String {
+    let with_point = cell.replacen(',', ".", 1);
+    if cell.contains(',') && with_point.parse::<f64>().is_ok() {
+        with_point
+    } else {
+        cell.to_owned()
+    }
+}
+
+impl<F: FnOnce() -> io::Result<W>, W: Write> Recorder<F, W> {
+    /// A recorder that has seen nothing yet. `headings`: what the cells are; empty: the first line
+    /// of the stream says it.
+    pub fn new(open: F, headings: Vec<String>) -> Self {
+        Self {
+            open: Some(open),
+            out: None,
+            given: headings,
+            form: None,
+            pending: Vec::new(),
+            lines: 0,
+            recorded: 0,
+            complaints: Vec::new(),
+        }
+    }
+
+    /// Lines that are in the file, without the headings.
+    pub fn recorded(&self) -> u64 {
+        self.recorded
+    }
+
+    /// What was left out since the last call, in words.
+    pub fn complaints(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.complaints)
+    }
+
+    /// What the recording is written to, once something is.
+    pub fn out(&self) -> Option<&W> {
+        self.out.as_ref()
+    }
+
+    /// Takes the next bytes of the stream; lines that they complete are in the file afterwards, but
+    /// no more than `most` in all.
+    ///
+    /// # Errors
+    /// [`RecordError`]; what was recorded before stays.
+    pub fn take(&mut self, bytes: &[u8], most: u64) -> Result<(), RecordError> {
+        let mut text = String::new();
+        let mut rest = bytes;
+        let mut taken = Ok(());
+        while let Some(end) = memchr::memchr(b'\n', rest) {
+            if self.recorded >= most || taken.is_err() {
+                break;
+            }
+            self.pending.extend_from_slice(&rest[..end]);
+            rest = &rest[end + 1..];
+            let line = std::mem::take(&mut self.pending);
+            taken = self.line(&line, &mut text);
+        }
+        if self.recorded < most && taken.is_ok() {
+            self.pending.extend_from_slice(rest);
+        }
+        // What was sound before something wrong is put down too.
+        self.write(&text)?;
+        taken?;
+        if self.pending.len() > LONGEST_LINE {
+            let line = self.lines + 1;
+            return Err(RecordError::LongLine { line });
+        }
+        Ok(())
+    }
+
+    /// A message is over: what it brought is a line, also without a line feed.
+    ///
+    /// # Errors
+    /// As [`Self::take`].
+    pub fn end_of_message(&mut self, most: u64) -> Result<(), RecordError> {
+        if self.pending.is_empty() {
+            return Ok(());
+        }
+        self.take(b"\n", most)
+    }
+
+    /// The stream is over. A line that has no end may have been cut anywhere: it is left out.
+    pub fn end_of_stream(&mut self) {
+        if !self.pending.trim_ascii().is_empty() {
+            let cut = String::from_utf8_lossy(&self.pending).into_owned();
+            let line = self.lines + 1;
+            let says = format!(
+                "line {line} of the stream has no end: left out: {}",
+                quoted(&cut)
+            );
+            self.complaints.push(says);
+        }
+        self.pending.clear();
+    }
+
+    fn write(&mut self, text: &str) -> Result<(), RecordError> {
+        if text.is_empty() {
+            return Ok(());
+        }
+        if let Some(open) = self.open.take() {
+            self.out = Some(open()?);
+        }
+        if let Some(out) = &mut self.out {
+            out.write_all(text.as_bytes())?;
+            out.flush()?;
+        }
+        Ok(())
+    }
+
+    fn line(&mut self, bytes: &[u8], text: &mut String) -> Result<(), RecordError> {
+        self.lines += 1;
+        let number = self.lines;
+        let bytes = match number {
+            1 => bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes),
+            _ => bytes,
+        };
+        let Ok(line) = std::str::from_utf8(bytes) else {
+            self.complain(number, "is not UTF-8");
+            return Ok(());
+        };
+        let line = line.trim();
+        if line.is_empty() {
+            return Ok(());
+        }
+        let Some(form) = &self.form else {
+            return self.first(line, text);
+        };
+        let cells = form.separator.cells(line);
+        if cells == form.headings {
+            return Ok(());
+        }
+        if cells.len() != form.headings.len() {
+            let (found, wanted) = (cells.len(), form.headings.len());
+            self.complain(
+                number,
+                &format!("has {found} cells, not {wanted}: {}", quoted(line)),
+            );
+            return Ok(());
+        }
+        self.record(&cells, text);
+        Ok(())
+    }
+
+    /// The first line says what the lines are like.
+    fn first(&mut self, line: &str, text: &mut String) -> Result<(), RecordError> {
+        let separator = Separator::of(line);
+        let cells = separator.cells(line);
+        let is_heading = !cells.iter().any(|cell| cell.parse::<f64>().is_ok());
+        let headings = if self.given.is_empty() {
+            if !is_heading {
+                let found = quoted(line);
+                return Err(RecordError::NoHeadings { found });
+            }
+            cells.clone()
+        } else {
+            self.given.clone()
+        };
+        if cells.len() != headings.len() {
+            return Err(RecordError::Width {
+                line: self.lines,
+                cells: cells.len(),
+                headings: headings.len(),
+            });
+        }
+        push_row(&headings, text);
+        self.form = Some(Form {
+            separator,
+            headings,
+        });
+        if !is_heading {
+            self.record(&cells, text);
+        } else if !self.given.is_empty() {
+            self.complain(self.lines, "holds the stream's own headings");
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, cells: &[String], text: &mut String) {
+        push_row(cells, text);
+        self.recorded += 1;
+    }
+
+    fn complain(&mut self, line: u64, says: &str) {
+        let says = format!("line {line} of the stream {says}: left out");
+        self.complaints.push(says);
+    }
+}
+
+/// A row of a CSV file.
+fn push_row(cells: &[String], text: &mut String) {
+    for (index, cell) in cells.iter().enumerate() {
+        if index > 0 {
+            text.push(',');
+        }
+        if cell.contains([',', '"']) {
+            *text += &format!("\"{}\"", cell.replace('"', "\"\""));
+        } else {
+            *text += cell;
+        }
+    }
+    text.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Records a stream that comes in pieces.
+    fn recorded(pieces: &[&[u8]], headings: &[&str]) -> (String, Vec<String>, Option<RecordError>) {
+        let headings = headings.iter().map(|&heading| heading.to_owned()).collect();
+        let mut recorder = Recorder::new(|| Ok(Vec::new()), headings);
+        let mut taken = pieces.iter().map(|piece| recorder.take(piece, u64::MAX));
+        let wrong = taken.find_map(Result::err);
+        recorder.end_of_stream();
+        let text = recorder
+            .out()
+            .map_or("", |out| std::str::from_utf8(out).unwrap());
+        (text.to_owned(), recorder.complaints(), wrong)
+    }
+
+    #[test]
+    fn lines_are_the_same_however_they_come() {
+        let stream = b"x_mm;y_mm;name\r\n1,5;2;\"A\"\r\n\r\n-3;4,25;B, b\r\n";
+        let wanted = "x_mm,y_mm,name\n1.5,2,A\n-3,4.25,\"B, b\"\n";
+        for length in 1..stream.len() {
+            let pieces: Vec<&[u8]> = stream.chunks(length).collect();
+            let (text, complaints, wrong) = recorded(&pieces, &[]);
+            assert!(complaints.is_empty() && wrong.is_none(), "{complaints:?}");
+            assert_eq!(text, wanted, "{length}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_measurement_is_left_out_aloud() {
+        let stream = b"1 2 3\n4 5\n\xff 1 2\n6 7 8\n9 10 1";
+        let (text, complaints, wrong) = recorded(&[stream], &["time_s", "x_mm", "y_mm"]);
+        assert_eq!(text, "time_s,x_mm,y_mm\n1,2,3\n6,7,8\n");
+        assert!(wrong.is_none());
+        let says = complaints.join("\n");
+        for part in [
+            "line 2 of the stream has 2 cells, not 3",
+            "line 3 of the stream is not UTF-8",
+            "line 5 of the stream has no end",
+        ] {
+            assert!(says.contains(part), "{says}");
+        }
+    }
+
+    #[test]
+    fn a_stream_without_headings_is_refused_before_there_is_a_file() {
+        let (text, _, wrong) = recorded(&[b"1,2,3\n"], &[]);
+        assert!(text.is_empty() && matches!(wrong, Some(RecordError::NoHeadings { .. })));
+        let (text, _, wrong) = recorded(&[b"1,2,3\n"], &["x_mm", "y_mm"]);
+        assert!(text.is_empty());
+        assert!(matches!(
+            wrong,
+            Some(RecordError::Width {
+                line: 1,
+                cells: 3,
+                headings: 2
+            })
+        ));
+        let endless = vec![b'1'; LONGEST_LINE + 1];
+        let (_, _, wrong) = recorded(&[&endless], &[]);
+        assert!(matches!(wrong, Some(RecordError::LongLine { line: 1 })));
+    }
+
+    #[test]
+    fn it_stops_after_as_many_lines_as_are_wanted() {
+        let mut recorder = Recorder::new(|| Ok(Vec::new()), Vec::new());
+        recorder.take(b"x\n1\n2\n3\n", 2).unwrap();
+        assert_eq!(recorder.recorded(), 2);
+        assert_eq!(recorder.out().unwrap(), b"x\n1\n2\n");
+    }
+}

@@ -1,0 +1,132 @@
+//! Samples in which the instrument did not see what it should.
+
+use std::borrow::Cow;
+
+use nalgebra::Vector3;
+
+use crate::effects::JointValues;
+use crate::effects::{Term, joint_zero};
+use crate::fit::problem::{Problem, unusable};
+use crate::fit::{base_model, fit_without_outliers};
+use crate::model::Model;
+use crate::sessions::Mend;
+use crate::sessions::Session;
+
+use super::DataProblem;
+
+/// Samples where the instrument lost the reflector.
+pub(super) fn losses(session: &Session, problems: &mut Vec<DataProblem>) {
+    use crate::fit::problem::Unusable;
+    let lost: Vec<usize> = (0..session.samples.len())
+        .filter(|i| unusable(session, *i) == Some(Unusable::LostReflector))
+        .collect();
+    if lost.is_empty() {
+        return;
+    }
+    problems.push(DataProblem {
+        what: format!("the instrument lost the reflector in {}", listed(&lost)),
+        evidence: "it wrote 0, 0, 0".to_owned(),
+        proposal: "these samples are left out; measure them again".to_owned(),
+        mend: Some(Mend::Remove(lost.clone())),
+        samples: lost,
+    });
+}
+
+/// Samples that are far off and lie where another reflector is, or all at one place.
+pub(super) fn mislocked(
+    session: &Session,
+    joint_values: JointValues,
+    problems: &mut Vec<DataProblem>,
+) {
+    if session.samples.len() > 20_000 || session.samples.len() < 8 {
+        return;
+    }
+    let mut problem = Problem::new(session, joint_values);
+    let fitted = if base_model::is_arm(session) {
+        let start = base_model::start(session, &problem, |_| true);
+        base_model::fit(&mut problem, &start, true).solution.model
+    } else {
+        let zero = Term::absent(joint_zero(), 0, 0.0);
+        let start = Model::new(session.robot.clone(), vec![zero]);
+        fit_without_outliers(&mut problem, &start).model
+    };
+    let off: Vec<usize> = (0..problem.fit.len())
+        .filter(|i| problem.fit[*i] && !problem.used[*i])
+        .collect();
+    if off.is_empty() || off.len() * 3 > problem.fit.len() {
+        return;
+    }
+    let samples = &session.samples;
+    let at = |i: usize| {
+        let z = samples.z_mm.as_ref().map_or(0.0, |z| z[i]);
+        Vector3::new(samples.x_mm[i], samples.y_mm[i], z)
+    };
+    for other in 0..session.targets.len() {
+        let mut inputs = problem.inputs.clone();
+        let n = inputs.len();
+        let number = u32::try_from(other).unwrap_or(0);
+        inputs.target = Some(Cow::Owned(vec![number; n]));
+        let elsewhere = fitted.predict(&inputs);
+        let here = |i: usize| problem.inputs.target.as_ref().map_or(0, |t| t[i]) != number;
+        let close: Vec<usize> = off
+            .iter()
+            .copied()
+            .filter(|i| here(*i) && (at(*i) - Vector3::from(elsewhere.get(*i))).norm() < 3.0)
+            .collect();
+        if !close.is_empty() {
+            let name = &session.targets[other].name;
+            problems.push(DataProblem {
+                what: format!(
+                    "the instrument saw reflector {name} instead in {}",
+                    listed(&close)
+                ),
+                evidence: format!("the points lie where {name} should be"),
+                proposal: "these samples are left out; correct their target or measure them again"
+                    .to_owned(),
+                mend: Some(Mend::Remove(close.clone())),
+                samples: close,
+            });
+        }
+    }
+    // The same point again and again while the robot moves.
+    let stuck: Vec<usize> = off
+        .iter()
+        .copied()
+        .filter(|i| {
+            let same = off.iter().filter(|j| (at(**j) - at(*i)).norm() < 0.5);
+            same.count() >= 3
+        })
+        .collect();
+    if !stuck.is_empty() {
+        problems.push(DataProblem {
+            what: format!(
+                "the instrument was locked on a point that does not move in {}",
+                listed(&stuck)
+            ),
+            evidence: "the measured point stays while the robot moves".to_owned(),
+            proposal: "these samples are left out; measure them again".to_owned(),
+            mend: Some(Mend::Remove(stuck.clone())),
+            samples: stuck,
+        });
+    }
+}
+
+/// Sample numbers for reading, counted from 1.
+fn listed(samples: &[usize]) -> String {
+    let first: Vec<String> = samples
+        .iter()
+        .take(8)
+        .map(|i| (i + 1).to_string())
+        .collect();
+    let more = samples.len().saturating_sub(8);
+    let noun = if samples.len() == 1 {
+        "sample"
+    } else {
+        "samples"
+    };
+    if more > 0 {
+        format!("{noun} {} and {more} more", first.join(", "))
+    } else {
+        format!("{noun} {}", first.join(", "))
+    }
+}

@@ -1,0 +1,265 @@
+//! Blunders of setting up, tried before any effect: on a real arm with a tracker they were worth
+//! more than any effect, and faked one.
+//!
+//! A blunder is a hypothesis about the data: the session is changed as the blunder would have it,
+//! the base fit is made again, and the change is believed if the gap falls to a small part of
+//! what it was and only then makes sense for a robot. The search goes on with the mended session.
+
+mod arm_hypotheses;
+mod arms;
+mod hypotheses;
+mod losses;
+mod read_back;
+
+use std::borrow::Cow;
+
+use crate::effects::{Role, Term, joint_zero, tool_radius};
+use crate::fit::gap::deviations;
+use crate::fit::problem::Problem;
+use crate::fit::solver::solve;
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::sessions::{Samples, Session, Setups};
+use crate::units::rad_from_deg;
+
+use crate::effects::JointValues;
+use crate::fit::base_model;
+use crate::sessions::Mend;
+
+use hypotheses::{Hypothesis, hypotheses};
+use losses::{losses, mislocked};
+
+/// A mistake in the data, its evidence, and how to mend it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataProblem {
+    /// What is wrong.
+    pub what: String,
+    /// What speaks for it.
+    pub evidence: String,
+    /// What to do.
+    pub proposal: String,
+    /// The same as a change of the session, where that is mechanical.
+    pub mend: Option<Mend>,
+    /// The samples that it is about, counted from 0; empty where it is about all of them.
+    pub samples: Vec<usize>,
+}
+
+/// A session with its blunders mended, and what they were.
+#[derive(Debug, Clone)]
+pub struct Mended<'a> {
+    /// The session to go on with.
+    pub session: Cow<'a, Session>,
+    /// What was wrong.
+    pub problems: Vec<DataProblem>,
+}
+
+/// Samples that a trial looks at.
+const MOST_SAMPLES: usize = 400;
+/// With fewer samples a blunder cannot be told from an effect.
+const FEWEST_SAMPLES: usize = 6;
+/// A gap below this share of the robot's size is no blunder.
+const GROSS_SHARE: f64 = 0.01;
+/// The gap has to fall to less than this.
+const MENDED_SHARE: f64 = 0.2;
+
+/// Tries the blunders and mends what it finds.
+pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
+    let mut problems = Vec::new();
+    losses(session, &mut problems);
+    let mut mended: Cow<'a, Session> = Cow::Borrowed(session);
+    if base_model::is_arm(session) {
+        if let Some(better) = arms::corrected(session, joint_values, &mut problems) {
+            mended = Cow::Owned(better);
+        }
+    } else {
+        // One blunder may hide another: at most two in a row.
+        for _ in 0..2 {
+            let Some((better, problem)) = gross_blunder(&mended, joint_values) else {
+                break;
+            };
+            problems.push(problem);
+            mended = Cow::Owned(better);
+        }
+    }
+    if let Some(brought_up) = read_back::lagging(&mended, joint_values, &mut problems) {
+        mended = Cow::Owned(brought_up);
+    }
+    mislocked(&mended, joint_values, &mut problems);
+    Mended {
+        session: mended,
+        problems,
+    }
+}
+
+/// The gross mistakes alone, for an identification: a robot with several joints is identified without
+/// them, one joint as it stands.
+pub(crate) fn noticed(session: &Session, joint_values: JointValues) -> Mended<'_> {
+    let mut problems = Vec::new();
+    if base_model::is_arm(session) {
+        let better = arms::corrected(session, joint_values, &mut problems);
+        return Mended {
+            session: better.map_or(Cow::Borrowed(session), Cow::Owned),
+            problems,
+        };
+    }
+    problems.extend(gross_blunder(session, joint_values).map(|found| found.1));
+    Mended {
+        session: Cow::Borrowed(session),
+        problems,
+    }
+}
+
+fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Session, DataProblem)> {
+    let sample = thinned(session);
+    if sample.samples.len() < FEWEST_SAMPLES {
+        return None;
+    }
+    let gap = base_gap(&sample, joint_values)?;
+    let size = size_mm(&sample);
+    if gap < GROSS_SHARE * size {
+        return None;
+    }
+    let mut best: Option<(f64, Hypothesis)> = None;
+    for hypothesis in hypotheses(&sample) {
+        let mut trial = sample.clone();
+        hypothesis.mend.apply(&mut trial);
+        let Some(after) = base_gap(&trial, joint_values) else {
+            continue;
+        };
+        // A change of unit changes the measure as well.
+        let after = after * (size / size_mm(&trial).max(1e-12)).min(1.0);
+        if after < MENDED_SHARE * gap && best.as_ref().is_none_or(|b| after < 0.8 * b.0) {
+            best = Some((after, hypothesis));
+        }
+    }
+    let (after, hypothesis) = best?;
+    let mut better = session.clone();
+    hypothesis.mend.apply(&mut better);
+    let problem = DataProblem {
+        evidence: format!(
+            "with zero offset and link length fitted the gap is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
+        ),
+        what: hypothesis.what,
+        proposal: hypothesis.proposal,
+        mend: Some(hypothesis.mend),
+        samples: Vec::new(),
+    };
+    Some((better, problem))
+}
+
+/// The session's tool distance or the spread of its points, whichever is larger, mm.
+fn size_mm(session: &Session) -> f64 {
+    let samples = &session.samples;
+    let square = |i: usize| {
+        let z = samples.z_mm.as_ref().map_or(0.0, |z| z[i]);
+        samples.x_mm[i].powi(2) + samples.y_mm[i].powi(2) + z * z
+    };
+    let all: Vec<f64> = (0..samples.len())
+        .map(square)
+        .filter(|v| v.is_finite())
+        .collect();
+    (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt()
+}
+
+/// Median length of the deviations after the base fit, mm. A zero offset beyond
+/// [`LARGEST_OFFSET_DEG`] counts as a gap: a joint that reversed with its home a quarter turn off
+/// would pass for two axes that were swapped. So does a link beyond [`LARGEST_STRETCH`].
+fn base_gap(session: &Session, joint_values: JointValues) -> Option<f64> {
+    let problem = Problem::new(session, joint_values);
+    let mut terms = Vec::new();
+    for joint in 0..session.robot.joints.len() {
+        terms.push(Term::absent(joint_zero(), joint, 0.0));
+    }
+    if let [joint] = session.robot.joints.as_slice()
+        && joint.kind == JointKind::Revolute
+    {
+        terms.push(Term::absent(tool_radius(), 0, 0.0));
+    }
+    terms.extend(crate::fit::free_frames(session, &problem));
+    let start = Model::new(session.robot.clone(), terms);
+    let fitted = solve(&problem, &start);
+    let after = deviations(&problem, &fitted.model);
+    let mut lengths: Vec<f64> = after
+        .length_mm
+        .iter()
+        .copied()
+        .filter(|v| v.is_finite())
+        .collect();
+    lengths.sort_by(f64::total_cmp);
+    let median = lengths.get(lengths.len() / 2).copied()?;
+    let offsets = fitted
+        .model
+        .terms()
+        .iter()
+        .filter(|t| t.effect.about().role == Role::JointZero);
+    let largest = offsets
+        .filter(|t| session.robot.joints[t.joint].kind == JointKind::Revolute)
+        .map(|t| t.coefficients[0].sin().atan2(t.coefficients[0].cos()).abs())
+        .fold(0.0, f64::max);
+    let size = size_mm(session);
+    let beyond = (largest - rad_from_deg(LARGEST_OFFSET_DEG)).max(0.0);
+    let stretched = fitted
+        .model
+        .terms()
+        .iter()
+        .filter(|t| t.effect.about().role == Role::ToolRadius)
+        .map(|t| (t.coefficients[0].abs() - LARGEST_STRETCH * size).max(0.0))
+        .fold(0.0, f64::max);
+    Some(median + beyond * size + stretched)
+}
+
+/// No joint is calibrated with a zero offset larger than this; its home is a quarter turn off.
+const LARGEST_OFFSET_DEG: f64 = 45.0;
+/// No link is longer or shorter than it should be by more than this share of the robot's size; one
+/// that is turned inside out stands for half a turn.
+const LARGEST_STRETCH: f64 = 0.2;
+
+/// Every so many-th sample, so that a trial is quick.
+fn thinned(session: &Session) -> Session {
+    thinned_to(session, MOST_SAMPLES)
+}
+
+fn thinned_to(session: &Session, most: usize) -> Session {
+    let held_out = session.samples.held_out.as_deref();
+    let mut keep: Vec<usize> = (0..session.samples.len())
+        .filter(|i| held_out.is_none_or(|h| !h[*i]))
+        .collect();
+    let n = keep.len();
+    if n > most {
+        keep = (0..most).map(|k| keep[k * n / most]).collect();
+    }
+    let old = &session.samples;
+    let pick = |c: &Vec<f64>| -> Vec<f64> { keep.iter().map(|i| c[*i]).collect() };
+    let each = |c: &[Option<Vec<f64>>]| c.iter().map(|c| c.as_ref().map(pick)).collect();
+    let samples = Samples {
+        q: old.q.iter().map(pick).collect(),
+        q_read: each(&old.q_read),
+        x_mm: pick(&old.x_mm),
+        y_mm: pick(&old.y_mm),
+        z_mm: old.z_mm.as_ref().map(pick),
+        target: old
+            .target
+            .as_ref()
+            .map(|t| keep.iter().map(|i| t[*i]).collect()),
+        dir: each(&old.dir),
+        speed: each(&old.speed),
+        setups: old.setups.as_ref().map(|s| Setups {
+            names: s.names.clone(),
+            index: keep.iter().map(|i| s.index[*i]).collect(),
+        }),
+        ..Samples::default()
+    };
+    // Field by field: a clone of the whole would copy a million samples first.
+    Session {
+        name: String::new(),
+        note: String::new(),
+        robot: session.robot.clone(),
+        targets: session.targets.clone(),
+        instrument: session.instrument.clone(),
+        tolerance_mm: session.tolerance_mm,
+        regions: Vec::new(),
+        compensated_by: None,
+        samples,
+        path: None,
+    }
+}
