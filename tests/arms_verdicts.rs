@@ -241,7 +241,7 @@ fn a_hundred_thousand_poses_are_searched_as_well() {
         }
     }
     let joints = AXES.map(|(axis, point)| {
-        format!(r#"{{"kind": "revolute", "axis": {axis:?}, "point_mm": {point:?}}}"#)
+        format!(r#"{{"name": "j", "kind": "revolute", "axis": {axis:?}, "point_mm": {point:?}}}"#)
     });
     let heads = [
         "q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg", "x_mm", "y_mm", "z_mm",
@@ -250,7 +250,8 @@ fn a_hundred_thousand_poses_are_searched_as_well() {
     let samples: Vec<String> = samples.map(|(h, c)| format!(r#""{h}": [{c}]"#)).collect();
     let text = format!(
         r#"{{"format": "truepose-session/1", "name": "long", "robot": {{"name": "six", "joints": [{}],
-            "tool": {{"position_mm": {TARGET:?}}}}}, "instrument": {{"sigma_mm": 0.03}},
+            "tool": {{"position_mm": {TARGET:?}, "quaternion_wxyz": [1, 0, 0, 0]}}}},
+            "instrument": {{"name": "tracker", "sigma_mm": 0.03}},
             "samples": {{"columns": {{{}}}}}}}"#,
         joints.join(", "),
         samples.join(", ")
