@@ -234,8 +234,12 @@ const PROGRAMS: [(&str, &[u8]); 7] = [
     ("rapid", b""),
 ];
 
+const TWO_JOINTS: &[u8] = br#"{"name":"r","dh":[
+{"a_mm":100,"alpha_deg":90,"d_mm":0,"theta_deg":0,"convention":"standard"},
+{"a_mm":0,"alpha_deg":-45.5,"d_mm":20,"theta_deg":10,"convention":"modified"}]}"#;
+
 fn two_joints() -> Robot {
-    parse_robot(ROBOT).unwrap().robot
+    parse_robot(TWO_JOINTS).unwrap().robot
 }
 
 /// What is accepted says where its numbers are, and nothing overlaps.

@@ -467,7 +467,7 @@ const BROKEN: [(&str, &[u8], u64, u64, &str); 40] = [
     ("urscript", b"movej([1,2,3,4,5])", 1, 7, "6"),
     ("urscript", b"movel(p[1,2,3,4,5])", 1, 7, "rx"),
     ("urscript", b"movej([1,2,3,4,5,6)", 1, 19, "]"),
-    ("urscript", b"\n movej([1,2,3,4,5,6]", 2, 22, ")"),
+    ("urscript", b"\n movej([1,2,3,4,5,6]", 2, 21, ")"),
     ("urscript", b"movej([1,2,3,4,5,6e])", 1, 18, "number"),
     ("urscript", b"movej()", 1, 7, "target"),
     ("urscript", b"movec(p[1,2,3,0,0,0])", 1, 21, "next"),
