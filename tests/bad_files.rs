@@ -717,8 +717,8 @@ const BAD_TABLES: &[(&str, &[u8], &[&str])] = &[
     ),
     (
         "not one complete sample",
-        b"q1_deg,x_mm,y_mm\n1,,3\n,2,3\n",
-        &["no sample has a commanded value, x and y"],
+        b"q1_deg,x_mm,y_mm\n1,,\n,2,3\n",
+        &["no sample has its commanded values and anything measured"],
     ),
     (
         "a picture",

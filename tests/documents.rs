@@ -170,6 +170,8 @@ fn every_command_of_the_readme_prints_what_stands_in_it() {
     copy_files(&root().join("tests/data/imports"), folder.path());
     let sessions = folder.path().join("sessions");
     copy_files(&root().join("sessions"), &sessions);
+    let arms = "tests/data/arms";
+    copy_files(&root().join(arms), &folder.path().join(arms));
     let commands = play("README.md", folder.path());
     assert!(commands >= 12, "{commands} commands");
     let written = ["lamp.model.json", "lamp.csv", "a.json", "e.json"];

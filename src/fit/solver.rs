@@ -167,10 +167,9 @@ impl Spectrum {
 
     /// Number of independent combinations of coefficients that the samples determine.
     pub fn rank(&self) -> usize {
-        (0..self.values.len())
-            .filter(|k| self.determined(*k))
-            .count()
-            - self.held
+        let determined = (0..self.values.len()).filter(|k| self.determined(*k));
+        // Beside columns that are not finite even what is held is not determined.
+        determined.count().saturating_sub(self.held)
     }
 
     /// Ratio of the largest to the smallest determined eigenvalue of the scaled Gram matrix; its

@@ -94,9 +94,13 @@ impl Default for Form {
 }
 
 impl Form {
-    /// Effects that can be chosen: all but the two that have fields of their own.
+    /// Effects that can be chosen: all that a single turning joint can have but the two that have
+    /// fields of their own.
     pub(crate) fn offered() -> impl Iterator<Item = (&'static str, &'static str)> {
-        let all = CATALOGUE.iter().map(|effect| effect.about());
+        let turning = CATALOGUE
+            .iter()
+            .filter(|effect| effect.exists_on(0, JointKind::Revolute));
+        let all = turning.map(|effect| effect.about());
         all.filter(|about| about.role == Role::Candidate)
             .map(|about| (about.id, about.title))
     }

@@ -427,7 +427,7 @@ mod tests {
                     !name.is_empty() && !name.contains('_'),
                     "{parameter}: {name}"
                 );
-                let pure = ["order", "ratio"].contains(&parameter);
+                let pure = ["order", "ratio", "from_joint"].contains(&parameter);
                 assert_eq!(unit.is_empty(), pure, "{parameter}: {unit}");
             }
         }

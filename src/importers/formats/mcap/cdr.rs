@@ -110,12 +110,13 @@ mod tests {
 
     #[test]
     fn both_byte_orders_and_alignments_give_the_same() {
-        let little = b"\0\x01\0\0\x05\0\0\0text\0\0\0\0\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\xf8\x3f";
-        let big = b"\0\0\0\0\0\0\0\x05text\0\0\0\0\0\0\0\x01\0\0\0\0\x3f\xf8\0\0\0\0\0\0";
-        let second = b"\0\x07\0\0\x05\0\0\0text\0\0\0\0\x01\0\0\0\0\0\0\0\0\0\xf8\x3f";
+        // The number stands at the next multiple of 8, of the second version at the next of 4.
+        let little = b"\0\x01\0\0\x04\0\0\0arm\0\x01\0\0\0\0\0\0\0\0\0\0\0\0\0\xf8\x3f";
+        let big = b"\0\0\0\0\0\0\0\x04arm\0\0\0\0\x01\0\0\0\0\x3f\xf8\0\0\0\0\0\0";
+        let second = b"\0\x07\0\0\x04\0\0\0arm\0\x01\0\0\0\0\0\0\0\0\0\xf8\x3f";
         for bytes in [&little[..], &big[..], &second[..]] {
             let mut cdr = Cdr::new(bytes).unwrap();
-            assert_eq!(cdr.text().unwrap(), "text");
+            assert_eq!(cdr.text().unwrap(), "arm");
             assert_eq!(cdr.numbers().unwrap(), [1.5], "{bytes:?}");
             assert!(cdr.f64().is_err(), "beyond the end");
         }
