@@ -26,6 +26,11 @@ pub(crate) fn is_in_table(estimate: &Estimate) -> bool {
     role.is_of_every_calibration() && role != Role::ToolRadius
 }
 
+/// Whether an estimate stands in the row of its joint.
+fn is_of_a_joint(estimate: &Estimate) -> bool {
+    matches!(role(estimate.effect), Role::JointZero | Role::JointAxis)
+}
+
 /// The table; what the samples do not determine is a dash, or a value without an interval where a
 /// prior says what they do not.
 pub(crate) fn table(estimates: &[Estimate]) -> String {
@@ -40,7 +45,7 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
         for (names, _) in COLUMNS {
             let own = estimates
                 .iter()
-                .find(|e| e.joint == Some(joint) && is_in_table(e) && names.contains(&e.name));
+                .find(|e| e.joint == Some(joint) && is_of_a_joint(e) && names.contains(&e.name));
             let cell = own.map_or("–".to_owned(), |e| {
                 let unit = match e.name {
                     "offset_deg" => "°",
@@ -61,6 +66,11 @@ pub(crate) fn table(estimates: &[Estimate]) -> String {
             (Role::ToolPlace, _, Some(target)) => format!("target {target}"),
             (Role::ToolPlace, _, None) => "tool position".to_owned(),
             (Role::ToolTurn, ..) => "tool orientation".to_owned(),
+            (Role::Place, ..) => format!(
+                "{} {}",
+                estimate.effect.trim_start_matches("unknown-"),
+                estimate.place.as_deref().unwrap_or_default()
+            ),
             _ => continue,
         };
         if before.as_ref() != Some(&place) {

@@ -51,6 +51,7 @@ pub(super) const ABOUT: About = About {
     check: "measure it with another instrument",
     role: Role::Place,
     owner: Owner::Session,
+    per_joint: false,
     ..About::PLAIN
 };
 
