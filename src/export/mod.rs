@@ -5,7 +5,7 @@
 //! and the report find it there. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
 //! directions, ends, turns) and brings a function that writes and one that reads; choosing the
 //! entries, checking, and saying what the controller leaves is the same for all. A description of
-//! the corrected robot writes a [`chain`] and reads it back ([`description`]), as the URDF does.
+//! the corrected robot writes a `chain` and reads it back (`description`), as the URDF does.
 //!
 //! # Signs
 //! The trap of every compensation table is its sign. Here everything starts from the correction:
