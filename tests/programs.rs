@@ -421,7 +421,7 @@ fn programs_without_targets_come_back_byte_for_byte() {
             b"/PROG M\r\n/MN\r\n   1:  !J P[1] ;\r\n/POS\r\n/END\r\n",
         ),
         ("csv", b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\r\n"),
-        ("csv", b""),
+        ("krl", b""),
         ("urscript", b""),
     ];
     for (language, program) in programs {
@@ -437,7 +437,8 @@ fn programs_without_targets_come_back_byte_for_byte() {
 
 /// Language, program, line and column of what is wrong, and a word of what was expected.
 #[rustfmt::skip]
-const BROKEN: [(&str, &[u8], u64, u64, &str); 40] = [
+const BROKEN: [(&str, &[u8], u64, u64, &str); 41] = [
+    ("csv", b"", 1, 1, "a header"),
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5],[9E9,9E9,9E9,9E9,9E9,9E9]];", 1, 23, "6"),
     ("rapid", b"CONST jointtarget j:=[[1,2,3,4,5,6]];", 1, 22, "jointtarget"),
     ("rapid", b"\nCONST jointtarget j:=[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9];", 2, 62, "]"),

@@ -90,7 +90,9 @@ pub enum VerifyError {
         model: String,
     },
     /// No sample is complete.
-    #[error("no sample can be used: every one lacks a joint value or a coordinate")]
+    #[error(
+        "no sample can be used: every one lacks a joint value or a measured point (x_mm, y_mm)"
+    )]
     NothingToVerify,
 }
 

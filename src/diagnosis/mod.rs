@@ -126,7 +126,7 @@ pub enum DiagnoseError {
     HeldOutShare(String),
     /// Every sample is held out or cannot be used.
     #[error(
-        "no sample can be fitted: every one is held out, or lacks a joint value or a coordinate"
+        "no sample can be fitted: every one is held out, or lacks a joint value or a measured point (x_mm, y_mm)"
     )]
     NothingToFit,
     /// The watcher asked to stop.

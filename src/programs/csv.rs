@@ -58,8 +58,8 @@ pub(super) fn read(text: &Text, axes: &Axes) -> Result<Program, Vec<Problem>> {
         .filter(|l| !text.bytes[l.clone()].trim_ascii().is_empty());
     let mut lines = lines.peekable();
     let Some(first) = lines.peek() else {
-        // A table without anything in it has no targets.
-        return Ok(Program::default());
+        let expected = "a header, with q1_deg … or x_mm, y_mm, z_mm …";
+        return Err(vec![Problem::new(0, "an empty table", expected)]);
     };
     let separator = separator(&text.bytes[first.clone()]);
     let mut problems = Vec::new();
