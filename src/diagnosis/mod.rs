@@ -213,6 +213,8 @@ fn against_rivals<'a>(
     watch: Watch,
 ) -> Result<(Prepared<'a>, search::Found), DiagnoseError> {
     let slow = prepared.slow_noise();
+    let instead = prepared.slow_noise_instead(&found.fit);
+    let instead = instead.filter(|n| slow.as_ref().is_none_or(|s| !s.whitens_like(n)));
     let white = prepared
         .regression
         .noise
@@ -222,7 +224,7 @@ fn against_rivals<'a>(
     found.fit = fit;
     free_curve::rival(&prepared, &mut found);
     let mut others = Vec::new();
-    for noise in white.into_iter().chain(slow) {
+    for noise in white.into_iter().chain(slow).chain(instead) {
         let (rival, end) = settled_search(prepared.with_noise(noise), watch)?;
         let loser = if end.fit.ln_evidence > found.fit.ln_evidence {
             prepared = rival;

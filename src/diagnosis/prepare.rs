@@ -4,7 +4,7 @@
 //! practice (0.3 of the noise, root mean square, λ = 45 in 500 samples) can well hide from them; values and
 //! gaps then come from all of them.
 
-use crate::effects::{Survey, Term, find};
+use crate::effects::{Over, Survey, Term, find};
 use std::rc::Rc;
 
 use nalgebra::DMatrix;
@@ -169,9 +169,21 @@ impl<'a> Prepared<'a> {
 
     /// The noise that the base alone leaves, where that has a slow part: the rival of every name.
     pub(crate) fn slow_noise(&self) -> Option<Noise> {
+        self.slow_beside(&self.regression.base)
+    }
+
+    /// The noise that is left where the names that follow the time alone are taken out of a fit, and
+    /// that has a slow part: what wanders is seen where the others no longer hide it.
+    pub(crate) fn slow_noise_instead(&self, fit: &Fit) -> Option<Noise> {
+        let follows_time = |t: &Term| t.effect.about().over == Over::Time;
+        let any = fit.model.terms().iter().any(follows_time);
+        any.then(|| self.slow_beside(&fit.model.without(follows_time)))?
+    }
+
+    fn slow_beside(&self, model: &Model) -> Option<Noise> {
         let regression = &self.regression;
-        let base = regression.fit(&regression.base, Vec::new());
-        let noise = noise_of(regression, &base);
+        let fit = regression.fit(model, Vec::new());
+        let noise = noise_of(regression, &fit);
         // A frame that stands elsewhere all the time does not wander.
         let n = regression.rows.samples.len();
         let mut still = DMatrix::zeros(regression.rows.len(), regression.rows.axes.len());
@@ -179,7 +191,7 @@ impl<'a> Prepared<'a> {
             still.view_mut((axis * n, axis), (n, 1)).fill(1.0);
         }
         let moves =
-            estimated(regression, &base.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
+            estimated(regression, &fit.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
         (noise.slow.is_some() && moves).then_some(noise)
     }
 

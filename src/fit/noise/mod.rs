@@ -28,7 +28,7 @@ use crate::sessions::{Session, Sigma};
 use super::regression::Rows;
 use filter::{Axis, steps};
 use restricted::{AxisSums, Restricted};
-use slow_part::{Trial, alternatives};
+use slow_part::Trial;
 
 mod filter;
 mod restricted;
@@ -130,9 +130,9 @@ impl Noise {
         if enough {
             noise.balance_axes(&restricted, &sums);
             let white = restricted.likelihood(&sums, &noise.sigma_mm);
-            let (best, tried) = noise.slowest(&restricted, white, with_alternatives);
+            let best = noise.slowest(&restricted, white);
             if with_alternatives {
-                noise.alternatives = alternatives(white, &tried);
+                noise.alternatives = noise.alternatives(&restricted, white, best);
             }
             if let Some((likelihood, tau, ratio)) = best {
                 noise.slow_evidence = 2.0 * (likelihood - white);

@@ -11,36 +11,27 @@ pub(super) type Trial = (f64, f64, [f64; 3]);
 const RATIOS: [f64; 4] = [0.1, 0.6, 4.0, 60.0];
 /// The largest: what is left of the white part is a thousandth.
 const MOST_RATIO: f64 = 1e3;
-/// Points of the grid that share the probability, at least, if the grid is to be fine enough.
-const FEWEST_ON_THE_GRID: f64 = 6.0;
-/// Factor from point to point of the finer grid.
-const CLOSER: f64 = 2.0;
-/// More points of the grid are not kept.
-const GRID: usize = 80;
+/// Factors of the search around the likeliest.
+const CLOSER: [f64; 3] = [2.0, 1.4, 1.2];
+/// What a variance of its own for one more axis has to pay: it becomes known to a factor of two,
+/// within a range of a hundred (as `regression::PRICE_OF_A_VARIANCE`).
+const PRICE_OF_AN_AXIS: f64 = 1.0;
+/// Cells that share the probability, at least, if they are to be small enough …
+const FEWEST_CELLS: f64 = 6.0;
+/// … for which the largest are divided so many times at most.
+const DIVISIONS: usize = 6;
+/// A cell with less of the probability is not divided.
+const WORTH_DIVIDING: f64 = 0.02;
 /// So many alternatives stand for all: more cost more than they say.
 const MOST_ALTERNATIVES: usize = 12;
 
 impl Noise {
-    /// Likelihood, time constant and variance ratios of the likeliest slow part, and of those on an
-    /// even grid; `all`: on the whole grid also where white noise is likelier. `all`: on the whole grid also where white noise is likelier.
-    pub(super) fn slowest(
-        &self,
-        restricted: &Restricted,
-        white: f64,
-        all: bool,
-    ) -> (Option<Trial>, Vec<Trial>) {
-        let at = |tau: f64, ratio: [f64; 3]| {
-            let sums = restricted.sums(tau, ratio);
-            restricted.likelihood(&sums, &self.sigma_mm)
-        };
-        let (shortest, longest) = restricted.times();
+    /// Likelihood, time constant and variance ratios of the likeliest slow part; `None` where white
+    /// noise is clearly likelier.
+    pub(super) fn slowest(&self, restricted: &Restricted, white: f64) -> Option<Trial> {
         let mut best: Option<Trial> = None;
-        let mut tried: Vec<Trial> = Vec::new();
         let mut keep = |tau: f64, ratio: [f64; 3]| {
-            let value = at(tau, ratio);
-            if tried.len() < GRID {
-                tried.push((value, tau, ratio));
-            }
+            let value = self.likelihood_of(restricted, tau, ratio);
             let better = value.is_finite() && best.is_none_or(|b| value > b.0);
             if better {
                 best = Some((value, tau, ratio));
@@ -48,22 +39,14 @@ impl Noise {
             (better, best)
         };
         // A first look decides whether to look closer.
-        let steps = ((longest / shortest).ln() / 4.0_f64.ln()).ceil().max(1.0);
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a small whole number"
-        )]
-        let steps_whole = steps as usize;
-        let times: Vec<f64> = (0..=steps_whole)
-            .map(|k| shortest * (longest / shortest).powf(k as f64 / steps))
-            .collect();
+        let (shortest, longest) = restricted.times();
+        let (times, _) = even(shortest, longest);
         for tau in &times {
             keep(*tau, [RATIOS[1]; 3]);
         }
         let (_, first) = keep(times[0], [RATIOS[2]; 3]);
-        if !all && first.is_none_or(|b| b.0 < white - 4.0) {
-            return (None, Vec::new());
+        if first.is_none_or(|b| b.0 < white - 4.0) {
+            return None;
         }
         for tau in &times {
             for ratio in [RATIOS[0], RATIOS[2], RATIOS[3]] {
@@ -71,14 +54,26 @@ impl Noise {
             }
         }
         let (_, mut now) = keep(times[0], [RATIOS[1]; 3]);
-        for factor in [2.0_f64, 1.4, 1.2] {
-            let Some((_, tau, ratio)) = now else { break };
+        // The same slow part on all axes first …
+        for factor in CLOSER {
+            let (_, tau, ratio) = now?;
             for by in [factor, 1.0 / factor] {
                 keep((tau * by).clamp(0.5 * shortest, longest), ratio);
             }
-            let Some((_, tau, mut ratio)) = keep(tau, ratio).1 else {
-                break;
-            };
+            let (_, tau, ratio) = keep(tau, ratio).1?;
+            for by in [factor * factor, 1.0 / (factor * factor)] {
+                keep(tau, ratio.map(|r| (r * by).min(MOST_RATIO)));
+            }
+            now = keep(tau, ratio).1;
+        }
+        // … then axis by axis, which has to pay for the variances.
+        let alike = now?;
+        for factor in CLOSER {
+            let (_, tau, ratio) = now?;
+            for by in [factor, 1.0 / factor] {
+                keep((tau * by).clamp(0.5 * shortest, longest), ratio);
+            }
+            let (_, tau, mut ratio) = keep(tau, ratio).1?;
             for axis in &restricted.axes {
                 for by in [factor * factor, 1.0 / (factor * factor), 0.0] {
                     let mut trial = ratio;
@@ -90,68 +85,156 @@ impl Noise {
             }
             now = keep(tau, ratio).1;
         }
-        // Everything up to here was the grid and the first look, which lies on it.
-        tried.truncate(4 * times.len() + 1);
-        if let (true, Some((_, tau, ratio))) = (all, now) {
-            self.look_closer(restricted, (tau, ratio), &mut tried);
-        }
-        (now, tried)
+        let by_axis = now?;
+        let price = price_of_shapes(restricted);
+        Some(if by_axis.0 > alike.0 + price {
+            by_axis
+        } else {
+            alike
+        })
     }
 
-    /// Where the residuals tell the slow part better than the grid is fine, the grid makes room for
-    /// a finer one around the likeliest.
-    fn look_closer(&self, restricted: &Restricted, at: (f64, [f64; 3]), tried: &mut Vec<Trial>) {
-        let largest = tried.iter().map(|t| t.0).fold(f64::NEG_INFINITY, f64::max);
-        let shares = || tried.iter().map(|t| (t.0 - largest).exp());
-        let spread = shares().sum::<f64>().powi(2) / shares().map(|s| s * s).sum::<f64>();
-        if spread > FEWEST_ON_THE_GRID {
-            return;
+    fn likelihood_of(&self, restricted: &Restricted, tau: f64, ratio: [f64; 3]) -> f64 {
+        let sums = restricted.sums(tau, ratio);
+        restricted.likelihood(&sums, &self.sigma_mm)
+    }
+
+    /// The posterior over cells of ln τ and ln r, even to begin with: white noise against all of them
+    /// together at even odds. Where few cells share the probability, as in a long session, these are
+    /// divided until enough do; what lies outside of them stays, for the tail towards a large slow
+    /// part is what widens an interval.
+    pub(super) fn alternatives(
+        &self,
+        restricted: &Restricted,
+        white: f64,
+        likeliest: Option<Trial>,
+    ) -> Vec<Trial> {
+        // The axes alike, or beside one another as the likeliest slow part has them.
+        let mut shapes = vec![([1.0; 3], 1.0)];
+        let clear = likeliest.filter(|b| 2.0 * (b.0 - white) > super::SLOW_EVIDENCE);
+        if let Some((_, _, ratio)) = clear.filter(|b| b.2.iter().any(|r| *r != b.2[0])) {
+            let sum: f64 = restricted.axes.iter().map(|a| ratio[*a]).sum();
+            let mean = sum / restricted.axes.len() as f64;
+            shapes.push((
+                ratio.map(|r| r / mean),
+                (-price_of_shapes(restricted)).exp(),
+            ));
         }
-        // A cell of the grid is ln 4 wide in τ and RATIOS apart in r.
-        let widths = [4.0_f64.ln(), (RATIOS[3] / RATIOS[0]).ln() / 3.0];
-        let cells = tried.len() as f64;
         let (shortest, longest) = restricted.times();
-        let finer = CLOSER.ln().powi(2) / (widths[0] * widths[1]);
-        let mut closer = Vec::new();
-        for along_tau in -2..=2 {
-            let tau = at.0 * CLOSER.powi(along_tau);
-            if tau < 0.5 * shortest || tau > longest {
-                continue;
+        let (times, width) = even(shortest, longest);
+        let cell = |tau: f64, ratio: f64, shape: [f64; 3], widths: [f64; 2], area: f64| {
+            let ratios = shape.map(|s| (s * ratio).min(MOST_RATIO));
+            let value = self.likelihood_of(restricted, tau, ratios);
+            let ln_mass = if value.is_finite() {
+                value + area.ln()
+            } else {
+                f64::NEG_INFINITY
+            };
+            Cell {
+                tau,
+                ratio,
+                shape,
+                widths,
+                area,
+                ln_mass,
             }
-            for along_ratio in -2..=2 {
-                let by = CLOSER.powi(along_ratio);
-                let ratio = at.1.map(|r| (r * by).min(MOST_RATIO));
-                let sums = restricted.sums(tau, ratio);
-                let likelihood = restricted.likelihood(&sums, &self.sigma_mm);
-                closer.push((likelihood + finer.ln(), tau, ratio));
+        };
+        let widths = [width, (RATIOS[3] / RATIOS[0]).ln() / 3.0];
+        let area = 1.0 / (times.len() * RATIOS.len()) as f64;
+        let mut cells = Vec::new();
+        for (shape, prior) in shapes {
+            for tau in &times {
+                cells.extend(RATIOS.map(|ratio| cell(*tau, ratio, shape, widths, prior * area)));
             }
         }
-        // `alternatives` shares the prior among as many points as there are.
-        let shared = (closer.len() as f64 / cells).ln();
-        for trial in &mut closer {
-            trial.0 += shared;
+        for _ in 0..DIVISIONS {
+            let shares = shares_of(cells.iter().map(|c| c.ln_mass).collect());
+            if 1.0 / shares.iter().map(|s| s * s).sum::<f64>() >= FEWEST_CELLS {
+                break;
+            }
+            let mut divided = Vec::new();
+            for (whole, share) in cells.iter().zip(shares) {
+                if share < WORTH_DIVIDING {
+                    divided.push(*whole);
+                    continue;
+                }
+                let half = whole.widths.map(|w| 0.5 * w);
+                for (along_tau, along_ratio) in [(-0.5, -0.5), (-0.5, 0.5), (0.5, -0.5), (0.5, 0.5)]
+                {
+                    let tau = whole.tau * f64::exp(along_tau * half[0]);
+                    let ratio = whole.ratio * f64::exp(along_ratio * half[1]);
+                    divided.push(cell(
+                        tau.min(longest),
+                        ratio,
+                        whole.shape,
+                        half,
+                        0.25 * whole.area,
+                    ));
+                }
+            }
+            cells = divided;
         }
-        *tried = closer;
+        let slow = cells.iter().map(|c| {
+            (
+                c.ln_mass,
+                c.tau,
+                c.shape.map(|s| (s * c.ratio).min(MOST_RATIO)),
+            )
+        });
+        in_equal_parts([(white, 1.0, [0.0; 3])].into_iter().chain(slow).collect())
     }
 }
 
-/// Shares of the probability: white noise against the points of the grid together, at even odds. An
-/// interval that allows for a slow part that is not there is a little too wide, one that does not is
-/// far too narrow (`hidden_effects intervals`).
-///
-/// Where there are many, equal shares of the probability are taken in the order of the long-run
-/// variance τ·r, which is what widens an interval, so that the tail is there in its proportion.
-pub(super) fn alternatives(white: f64, tried: &[Trial]) -> Vec<(f64, f64, [f64; 3])> {
-    if tried.is_empty() {
-        return Vec::new();
-    }
-    let each = (tried.len() as f64).ln();
-    let slow = tried.iter().map(|(l, tau, ratio)| (l - each, *tau, *ratio));
-    let mut all: Vec<Trial> = [(white, 1.0, [0.0; 3])].into_iter().chain(slow).collect();
-    let largest = all.iter().map(|a| a.0).fold(f64::NEG_INFINITY, f64::max);
-    let total: f64 = all.iter().map(|a| (a.0 - largest).exp()).sum();
-    for alternative in &mut all {
-        alternative.0 = (alternative.0 - largest).exp() / total;
+/// What it costs that the axes have slow parts of different sizes.
+fn price_of_shapes(restricted: &Restricted) -> f64 {
+    PRICE_OF_AN_AXIS * (restricted.axes.len() as f64 - 1.0)
+}
+
+/// A part of the plane of ln τ and ln r, with what lies in it.
+#[derive(Clone, Copy)]
+struct Cell {
+    tau: f64,
+    ratio: f64,
+    /// Variances of the slow part beside one another, of mean 1.
+    shape: [f64; 3],
+    /// In ln τ and ln r.
+    widths: [f64; 2],
+    /// What it has of the probability before anything was measured.
+    area: f64,
+    ln_mass: f64,
+}
+
+/// Times evenly apart in their logarithm, at most by ln 4, and how far.
+fn even(shortest: f64, longest: f64) -> (Vec<f64>, f64) {
+    let range = (longest / shortest).ln();
+    let steps = (range / 4.0_f64.ln()).ceil().max(1.0);
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a small whole number"
+    )]
+    let steps_whole = steps as usize;
+    let times = (0..=steps_whole).map(|k| shortest * (range * k as f64 / steps).exp());
+    (times.collect(), range / steps)
+}
+
+/// Shares of the whole from logarithms.
+fn shares_of(mut all: Vec<f64>) -> Vec<f64> {
+    let largest = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    all.iter_mut().for_each(|a| *a = (*a - largest).exp());
+    let total: f64 = all.iter().sum();
+    all.iter_mut().for_each(|a| *a /= total);
+    all
+}
+
+/// Equal shares of the probability, taken in the order of the long-run variance τ·r, which is what
+/// widens an interval, so that the tail is there in its proportion. An interval that allows for a slow
+/// part that is not there is a little too wide, one that does not is far too narrow
+/// (`hidden_effects intervals`).
+fn in_equal_parts(mut all: Vec<Trial>) -> Vec<Trial> {
+    let shares = shares_of(all.iter().map(|a| a.0).collect());
+    for (alternative, share) in all.iter_mut().zip(shares) {
+        alternative.0 = share;
     }
     let long_run = |a: &Trial| a.1 * a.2.iter().sum::<f64>();
     all.sort_by(|a, b| long_run(a).total_cmp(&long_run(b)));
