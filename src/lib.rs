@@ -10,7 +10,7 @@
 //! 3. [`fit`] finds how large the effects are, and how sure that is.
 //! 4. [`set_up_errors`] notices mistakes of setting up, and [`diagnosis`] finds what is missing beyond them, names it, and says what it cannot decide.
 //! 5. [`compensation`] turns the model round: what to add to a command so that the tool arrives
-//!    where it was meant to, and what no joint can remove.
+//!    where it was meant to, and what joint commands cannot correct.
 //! 6. [`standards`] states a robot's accuracy as ISO 230-2 and ISO 9283 define it, and [`report`]
 //!    puts all of it on paper.
 //! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.

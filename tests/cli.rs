@@ -399,7 +399,7 @@ fn a_limit_that_is_none_is_said_in_words_and_has_no_number() {
     assert_eq!(made.status.code(), Some(0));
     let text = truepose(&["diagnose", &path("eighths.json")]).stdout;
     let text = String::from_utf8(text).unwrap();
-    let says = "gear-transmission-error: not to be seen at any size by these poses: amplitude_deg";
+    let says = "gear-transmission-error: not observable with these poses: amplitude_deg";
     assert!(text.lines().any(|line| line == says), "{text}");
     let answer = json(&truepose(&["diagnose", &path("eighths.json"), "--json"]));
     for limit in answer["not_found"].as_array().unwrap() {
@@ -414,7 +414,7 @@ fn a_limit_that_is_none_is_said_in_words_and_has_no_number() {
     // Without noise nothing hides.
     let text = truepose(&["diagnose", &bundled("paper-30.json")]).stdout;
     let text = String::from_utf8(text).unwrap();
-    assert!(text.contains("joint-scale: would have been seen at any size: there is no noise"));
+    assert!(text.contains("joint-scale: detection limit 0: there is no noise"));
     assert!(!text.contains("above scale_ppm 0.000"), "{text}");
 }
 

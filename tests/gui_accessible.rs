@@ -75,8 +75,8 @@ fn every_input_of_every_step_has_a_name() {
                 press(&mut window, "Identify");
             }
             "identified" => {
-                press(&mut window, "4 Find the gap");
-                touring::press_if_there(&mut window, "Search");
+                press(&mut window, "4 Diagnose");
+                touring::press_if_there(&mut window, "Run diagnosis");
             }
             _ => {}
         }
@@ -85,7 +85,7 @@ fn every_input_of_every_step_has_a_name() {
     press(&mut window, "Samples");
     named(&window, "samples");
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     named(&window, "even regions");
     press(&mut window, "Change region 1");
     named(&window, "menu of a region");
@@ -105,7 +105,7 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
         ("Save session", shifted, Key::P),
         ("Preferences", Modifiers::COMMAND, Key::Comma),
         ("Keyboard and mouse", Modifiers::COMMAND, Key::K),
-        ("What the words mean", Modifiers::NONE, Key::F1),
+        ("Glossary", Modifiers::NONE, Key::F1),
         (
             "Calibrates a robot at commissioning",
             Modifiers::SHIFT,

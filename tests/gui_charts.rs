@@ -316,8 +316,8 @@ fn of_several_joints_the_charts_are_about_the_chosen_one() {
 fn a_found_effect_shows_its_own_curve_and_every_chart_is_saved_as_a_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window(None);
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     assert!(!there(&window, "Effect's own curve") || !there(&window, "Chart"));
     let first = window.get_all_by_label("Show its curve").next();
     first.expect("something was found").scroll_to_me();
@@ -354,7 +354,7 @@ fn a_found_effect_shows_its_own_curve_and_every_chart_is_saved_as_a_picture() {
     saved(
         &mut window,
         "correction table",
-        "to be added",
+        "correction",
         folder.path(),
     );
 }

@@ -55,7 +55,7 @@ fn one_sample() {
         "one sample",
     );
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     type_into(&mut window, "Number of regions", "6");
     assert!(says(
         &window,
@@ -240,7 +240,7 @@ fn a_joint_that_slides() {
     let mut window = toured_session(&simulated(joint, sweep), "sliding joint");
     press(&mut window, "2 Regions");
     assert!(says(&window, "for a single joint that turns"));
-    assert!(!there(&window, "Evenly"));
+    assert!(!there(&window, "Uniform"));
 }
 
 #[test]

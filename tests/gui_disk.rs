@@ -82,7 +82,7 @@ fn ready(home: Option<&Path>) -> Window {
     let mut window = window_at(None, home);
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
-    press(&mut window, "4 Find the gap");
+    press(&mut window, "4 Diagnose");
     keys(&mut window, Modifiers::COMMAND, Key::G);
     window
 }
@@ -337,7 +337,7 @@ fn what_is_kept_for_tomorrow_says_where_it_cannot_be_kept_and_the_work_goes_on()
     assert!(says(&window, "save it under a name of your own"));
     press(&mut window, "Dismiss");
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     seconds(&mut window, 5);
     let path = folder.path().join("kept.json");
     write(&mut window, &OUTPUTS[0], &path, false);
@@ -366,7 +366,7 @@ fn recovery_and_preferences_on_a_full_disk_keep_what_they_had() {
     assert!(says(&window, "Not everything could be kept for tomorrow"));
     press(&mut window, "Dismiss");
     press(&mut window, "3 Identify");
-    press(&mut window, "Exact");
+    press(&mut window, "Full model");
     press(&mut window, "2 Regions");
     press(&mut window, "Change region 1");
     window.get_by_label_contains("Split in half").click();
@@ -389,7 +389,7 @@ fn a_file_that_vanished_before_it_is_saved_is_written_again() {
     let session = copy_of("paper-30", folder.path());
     let mut window = window_at(Some(session.clone()), None);
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     press(&mut window, "Change region 2");
     window.get_by_label_contains("Split in half").click();
     window.run_steps(4);
@@ -410,7 +410,7 @@ fn a_folder_that_vanished_says_so_and_the_session_stays_unsaved() {
     let session = copy_of("paper-30", &inner);
     let mut window = window_at(Some(session), None);
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     press(&mut window, "Change region 2");
     window.get_by_label_contains("Split in half").click();
     window.run_steps(4);

@@ -40,7 +40,7 @@ fn one_of_each_format_is_chosen_seen_and_saved() {
         if format.rules.is_some() {
             window.get_by_label("correction table as a curve");
             window.get_by_label("Copy table");
-            window.get_by_label("Gap that the table leaves");
+            window.get_by_label("RMS error left by the table");
         } else {
             assert!(
                 window
@@ -48,7 +48,7 @@ fn one_of_each_format_is_chosen_seen_and_saved() {
                     .is_none()
             );
             window.get_by_label("Copy text");
-            window.get_by_label("Gap to this robot");
+            window.get_by_label("RMS error to this robot");
         }
         let path = folder.path().join(format!("pan.{}", format.extension));
         export_to(&mut window, &path);
@@ -117,11 +117,11 @@ fn an_own_step_is_taken_or_refused_with_the_limit() {
     let mut window = window_of(TALL, None, Runner::AtOnce);
     at_export(&mut window);
     press(&mut window, "LinuxCNC COMP_FILE");
-    press(&mut window, "Own step");
+    press(&mut window, "Custom step");
     let says = window
         .get_all_by_label_contains("takes at most 256")
         .count();
     assert!(says > 0, "a step of 1° over 300° is too fine");
-    press(&mut window, "Own step");
+    press(&mut window, "Custom step");
     window.get_by_label("correction table as a curve");
 }

@@ -32,7 +32,7 @@ fn save_to(window: &mut Window, path: &std::path::Path) {
 /// A change that is worth saving.
 fn divide(window: &mut Window) {
     press(window, "2 Regions");
-    press(window, "Evenly");
+    press(window, "Uniform");
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     let session = copy_of("paper-30", folder.path());
     let mut window = window_at(Some(session.clone()), Some(&home));
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     let handle = window.get_by_label("boundary at 30°").rect().center();
     window.drag_at(handle);
     window.step();
@@ -303,8 +303,8 @@ fn what_was_found_comes_back_after_a_kill_although_the_session_is_saved() {
     let home = folder.path().join("home");
     let session = copy_of("lamp-commissioning", folder.path());
     let mut window = window_at(Some(session.clone()), Some(&home));
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     let name = window.get_all_by_label_contains("to the model").next();
     name.expect("all are added at once").click();
     window.run_steps(2);
@@ -326,7 +326,7 @@ fn what_was_found_comes_back_after_a_kill_although_the_session_is_saved() {
         (after(&restored) - after(&added)).abs() < 1e-3,
         "{added}, {restored}"
     );
-    press(&mut window, "4 Find the gap");
+    press(&mut window, "4 Diagnose");
     assert!(says(&window, "use backlash"), "it can be switched off");
 }
 

@@ -63,12 +63,15 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with(BACKLASH, "0", folder.path());
     let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
-    assert!(says(&window, "The gap is explained"));
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(
+        &window,
+        "Explained: the remaining error is at the noise floor"
+    ));
     window.get_by_label("Backlash");
-    assert!(says(&window, "Noise alone would look like this in"));
-    assert!(says(&window, "over the next name"));
+    assert!(says(&window, "chance that noise alone looks like this"));
+    assert!(says(&window, "likelier than the next candidate"));
     tables_can_be_copied(&mut window);
     let identified = gap_mm(&window);
     assert!(identified > 2.0 * FLOOR_MM, "{identified}");
@@ -106,8 +109,8 @@ fn a_hidden_effect_is_found_added_switched_off_and_undone() {
 fn noise_outliers_and_sizes_that_no_machine_has_are_shown() {
     let facts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/facts/facts.json");
     let mut window = window_of([1280.0, 800.0], Some(facts), Runner::AtOnce);
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     assert!(says(&window, "Slow noise: the measuring frame wanders by"));
     assert!(says(&window, "noise σ, stated"));
     assert!(says(&window, "noise σ, as found"));
@@ -133,7 +136,7 @@ fn tables_can_be_copied(window: &mut Window) {
     window.run_steps(2);
     window.get_by_label("Copied table of found effects");
 
-    let folded = "What would have been seen";
+    let folded = "Detection limits";
     window.get_by_label_contains(folded).scroll_to_me();
     window.run_steps(6);
     window.get_by_label_contains(folded).click();
@@ -149,8 +152,8 @@ fn poses_that_decide_are_saved_as_a_measuring_list() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with(BACKLASH, "10", folder.path());
     let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     // At one speed a lag looks like a backlash.
     window.get_by_label("The samples cannot rule out");
     assert!(says(&window, "tracking lag") && says(&window, "backlash"));
@@ -184,10 +187,10 @@ fn noise_alone_is_said_to_be_noise() {
     let folder = tempfile::tempdir().expect("a folder");
     let session = session_with("", "0", folder.path());
     let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     assert!(says(&window, "Nothing is missing"));
-    assert!(says(&window, "What would have been seen"));
+    assert!(says(&window, "Detection limits"));
     assert!(!says(&window, "Add to model"));
 }
 
@@ -208,12 +211,15 @@ fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
         panic!("{label} never came");
     };
     until(&mut window, "hidden");
-    press(&mut window, "4 Find the gap");
-    window.get_by_label("Search").click();
+    press(&mut window, "4 Diagnose");
+    window.get_by_label("Run diagnosis").click();
     until(&mut window, "Stop the search");
     window.get_by_label("Stop the search").click();
-    until(&mut window, "Search");
-    assert!(!says(&window, "The gap is explained"));
+    until(&mut window, "Run diagnosis");
+    assert!(!says(
+        &window,
+        "Explained: the remaining error is at the noise floor"
+    ));
 }
 
 #[test]
@@ -231,11 +237,14 @@ fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
     let session = folder.path().join("bump.json");
     std::fs::write(&session, hidden.json("bump")).expect("written");
     let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
-    assert!(says(&window, "A part of the gap is explained"));
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(
+        &window,
+        "Partly explained: an error is left without a name"
+    ));
     let identified = gap_mm(&window);
-    assert!(says(&window, "held-out gap, corrected"));
+    assert!(says(&window, "cross-validated RMS error, corrected"));
     // It stands below the fold of the list.
     window.get_by_label("Add smooth correction").scroll_to_me();
     window.run_steps(4);

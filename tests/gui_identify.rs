@@ -32,7 +32,7 @@ fn the_methods_are_switched_and_each_leaves_its_own_gap() {
         regional > 1.2 * exact,
         "{regional} by region, {exact} exactly"
     );
-    press(&mut window, "Exact");
+    press(&mut window, "Full model");
     assert!((after(&window) - exact).abs() < 1e-9);
 }
 

@@ -123,7 +123,10 @@ fn take_column_for(window: &mut Window, column: usize, meaning: &str) {
 fn guessed_columns_have_to_be_confirmed() {
     let mut window = window(None);
     open(&mut window, &walk("tracker.txt"));
-    assert!(says(&window, "guess: its cells"), "a guess is called one");
+    assert!(
+        says(&window, "guessed from the values"),
+        "a guess is called one"
+    );
     press(&mut window, "It is mm");
     assert!(says(&window, "5 of 5 columns are guessed"));
     assert!(says(&window, "Look at the columns above, and confirm them"));

@@ -32,7 +32,7 @@ fn a_model_opens_by_itself_and_gives_its_table() {
     assert!(says(&window, "open a session measured on this robot"));
     window.get_by_label("Model from a file");
     window.get_by_label("How it came about");
-    window.get_by_label("What the robot really is");
+    window.get_by_label("Identified parameters");
     window.get_by_label("workspace plot, 0 samples");
     press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
@@ -72,7 +72,7 @@ fn a_session_of_its_robot_shows_what_the_model_does() {
     press(&mut window, "3 Identify");
     press(&mut window, "Identify from this session");
     assert!(!says(&window, "Held against this session"));
-    window.get_by_label("Gap, exact fit");
+    window.get_by_label("RMS error, full model");
     press(&mut window, "Undo identify");
     window.get_by_label("Held against this session");
 }
@@ -84,7 +84,7 @@ fn a_session_of_another_robot_does_not_keep_the_model() {
     let mut window = window(Some(model));
     open(&mut window, &bundled("lamp-commissioning.json"));
     assert!(!says(&window, "Model from a file"));
-    window.get_by_label("Gap of the nominal robot");
+    window.get_by_label("RMS error of the nominal robot");
 }
 
 #[test]
@@ -94,12 +94,12 @@ fn a_model_takes_the_place_of_the_identification_of_the_open_session() {
     let mut window = window(None);
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
-    window.get_by_label("Gap, exact fit");
+    window.get_by_label("RMS error, full model");
     open(&mut window, &model);
     assert!(says(&window, "208 samples · gap"));
-    window.get_by_label("Gap, model from a file");
+    window.get_by_label("RMS error, model from a file");
     press(&mut window, "Undo open model");
-    window.get_by_label("Gap, exact fit");
+    window.get_by_label("RMS error, full model");
 }
 
 #[test]

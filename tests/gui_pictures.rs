@@ -73,8 +73,8 @@ fn the_job(theme: Theme, name: &str) {
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
     looks_like(&mut window, &format!("3-identify-{name}"));
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     press(&mut window, "Add all 5 to the model");
     looks_like(&mut window, &format!("4-gap-{name}"));
     press(&mut window, "5 Export");
@@ -96,7 +96,7 @@ fn the_search_before_it_begins_in_light() {
     let Some(mut window) = window(Theme::Light, None) else {
         return;
     };
-    press(&mut window, "4 Find the gap");
+    press(&mut window, "4 Diagnose");
     looks_like(&mut window, "4-gap-before-light");
 }
 
@@ -131,7 +131,7 @@ fn the_preferences_in_dark() {
 
 #[test]
 fn the_words_in_light() {
-    sheet(Theme::Light, "Help", "What the words mean", "words-light");
+    sheet(Theme::Light, "Help", "Glossary", "words-light");
 }
 
 #[test]

@@ -78,7 +78,7 @@ fn the_keys_do_what_the_menus_say() {
     window.key_press(Key::Escape);
     window.run_steps(4);
     keys(&mut window, Modifiers::NONE, Key::F1);
-    assert!(says(&window, "What the words mean"));
+    assert!(says(&window, "Glossary"));
     assert!(says(&window, "The true value lies within it in 19 of 20"));
     window.key_press(Key::Escape);
     window.run_steps(4);

@@ -54,7 +54,7 @@ fn with_region(window: &mut Window, region: &str, what: &str) {
 #[test]
 fn the_number_of_even_regions_is_taken_at_once_and_undone_in_one_step() {
     let mut window = regions();
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     type_into(&mut window, "Number of regions", "4");
     assert_eq!(ends(&window, "4"), pair("75", "150"));
     assert!(says(&window, "4 regions"));
@@ -267,7 +267,7 @@ fn a_region_with_no_sample_or_one_says_so_in_words() {
     let mut window = regions();
     // Samples stand 11.25° apart: what lies between two of them is empty.
     type_into(&mut window, "To, region 1", "-149");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     type_into(&mut window, "Number of regions", "60");
     assert!(says(
         &window,
@@ -310,7 +310,7 @@ fn a_session_at_one_angle_says_why_there_are_no_regions() {
 fn a_long_name_pushes_nothing_out_of_the_window() {
     let mut window = window(None);
     press(&mut window, "2 Regions");
-    press(&mut window, "By hand");
+    press(&mut window, "Manual");
     let name = "left side; a very long name of a region that goes on and on";
     type_into(&mut window, "Name of region 1", name);
     press(&mut window, "Identify by region");

@@ -77,11 +77,11 @@ fn the_report_is_written_as_html_and_as_pdf_and_names_the_tables_of_this_session
     let html = folder.path().join("Prüfung.html");
     window.state_mut().type_report_path(&html);
     save(&mut window, false);
-    is_said(&window, "Written: ");
+    is_said(&window, "Saved ");
     is_said(&window, "Names the table pan.csv with its hash");
     let text = std::fs::read_to_string(&html).expect("the report is there");
     assert!(text.starts_with("<!doctype html>") && text.trim_end().ends_with("</html>"));
-    assert!(text.contains("Gap to the model") && text.contains("Signatures"));
+    assert!(text.contains("RMS error, model") && text.contains("Signatures"));
     assert!(text.contains(&hash), "the table stands in it with its hash");
 
     let pdf = folder.path().join("report.PDF");
@@ -197,13 +197,13 @@ fn every_plot_is_saved_as_svg() {
         );
     }
     identified(&mut window);
-    press(&mut window, "4 Find the gap");
+    press(&mut window, "4 Diagnose");
     window.get_by_label("Save picture of the gap by step…");
     for plot in ["workspace", "deviation", "gap by step"] {
         let path = folder.path().join(format!("{plot}.svg"));
         window.state_mut().type_picture_path(plot, &path);
         save(&mut window, false);
-        is_said(&window, "Written: ");
+        is_said(&window, "Saved ");
         let svg = std::fs::read_to_string(&path).expect("the picture is there");
         assert!(svg.contains("http://www.w3.org/2000/svg") && svg.ends_with("</svg>\n"));
         let says = if plot == "gap by step" {

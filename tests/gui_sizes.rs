@@ -90,7 +90,7 @@ impl Panels {
     fn of(window: &Window, all: &[Thing]) -> Self {
         let tabs = all.iter().filter(|t| t.role == Role::Tab);
         let left = tabs.map(|t| t.rect.right()).fold(0.0, f32::max) + MARGIN;
-        let heads = ["Results", "What is missing", "Export"];
+        let heads = ["Results", "Diagnosis", "Export"];
         let head = all
             .iter()
             .filter(|t| t.role == Role::Label && t.rect.left() > left);
@@ -222,7 +222,7 @@ fn every_step_fits_at_every_size_before_anything_is_identified() {
         "Continue to regions",
         "Identify by region",
         "Identify",
-        "Search",
+        "Run diagnosis",
         "Go to identify",
     ];
     for size in SIZES {
@@ -242,8 +242,8 @@ fn every_step_fits_at_every_size_when_all_is_found() {
     let mut window = window([1280.0, 800.0]);
     press(&mut window, "3 Identify");
     press(&mut window, "Identify");
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
     press(&mut window, "Add all 5 to the model");
     for size in SIZES {
         window.set_size(size.into());
@@ -252,7 +252,7 @@ fn every_step_fits_at_every_size_when_all_is_found() {
             press(&mut window, step);
             look(&window, &format!("{size:?}, {step}, found"));
         }
-        press(&mut window, "4 Find the gap");
+        press(&mut window, "4 Diagnose");
         next_is_in_sight(&window, "Continue to export", &format!("{size:?}"));
     }
 }
@@ -307,7 +307,7 @@ fn samples_stand_beside_the_results_on_a_large_screen() {
 fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
     let sheets = [
         ("Edit", "Preferences…", "Preferences"),
-        ("Help", "What the words mean", "What the words mean"),
+        ("Help", "Glossary", "Glossary"),
         ("Help", "Keyboard and mouse", "Keyboard and mouse"),
         ("Help", "About truepose", "About truepose"),
     ];

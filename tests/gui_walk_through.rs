@@ -97,15 +97,18 @@ fn from_the_trackers_file_to_the_signed_report() {
 
     // 3 Identify: the zero and the length.
     press(&mut window, "3 Identify");
-    press(&mut window, "Exact");
+    press(&mut window, "Full model");
     let (_, identified) = gaps(&window);
     let identified = identified.expect("identified");
     assert!((identified - 0.2376).abs() < 0.002, "{identified}");
 
-    // 4 Find the gap: what is hidden is named, and nothing else.
-    press(&mut window, "4 Find the gap");
-    press(&mut window, "Search");
-    assert!(says(&window, "The gap is explained"));
+    // 4 Diagnose: what is hidden is named, and nothing else.
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(
+        &window,
+        "Explained: the remaining error is at the noise floor"
+    ));
     let hidden = ["Encoder eccentricity", "Backlash", "Link droop"];
     for name in hidden {
         assert!(there(&window, name), "{name} is found");
@@ -157,7 +160,7 @@ fn from_the_trackers_file_to_the_signed_report() {
     let report = folder.path().join("column.pdf");
     window.state_mut().type_report_path(&report);
     save(&mut window);
-    assert!(says(&window, "Written: "));
+    assert!(says(&window, "Saved "));
     let bytes = std::fs::read(&report).expect("the report is there");
     assert!(bytes.starts_with(b"%PDF-") && bytes.len() > 10_000);
 

@@ -44,7 +44,7 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
 
     // Divide evenly, and drag a boundary on the plot: the identification follows.
     press(&mut window, "2 Regions");
-    press(&mut window, "Evenly");
+    press(&mut window, "Uniform");
     let handle = window.get_by_label("boundary at 30°").rect().center();
     window.drag_at(handle);
     window.step();
@@ -71,11 +71,11 @@ fn the_whole_job_from_a_file_to_a_table_and_back() {
 
     // The exact fit explains every sample.
     press(&mut window, "3 Identify");
-    press(&mut window, "Exact");
+    press(&mut window, "Full model");
     press_if_there(&mut window, "Identify");
     let (_, left) = gaps(&window);
     assert!(left.expect("identified") < 1e-9);
-    window.get_by_label("What the robot really is");
+    window.get_by_label("Identified parameters");
 
     // Export: seen first, then written, with what it means beside it.
     press(&mut window, "5 Export");
@@ -209,7 +209,7 @@ fn every_menu_and_every_sheet_opens_and_closes() {
         window.run_steps(4);
     }
     for (item, says) in [
-        ("Keyboard and mouse", "show everything in the plots"),
+        ("Keyboard and mouse", "fit the plots' view"),
         (
             "About truepose",
             "Everything in this window can be done in the terminal too",

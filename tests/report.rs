@@ -194,7 +194,7 @@ fn the_same_session_gives_the_same_bytes_and_both_formats_hold_the_numbers() {
         "208 of 208",
         "rock the output by hand with the drive held",
         "Encoder eccentricity",
-        "noise alone would look like this in fewer than 1 of",
+        "(chance that noise alone looks like this)",
         "gravity is along the axis",
         "Accepted by (name)",
         &truepose::sessions::hash_of_samples(&session),
@@ -253,7 +253,7 @@ fn a_report_is_of_the_model_that_is_in_use_and_says_in_what_it_is_another() {
     for said in [
         "the model in use is another one: without Backlash",
         "with the model in use, without Backlash",
-        "Gap to the model in use",
+        "RMS error, model in use",
         &model_hash(&less),
     ] {
         assert!(page.contains(said), "{said}");

@@ -150,8 +150,8 @@ fn in_words(d: &Diagnosis) -> String {
         );
     }
     let verdict = match d.verdict {
-        Verdict::Noise => "nothing is missing: what is left is noise",
-        Verdict::Explained => "what was missing has a name; what is left is noise",
+        Verdict::Noise => "nothing is missing: the remaining error is noise",
+        Verdict::Explained => "explained: the remaining error is at the noise floor",
         Verdict::PartlyExplained => "partly explained: something is left that no name explains",
         Verdict::Unexplained => "something is left that no name explains",
     };
@@ -164,13 +164,13 @@ fn in_words(d: &Diagnosis) -> String {
     }
     let _ = writeln!(
         text,
-        "gap {:.4} mm, identified {:.4} mm, now {:.4} mm; noise floor {:.4} mm",
+        "RMS error: nominal {:.4} mm, identified {:.4} mm, with found effects {:.4} mm; noise floor {:.4} mm",
         d.gap.start_mm, d.gap.identified_mm, d.gap.end_mm, d.floor.mm
     );
     if let Some(gaps) = &d.held_out.gaps {
         let _ = writeln!(
             text,
-            "on unseen samples {:.4} mm, {:.4} mm, {:.4} mm ({})",
+            "cross-validated {:.4} mm, {:.4} mm, {:.4} mm ({})",
             gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
         );
     }
@@ -295,7 +295,7 @@ fn unexplained_in_words(text: &mut String, d: &Diagnosis) {
         Some(Ok(correction)) => {
             let _ = writeln!(
                 text,
-                "added under the name unexplained: {}\n  gap {:.4} → {:.4} mm; held out: {}",
+                "added under the name unexplained: {}\n  RMS error {:.4} → {:.4} mm; cross-validated: {}",
                 correction.says, correction.gap_mm[0], correction.gap_mm[1], correction.how
             );
         }
@@ -318,16 +318,13 @@ fn limit_in_words(limit: &Limit) -> String {
     let mut parts = Vec::new();
     let at_any = |(_, size): &(&str, f64)| Sight::of(*size) == Sight::AtAnySize;
     if limit.sizes.iter().all(at_any) {
-        parts.push("would have been seen at any size: there is no noise".to_owned());
+        parts.push("detection limit 0: there is no noise".to_owned());
     } else if !above.is_empty() {
-        parts.push(format!(
-            "would have been seen above {} (95 %)",
-            above.join(", ")
-        ));
+        parts.push(format!("detection limit {} (95 %)", above.join(", ")));
     }
     if !never.is_empty() {
         parts.push(format!(
-            "not to be seen at any size by these poses: {}",
+            "not observable with these poses: {}",
             never.join(", ")
         ));
     }

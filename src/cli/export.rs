@@ -111,7 +111,7 @@ impl Export {
             let session = loaded.session;
             notes.push(match gap_after_export(&calibration, &session, &export) {
                 Some(gap) => format!(
-                    "of '{}' it leaves a gap of {:.6} mm (largest {:.6})",
+                    "of '{}' it leaves an RMS error of {:.6} mm (largest {:.6})",
                     session.name, gap.rms_mm, gap.max_mm
                 ),
                 None => format!(

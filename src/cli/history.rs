@@ -26,7 +26,7 @@ impl History {
         let told = history(&self.folder)?;
         let not_read = told.not_read.iter();
         let lines: Vec<String> = not_read
-            .map(|file| format!("{} is left out: {}", file.file, file.because))
+            .map(|file| format!("{} is excluded: {}", file.file, file.because))
             .collect();
         output::messages(&lines);
         if self.json {

@@ -374,7 +374,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
         );
     }
     text += &format!(
-        "gap          {:.6} mm before, {:.6} mm after (largest {:.6} and {:.6})\n",
+        "RMS error    nominal {:.6} mm, identified {:.6} mm (largest {:.6} and {:.6})\n",
         gap.before.rms_mm, gap.after.rms_mm, gap.before.max_mm, gap.after.max_mm
     );
     if let Some(held_out) = &answer.held_out {
@@ -439,7 +439,7 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
         );
     }
     for l in &answer.left_out {
-        text += &format!("\nleft out: sample {}: {}", l.sample + 1, l.because.says());
+        text += &format!("\nexcluded: sample {}: {}", l.sample + 1, l.because.says());
     }
     let quality = &answer.quality;
     if !quality.converged {

@@ -105,7 +105,7 @@ impl<'a> Answer<'a> {
 fn in_words(v: &Verification) -> String {
     let mut text = format!("{}: {} samples\n", v.session, v.samples);
     text += &format!(
-        "gap to the nominal robot  {:.6} mm (largest {:.6})\ngap to the model          {:.6} mm (largest {:.6})\n",
+        "RMS error, nominal robot  {:.6} mm (largest {:.6})\nRMS error, model          {:.6} mm (largest {:.6})\n",
         v.nominal.rms_mm, v.nominal.max_mm, v.model.rms_mm, v.model.max_mm
     );
     if let Some(within) = &v.within_tolerance {
@@ -116,7 +116,7 @@ fn in_words(v: &Verification) -> String {
     }
     if let Some(compensated) = &v.compensated {
         text += &format!(
-            "with corrected commands   {:.6} mm (largest {:.6}); no joint can remove {:.6} mm\n",
+            "with corrected commands   {:.6} mm (largest {:.6}); not correctable by joint commands {:.6} mm\n",
             compensated.gap.rms_mm,
             compensated.gap.max_mm,
             compensated.cannot_be_removed_by_joints_mm

@@ -125,25 +125,16 @@ pub(crate) fn found(
 }
 
 fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) -> String {
-    let chance = if p.bound {
-        format!(
-            "noise alone would look like this in fewer than 1 of {:.0} sessions",
-            1.0 / p.p
-        )
-    } else {
-        format!(
-            "noise alone would look like this in 1 of {:.0} sessions",
-            1.0 / p.p
-        )
-    };
+    let sign = if p.bound { '<' } else { '=' };
+    let chance = format!("p {sign} {} (chance that noise alone looks like this)", p.p);
     let over = match next {
-        Some(next) if odds > 1000.0 => format!("more than 1000 : 1 over the next name ({next})"),
-        Some(next) => format!("{odds:.1} : 1 over the next name ({next})"),
-        None => "no other name was tried".to_owned(),
+        Some(next) if odds > 1000.0 => format!("more than 1000 times likelier than the next candidate ({next})"),
+        Some(next) => format!("{odds:.1} times likelier than the next candidate ({next})"),
+        None => "no other effect was a candidate".to_owned(),
     };
     let unseen = step.held_out_mm.map_or_else(String::new, |h| {
         format!(
-            "; held-out gap {:.4} → {:.4} mm, floor {:.4}",
+            "; cross-validated RMS error {:.4} → {:.4} mm, floor {:.4}",
             h[0], h[1], floor.mm
         )
     });

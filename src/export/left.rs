@@ -55,7 +55,7 @@ impl Allowance {
         Self {
             mm: SHARE * if known { gap } else { LEAST_STAND_IN_MM },
             is: if known {
-                "1 % of the model's own gap, as there is no tolerance"
+                "1 % of the model's RMS error, as there is no tolerance"
             } else {
                 "1 % of 0.01 mm, as there is no tolerance"
             },

@@ -12,7 +12,7 @@
 //! what to add to the command. [`Rules::says`] turns it into the file's numbers and back, and
 //! nothing else does. Each format says in its sidecar what its numbers mean, with one worked line.
 //! And each reads its own bytes back: [`Export::reads_as`] is what the controller will make of them,
-//! [`gap_left`] the gap that it leaves on a session, [`Left`] what it leaves over the measured range.
+//! [`gap_left`] the RMS error that it leaves on a session, [`Left`] what it leaves over the measured range.
 
 mod c_header;
 mod chain;

@@ -1,4 +1,4 @@
-//! What a written table says when it is read again, and the gap that it leaves.
+//! What a written table says when it is read again, and the RMS error that it leaves.
 
 use super::sheet::{Sheet, TURN};
 use crate::compensation::SortedTable;

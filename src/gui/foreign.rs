@@ -255,7 +255,7 @@ impl Foreign {
         }
         match &self.seen.trial {
             Some(Ok(_)) => None,
-            Some(Err(because)) => Some(("In the way", because.first().cloned())),
+            Some(Err(because)) => Some(("To fix", because.first().cloned())),
             None => so(LOOKING),
         }
     }

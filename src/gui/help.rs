@@ -21,8 +21,8 @@ macro_rules! words {
 words! {
     DEVIATION, "Deviation",
         "Where the reflector was measured, minus where the simulation says it should be";
-    GAP, "Gap",
-        "How far measurement and simulation are apart: the root mean square of the length of the deviation over all samples. Suspected outliers do not count in it, but they do in the largest deviation";
+    GAP, "RMS error",
+        "Root mean square of the length of the deviation over all samples. Suspected outliers do not count in it, but they do in the largest deviation";
     LARGEST, "Largest deviation",
         "The one sample that is furthest off, suspected outliers included";
     TOLERANCE, "Tolerance",
@@ -30,20 +30,20 @@ words! {
     NOISE, "Noise, one σ",
         "How much the instrument's own reading scatters along one axis, as its maker or a repeatability check says. Two of three readings are nearer than this. Without it, it is estimated from the samples";
     FLOOR, "Noise floor",
-        "The gap that would be left if the model were perfect: the scatter of repeated poses, or of the instrument. No model can come below it, and one that comes close has nothing left to explain";
+        "The RMS error of a perfect model: the scatter of repeated poses, or of the instrument. No model can come below it, and one that comes close has nothing left to explain";
     INTERVAL, "Interval, ±",
         "The true value lies within it in 19 of 20 calibrations like this one. It shrinks with more samples and with poses that differ more";
     HELD_OUT, "Held out",
-        "Samples that no fit has seen. The model has to predict them; a gap that falls there too is proof, and one that falls only on the others is chance";
+        "Samples that no fit has seen. The model has to predict them: an RMS error that falls there too is proof, one that falls only on the others is chance";
     P_FAMILY, "By chance",
         "How often noise alone would make some name of the whole list look at least this good. 1 of 2000 is hard evidence, 1 of 20 is not";
-    ODDS, "Odds over the next name",
+    ODDS, "Odds over the next candidate",
         "How many times more likely this name is than the next best one, given the samples. Below about 20 : 1 both stay possible, and the poses that would decide are listed";
     SHARE, "Share",
         "Which part of what the identification left over this name explains";
     UNEXPLAINED, "Unexplained",
         "Something regular is left that no name of the list fits. It is shown where it is, so that somebody can look there";
-    LIMIT, "Would have been seen above",
+    LIMIT, "Detection limit",
         "The smallest size of an effect that these samples would have shown. What was not found is smaller than this, not necessarily nothing";
     REGION, "Region",
         "A range of the joint that gets a constant correction of its own, as older controllers want it";
@@ -57,8 +57,8 @@ words! {
         "A part of the error that wanders in time, whatever the robot does: a tripod that settles, air, a tracker that warms up. The intervals allow for it, and no effect of the robot is read into it";
     NOT_IDENTIFIABLE, "Not identifiable",
         "Two causes that do the same to every sample measured so far. Poses that differ more, a second reflector, or both directions usually tell them apart";
-    REMAINDER, "What the joint cannot remove",
-        "The gap that is left when the controller does all that the table says: directions in which moving this joint moves nothing";
+    REMAINDER, "Not correctable by joint commands",
+        "RMS error that remains when the controller applies the whole table: directions in which moving this joint moves nothing";
     PLANAR, "Planar session",
         "Only x and y were measured; nothing can be said about what happens along z";
     DIRECTION, "Direction",
@@ -90,7 +90,7 @@ words! {
     REFLECTORS, "Reflectors",
         "Points on the tool that the instrument sees. A second one at another radius tells causes apart that one alone cannot";
     INSTRUMENT, "Instrument",
-        "What the positions were measured with. Its noise is the least gap that any model can reach";
+        "What the positions were measured with. Its noise is the smallest RMS error that any model can reach";
     COMPENSATED, "Compensated",
         "The commands were already corrected by a table while this was measured: what is seen here is what that table left";
     RANGE, "Measured range",
@@ -105,14 +105,14 @@ words! {
         "Of the robot while it was measured. Growth with warmth shows only where it changes by some degrees";
     TOOK, "Time it took",
         "From the first sample to the last. What drifts, or was knocked, shows only where samples have a time";
-    SHOWS, "Effects that show",
+    SHOWS, "Testable effects",
         "How many of the physical causes that this program knows would leave a trace in these samples. What cannot be tested can be there all the same";
     WITHOUT, "Without it",
-        "The gap of the nominal robot: what stays if nothing is corrected";
+        "RMS error of the nominal robot: what remains if nothing is corrected";
     MODELLED, "Model and measurement",
-        "The gap between the measurement and the identified model: what a perfect controller could reach if every direction could be corrected";
+        "RMS error between the measurement and the identified model: what a perfect controller could reach if every direction could be corrected";
     CORRECTED, "With corrected commands",
-        "The gap that is left on this session when the commands are what the model says they must be";
+        "RMS error that remains on this session when the commands are corrected by the model";
     ENTRIES, "Entries",
         "Lines of the table. More of them follow the curve more closely; a controller may allow only so many";
     SOURCE, "Where it comes from",
@@ -128,15 +128,17 @@ words! {
 /// What is said about this name of a number, where something is.
 pub(crate) fn about(name: &str) -> Option<Word> {
     let word = match name {
-        "gap" | "nominal robot" | "identified" | "with all that was found" | "what is left" => GAP,
+        "RMS error" | "nominal robot" | "identified" | "with found effects" | "what is left" => GAP,
         "largest deviation" | "largest" | "largest then" => LARGEST,
         "tolerance" | "within tolerance" => TOLERANCE,
         "noise, one σ" | "noise" | "noise σ, stated" | "noise σ, as found" => NOISE,
         "noise floor" => FLOOR,
-        "held out" | "held-out gap" | "held-out gap, corrected" => HELD_OUT,
+        "held out" | "cross-validated RMS error" | "cross-validated RMS error, corrected" => {
+            HELD_OUT
+        }
         "regions" => REGION,
         "coordinates" => PLANAR,
-        "no joint can remove" => REMAINDER,
+        "not correctable by joint commands" => REMAINDER,
         "robot" | "joint" | "joints" => ROBOT,
         "samples" => SAMPLES,
         "reflectors" => REFLECTORS,
@@ -149,7 +151,7 @@ pub(crate) fn about(name: &str) -> Option<Word> {
         "load" => LOAD,
         "temperature" => TEMPERATURE,
         "took" => TOOK,
-        "effects that show" => SHOWS,
+        "testable effects" => SHOWS,
         "without it" => WITHOUT,
         "model and measurement" | "measured and model" => MODELLED,
         "with corrected commands" => CORRECTED,

@@ -105,7 +105,7 @@ pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) 
     Report::Written(match written {
         Ok(()) => Message {
             wrong: false,
-            title: format!("Written: {}", path.display()),
+            title: format!("Saved {}", path.display()),
             details: Vec::new(),
         },
         Err(problem) => files::not_written(path, problem),

@@ -58,7 +58,7 @@ pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) 
     let message = match written {
         Ok(()) => Message {
             wrong: false,
-            title: format!("Written: {}", path.display()),
+            title: format!("Saved {}", path.display()),
             details,
         },
         Err(problem) => files::not_written(path, problem),

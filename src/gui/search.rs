@@ -21,7 +21,7 @@ pub(crate) struct Search {
 
 /// The stages of a search, in order, as they are shown.
 pub(crate) const STAGES: [&str; 5] = [
-    "blunders of setting up",
+    "set-up errors",
     "noise, outliers, candidates",
     "search",
     "other explanations",

@@ -48,13 +48,13 @@ fn headline(c: &Calibration) -> Vec<Figure> {
             value: mm(s.gap_mm),
             beside: s
                 .held_out_mm
-                .map_or_else(String::new, |u| format!("{} on unseen samples", mm(u))),
+                .map_or_else(String::new, |u| format!("{} cross-validated", mm(u))),
         })
     };
     let ends = [
-        step("Gap as measured", c.history.first()),
+        step("RMS error, nominal robot", c.history.first()),
         step(
-            "Gap to the model",
+            "RMS error, model",
             c.history.last().filter(|_| c.history.len() > 1),
         ),
     ];
@@ -88,7 +88,7 @@ fn origin(c: &Calibration, hash: &str) -> Section {
 }
 
 fn history(c: &Calibration) -> Section {
-    let mut table = Table::new(&["Step", ">Gap on the fit, mm", ">On unseen samples, mm"]);
+    let mut table = Table::new(&["Step", ">RMS error on the fit, mm", ">Cross-validated, mm"]);
     let mut steps = c.history.clone();
     for step in &mut steps {
         step.what = clean(&step.what);
@@ -159,7 +159,7 @@ fn missing() -> Section {
         title: "What only a session can show".to_owned(),
         blocks: vec![Block::List(
             [
-                "the evidence for each name: how rarely noise alone would look like it, the odds \
+                "the evidence for each name: the chance that noise alone looks like it, the odds \
                  over other names, what stays unexplained, what could not be tested",
                 "deviations in the workspace and over the joints",
                 "accuracy and repeatability after ISO 230-2 and ISO 9283",

@@ -17,7 +17,7 @@ impl Told<'_> {
             return None;
         }
         Some(Section {
-            title: "What was missing, by name".to_owned(),
+            title: "Effects found".to_owned(),
             blocks: found.iter().flat_map(|f| self.effect(f)).collect(),
         })
     }
@@ -32,7 +32,10 @@ impl Told<'_> {
         let fit = format!("{} → {} mm", plain(f.gap_mm[0]), plain(f.gap_mm[1]));
         let mut facts = vec![
             fact("Evidence", sentence(&f.says)),
-            fact("Gap on the fit, unseen", format!("{fit}; {unseen}")),
+            fact(
+                "RMS error, fit; cross-validated",
+                format!("{fit}; {unseen}"),
+            ),
             fact("Share of what was explained", percent),
         ];
         if let Some(about) = about {
@@ -117,7 +120,7 @@ impl Told<'_> {
             blocks.push(Block::Text(text));
         }
         Section {
-            title: "What stays open".to_owned(),
+            title: "Open points".to_owned(),
             blocks,
         }
     }
@@ -204,15 +207,15 @@ impl Told<'_> {
         }
         if !d.not_found.is_empty() {
             blocks.push(Block::Heading(
-                "Not found, and how large it could be unseen".to_owned(),
+                "Not found, with detection limits".to_owned(),
             ));
-            let mut table = Table::new(&["Effect", "Would have been seen above (95 %)"]);
+            let mut table = Table::new(&["Effect", "Detection limit (95 %)"]);
             for limit in d.not_found.iter().take(4 * MOST_ROWS) {
                 let sizes = limit.sizes.iter().map(|(name, size)| {
                     let (stem, unit) = in_words(name);
                     match Sight::of(*size) {
                         Sight::AtNoSize => {
-                            format!("{stem}: these poses would not show it at any size")
+                            format!("{stem}: not observable with these poses")
                         }
                         Sight::AtAnySize => format!("{stem}: any size, there is no noise"),
                         Sight::Above(size) => {

@@ -151,12 +151,14 @@ impl Told<'_> {
     fn answer(&self) -> String {
         let d = self.found;
         let found = match d.verdict {
-            Verdict::Noise => "Nothing is missing in the model: what is left is noise",
-            Verdict::Explained => "What was missing has a name, and what is left is noise",
+            Verdict::Noise => "Nothing is missing in the model: the remaining error is noise",
+            Verdict::Explained => "Explained: the remaining error is at the noise floor",
             Verdict::PartlyExplained => {
-                "A part of what was missing has a name; something is left that no name explains"
+                "Partly explained: an error is left that no effect of the catalogue explains"
             }
-            Verdict::Unexplained => "Something is missing in the model that no name explains",
+            Verdict::Unexplained => {
+                "Not explained: an error is left that no effect of the catalogue explains"
+            }
         };
         let mut answer = found.to_owned();
         if !d.tested_anything() {
@@ -186,19 +188,19 @@ impl Told<'_> {
         };
         let unseen = d.held_out.gaps.map_or_else(
             || "too few samples to hold any out".to_owned(),
-            |g| format!("{} on unseen samples", mm(g.end_mm)),
+            |g| format!("{} cross-validated", mm(g.end_mm)),
         );
         let mut figures = vec![
             figure(
-                "Gap as measured",
+                "RMS error, nominal robot",
                 mm(d.gap.start_mm),
                 format!("largest {}", mm(v.nominal.max_mm)),
             ),
             if self.other.is_some() {
                 let all = format!("{} with everything that was found", mm(d.gap.end_mm));
-                figure("Gap to the model in use", mm(v.model.rms_mm), all)
+                figure("RMS error, model in use", mm(v.model.rms_mm), all)
             } else {
-                figure("Gap to the model", mm(d.gap.end_mm), unseen)
+                figure("RMS error, model", mm(d.gap.end_mm), unseen)
             },
             figure("Noise floor", mm(d.floor.mm), self.floor_from().to_owned()),
         ];
@@ -212,7 +214,7 @@ impl Told<'_> {
                 "Corrected commands",
                 v.compensated
                     .map_or_else(|| "–".to_owned(), |c| mm(c.gap.rms_mm)),
-                "gap that the table alone leaves".to_owned(),
+                "RMS error left by the table".to_owned(),
             ),
         });
         figures
@@ -322,7 +324,13 @@ impl Told<'_> {
 
     fn result(&self) -> Section {
         let (d, v) = (self.found, self.verification);
-        let mut table = Table::new(&["Gap, mm", ">Fit", ">Unseen", ">Largest", ">Over the floor"]);
+        let mut table = Table::new(&[
+            "RMS error, mm",
+            ">Fit",
+            ">Cross-validated",
+            ">Largest",
+            ">Over the floor",
+        ]);
         let times = |mm: f64| {
             if d.floor.mm > 1e-9 {
                 format!("× {}", short((mm / d.floor.mm * 10.0).round() / 10.0))
@@ -377,14 +385,14 @@ impl Told<'_> {
         }
         let mut blocks = vec![
             Block::Text(
-                "The gap is the root mean square of the distance between measured and simulated \
-                 points. Noise alone leaves the floor"
+                "RMS error is the root mean square of the distance between measured and simulated \
+                 points (ISO 9283's position deviation). Noise alone leaves the floor"
                     .to_owned(),
             ),
             Block::Table(table),
         ];
         let mut remarks = vec![format!(
-            "unseen samples: {}",
+            "cross-validation: {}",
             if d.held_out.gaps.is_some() {
                 clean(&d.held_out.how)
             } else {
@@ -393,7 +401,7 @@ impl Told<'_> {
         )];
         if let Some(c) = v.compensated {
             remarks.push(format!(
-                "no joint can remove {}: that stays, whatever a table says",
+                "not correctable by joint commands: {}",
                 mm(c.cannot_be_removed_by_joints_mm)
             ));
             let homes = measured_poses(&Job::new(self.calibration, "report"));

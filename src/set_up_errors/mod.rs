@@ -137,7 +137,7 @@ fn gross_blunder(session: &Session, joint_values: JointValues) -> Option<(Sessio
     hypothesis.mend.apply(&mut better);
     let problem = DataProblem {
         evidence: format!(
-            "with zero offset and link length fitted the gap is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
+            "with zero offset and link length fitted the RMS error is {gap:.3} mm as it stands and {after:.3} mm without the mistake"
         ),
         what: hypothesis.what,
         proposal: hypothesis.proposal,

@@ -95,8 +95,8 @@ pub fn tour(window: &mut Window, folder: &Path, name: &str) {
         sound(window, &format!("{name}, identified, {step}"));
         try_everything(window, &format!("{name}, identified, {step}"));
     }
-    press(window, "4 Find the gap");
-    press_if_there(window, "Search");
+    press(window, "4 Diagnose");
+    press_if_there(window, "Run diagnosis");
     window.run_steps(4);
     sound(window, &format!("{name}, searched"));
     try_everything(window, &format!("{name}, searched"));

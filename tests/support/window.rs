@@ -41,7 +41,7 @@ pub const STEPS: [&str; 5] = [
     "1 Session",
     "2 Regions",
     "3 Identify",
-    "4 Find the gap",
+    "4 Diagnose",
     "5 Export",
 ];
 

@@ -117,7 +117,7 @@ fn correct(prepared: &Prepared, shapes: &[Shape], model: &Model) -> Result<Corre
         let gap = best.held_out(&columns, &folds);
         if gap[1] >= gap[0] {
             return Err(format!(
-                "a smooth curve would not help on unseen samples ({:.4} → {:.4} mm; {})",
+                "a smooth curve would not help in the cross-validation ({:.4} → {:.4} mm; {})",
                 gap[0], gap[1], folds.how
             ));
         }

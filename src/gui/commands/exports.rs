@@ -51,7 +51,7 @@ impl Workbench {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
                     "There is no measuring list yet",
-                    vec!["Search for the gap first, in step 4".to_owned()],
+                    vec!["Run the diagnosis first, in step 4".to_owned()],
                 );
             };
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);

@@ -113,14 +113,14 @@ impl Workbench {
             }
             Report::Listed(Ok(path)) => self.take_written(Message {
                 wrong: false,
-                title: format!("Written: {}", path.display()),
+                title: format!("Saved {}", path.display()),
                 details: Vec::new(),
             }),
             Report::Exported(Ok(path)) => {
                 self.model_is_on_file();
                 self.view.message = Some(Message {
                     wrong: false,
-                    title: format!("Written: {}", path.display()),
+                    title: format!("Saved {}", path.display()),
                     details: Vec::new(),
                 });
                 self.remember_name(&path);

@@ -80,7 +80,7 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
 /// What was found, parameter by parameter, each with the evidence of its name.
 pub(super) fn found(d: &Diagnosis) -> String {
     let mut text = "effect\tjoint\tparameter\tvalue\t95 % from\t95 % to\tunit\tnoise alone, 1 of\t\
-                    odds over the next name\tshare\tgap before, mm\tgap after, mm\t\
+                    odds over the next candidate\tshare\tRMS error before, mm\tRMS error after, mm\t\
                     held-out gap before, mm\theld-out gap after, mm\n"
         .to_owned();
     for found in &d.found {
@@ -104,7 +104,7 @@ pub(super) fn found(d: &Diagnosis) -> String {
 
 /// How large each effect could be without having been seen; an empty size was not to be seen at all.
 pub(super) fn limits(d: &Diagnosis) -> String {
-    let mut text = "effect\tjoint\tparameter\twould have been seen above (95 %)\tunit\n".to_owned();
+    let mut text = "effect\tjoint\tparameter\tdetection limit (95 %)\tunit\n".to_owned();
     for limit in &d.not_found {
         for (name, size) in &limit.sizes {
             let (parameter, unit) = named(name);

@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let (title, says) = match on_disk.fate {
         Fate::Changed => (
             format!("{name} was changed by another program"),
-            "Reload reads it again; undo brings back what is here now. Whoever keeps this is asked before saving replaces the file",
+            "Reload reads it again; undo brings back what is here now. If you keep this version, you will be asked before overwriting",
         ),
         Fate::Vanished => (
             format!("{name} is not there any more"),

@@ -135,7 +135,7 @@ fn joint_and_step(
         JointKind::Prismatic => " mm",
     };
     let mut own = choice.step.is_some();
-    if ui.checkbox(&mut own, "Own step").changed() {
+    if ui.checkbox(&mut own, "Custom step").changed() {
         next.step = own.then_some(FIRST_STEP);
     }
     let mut let_go = false;
@@ -192,11 +192,11 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         let stays = units.length(made.remainder.rms_mm);
         let (says, left) = match made.gap {
             Some(gap) if made.export.robot.is_some() => {
-                ("Gap to this robot", units.length(gap.rms_mm))
+                ("RMS error to this robot", units.length(gap.rms_mm))
             }
-            Some(gap) => ("Gap that the table leaves", units.length(gap.rms_mm)),
+            Some(gap) => ("RMS error left by the table", units.length(gap.rms_mm)),
             // Without samples there is only what the model itself says.
-            None => ("What no joint can remove", stays.clone()),
+            None => ("Not correctable by joint commands", stays.clone()),
         };
         ui.label(RichText::new(says).color(palette.muted));
         ui.label(
@@ -217,7 +217,7 @@ fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
             widgets::fact(ui, "model and measurement", units.length(after));
         }
         if made.gap.is_some() {
-            widgets::fact(ui, "no joint can remove", stays);
+            widgets::fact(ui, "not correctable by joint commands", stays);
             if made
                 .gap
                 .is_some_and(|gap| gap.rms_mm < made.remainder.rms_mm)

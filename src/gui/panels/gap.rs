@@ -32,13 +32,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         return switches(ui, workbench, commands);
     };
     let units = workbench.units();
-    widgets::section(ui, "Gap");
+    widgets::section(ui, "RMS error");
     widgets::fact(ui, "nominal robot", units.length(diagnosis.gap.start_mm));
     widgets::fact(ui, "identified", units.length(diagnosis.gap.identified_mm));
     let end = units.length(diagnosis.gap.end_mm);
-    widgets::fact(ui, "with all that was found", end);
+    widgets::fact(ui, "with found effects", end);
     widgets::fact(ui, "noise floor", units.length(diagnosis.floor.mm));
-    if widgets::secondary(ui, "Search again").clicked() {
+    if widgets::secondary(ui, "Run diagnosis again").clicked() {
         commands.push(Command::Search);
     }
     switches(ui, workbench, commands);
@@ -48,7 +48,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn before(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let units = workbench.units();
-    widgets::section(ui, "Gap so far");
+    widgets::section(ui, "RMS error so far");
     if let Some(gap) = subject.gap_before {
         widgets::fact(ui, "nominal robot", units.length(gap.rms_mm));
     }
@@ -62,22 +62,22 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact(ui, "noise floor", units.length(floor));
     }
     let says = match (left, floor) {
-        (None, _) => "The search identifies by itself: step 3 need not come first",
+        (None, _) => "The diagnosis identifies by itself: step 3 need not come first",
         (Some(left), Some(floor)) if left < 1.2 * floor => {
-            "Little is left above the noise of the instrument. The search says so where nothing is missing, and how small an effect it would have seen"
+            "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
         }
         (Some(_), _) => {
-            "More is left than noise explains, or nobody knows yet: the search will say which"
+            "More error is left than noise explains, or no noise is stated: the diagnosis will tell which"
         }
     };
     widgets::hint(ui, says);
-    widgets::section(ui, "What it can name");
+    widgets::section(ui, "What it can find");
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    widgets::fact(ui, "effects that show", format!("{yes} of {}", yes + no));
+    widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
     if no > 0 {
         widgets::hint(
             ui,
-            "Why the others cannot be seen in these samples stands at the right, with what to measure for them",
+            "Why the others are not testable is listed at the right, with what to measure for them",
         );
     }
 }
@@ -88,7 +88,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
         return;
     };
     let palette = Palette::of(ui);
-    widgets::section(ui, "Searching");
+    widgets::section(ui, "Diagnosing");
     let (reached, found) = (running.stage(), running.found());
     for (k, stage) in STAGES.into_iter().enumerate() {
         let text = RichText::new(stage);
@@ -177,7 +177,7 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let missing = missing(workbench);
     if workbench.diagnosis().is_none() {
         let measured = !workbench.subject().is_empty();
-        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, "Search"));
+        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, "Run diagnosis"));
         if button.inner.clicked() {
             commands.push(Command::Search);
         }

@@ -34,7 +34,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         return;
     }
     widgets::section(ui, "Method");
-    let methods = [(Method::Exact, "Exact"), (Method::Regional, "By region")];
+    let methods = [
+        (Method::Exact, "Full model"),
+        (Method::Regional, "By region"),
+    ];
     let offered = if workbench.subject().single_revolute() {
         &methods[..]
     } else {

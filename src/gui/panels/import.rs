@@ -128,8 +128,8 @@ fn line(ui: &mut Ui, severity: Severity, says: &str) {
     let palette = Palette::of(ui);
     let (word, color) = match severity {
         Severity::Note => ("", palette.muted),
-        Severity::Warning => ("look: ", palette.warning),
-        Severity::Error => ("wrong: ", palette.outside),
+        Severity::Warning => ("Warning: ", palette.warning),
+        Severity::Error => ("Error: ", palette.outside),
     };
     let text = RichText::new(format!("{word}{says}"));
     ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());

@@ -54,7 +54,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
     let units = workbench.units();
     let subject = workbench.subject();
     widgets::card(ui, |ui| {
-        let name = ui.label(RichText::new("Gap of the nominal robot").color(palette.muted));
+        let name = ui.label(RichText::new("RMS error of the nominal robot").color(palette.muted));
         widgets::explained(name, crate::gui::help::GAP);
         let rms = subject.gap_before;
         let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
@@ -79,7 +79,7 @@ fn gap(ui: &mut Ui, workbench: &Workbench) {
         }
         widgets::hint(
             ui,
-            "Not identified yet. What the robot really is will stand here, with the interval of \
+            "Not identified yet. The identified parameters will stand here, with the interval of \
              every number",
         );
     });
@@ -182,8 +182,8 @@ fn testable(ui: &mut Ui, workbench: &Workbench) {
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
     let name = |id: &str| find(id).map_or_else(|| id.to_owned(), |e| e.about().title.to_owned());
     widgets::card(ui, |ui| {
-        title(ui, "What can be seen in them");
-        widgets::fact(ui, "effects that show", format!("{yes} of {}", yes + no));
+        title(ui, "Testable effects");
+        widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
         folded(ui, &format!("{yes} can be tested"), |ui| {
             let names: Vec<String> = subject.testable.iter().map(|id| name(id)).collect();
             widgets::hint(ui, names.join(", ").to_lowercase());
@@ -211,11 +211,11 @@ fn folded(ui: &mut Ui, text: &str, contents: impl FnOnce(&mut Ui)) {
 /// What a search does, before there is one.
 fn search(ui: &mut Ui) {
     widgets::card(ui, |ui| {
-        title(ui, "Nothing was searched for yet");
+        title(ui, "No diagnosis yet");
         widgets::hint(
             ui,
-            "What is found will stand here: its name, its size, how sure that is, and what to \
-             check on the machine. Where the samples cannot decide, both names stand here, with \
+            "Effects that are found will be listed here with size, confidence and what to \
+             check on the machine. Where the samples cannot decide, both are listed, with \
              the poses that would decide",
         );
         ui.add_space(space::TIGHT);
@@ -241,7 +241,7 @@ fn formats(ui: &mut Ui, workbench: &Workbench) {
         widgets::hint(
             ui,
             "The table comes from the identified robot. It will stand here as text, with its sign \
-             convention in words, the gap that it leaves, and what no joint can remove",
+             convention in words, the RMS error that it leaves, and what joint commands cannot correct",
         );
         ui.add_space(space::TIGHT);
         let robot = &workbench.subject().session.robot;

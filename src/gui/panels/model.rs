@@ -76,7 +76,7 @@ pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
                 "{} {unit}",
                 number(compensated.cannot_be_removed_by_joints_mm)
             );
-            widgets::fact(ui, "no joint can remove", stays);
+            widgets::fact(ui, "not correctable by joint commands", stays);
         }
     });
 }

@@ -138,9 +138,9 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     let number = |mm: f64| units.length_number(mm);
     widgets::card(ui, |ui| {
         let method = match found.method {
-            "regional" => "Gap, by region",
-            given::METHOD => "Gap, model from a file",
-            _ => "Gap, exact fit",
+            "regional" => "RMS error, by region",
+            given::METHOD => "RMS error, model from a file",
+            _ => "RMS error, full model",
         };
         ui.label(RichText::new(method).color(palette.muted));
         ui.horizontal(|ui| {
@@ -182,7 +182,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
 
 fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {
     let palette = Palette::of(ui);
-    title(ui, "What the robot really is");
+    title(ui, "Identified parameters");
     dense(ui);
     let mut last = None;
     for one in estimates {
@@ -309,7 +309,7 @@ fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
                 "region".to_owned(),
                 of("Δθ", angle),
                 of("Δl1", length),
-                of("gap", length),
+                of("RMS error", length),
             ] {
                 ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
             }
@@ -391,7 +391,7 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     }
     for left_out in found.left_out.iter().take(MOST) {
         lines.push(format!(
-            "sample {} is left out: {}",
+            "sample {} is excluded: {}",
             left_out.sample + 1,
             left_out.because.says()
         ));

@@ -171,7 +171,7 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if findings.is_empty() {
         return;
     }
-    widgets::section(ui, &format!("Found while reading: {}", findings.len()));
+    widgets::section(ui, &format!("Import log: {}", findings.len()));
     ui.scope(|ui| {
         // Rows are as high as their text, the first of a finding too.
         ui.spacing_mut().interact_size.y = 0.0;

@@ -159,11 +159,7 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 38] = [
         with(SHIFTED, Key::Num4),
         "deviation around the angle (polar)",
     ),
-    (
-        Action::Fit,
-        with(COMMAND, Key::F),
-        "show everything in the plots",
-    ),
+    (Action::Fit, with(COMMAND, Key::F), "fit the plots' view"),
     (Action::Fit, with(PLAIN, Key::Home), "the same"),
     (
         Action::Step(Step::Session),
@@ -183,7 +179,7 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 38] = [
     (
         Action::Step(Step::Gap),
         with(COMMAND, Key::Num4),
-        "step 4, find the gap",
+        "step 4, diagnose",
     ),
     (
         Action::Step(Step::Export),
@@ -195,7 +191,7 @@ pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 38] = [
         with(Modifiers::SHIFT, Key::F1),
         "about truepose",
     ),
-    (Action::Words, with(PLAIN, Key::F1), "what the words mean"),
+    (Action::Words, with(PLAIN, Key::F1), "glossary"),
     (Action::Keys, with(COMMAND, Key::K), "this list"),
 ];
 

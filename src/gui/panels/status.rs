@@ -37,9 +37,9 @@ pub(crate) fn line(workbench: &Workbench) -> String {
             );
             gaps.push(gap.after.rms_mm);
             let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
-            format!("gap {} {unit}", gaps.join(" → "))
+            format!("RMS error {} {unit}", gaps.join(" → "))
         }
-        (None, Some(gap)) => format!("gap {} {unit}", mm(gap.rms_mm)),
+        (None, Some(gap)) => format!("RMS error {} {unit}", mm(gap.rms_mm)),
         (None, None) => "no sample can be used".to_owned(),
     };
     let floor = match (workbench.diagnosis(), subject.known.floor_mm) {

@@ -53,7 +53,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
     let mm = |mm: f64| significant(units.length_value(mm), 3);
     let [before, after] = found.held_out_mm;
     let gap = format!("{} → {} {}", mm(before), mm(after), units.length_name());
-    widgets::fact(ui, "held-out gap, corrected", gap);
+    widgets::fact(ui, "cross-validated RMS error, corrected", gap);
     range(
         ui,
         workbench.subject().session.robot.joints[found.term.joint].kind,

@@ -15,7 +15,7 @@ const REST: f32 = 240.0;
 /// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
-    widgets::heading(ui, "What the words mean");
+    widgets::heading(ui, "Glossary");
     widgets::hint(
         ui,
         "The same stands beside the numbers, where the pointer rests on a name",

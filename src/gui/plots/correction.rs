@@ -60,7 +60,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
         ))
         .custom_y_axes(axis(
             Axis::Y,
-            format!("to be added, {unit}"),
+            format!("correction, {unit}"),
             &palette,
             |v| v,
         ));
@@ -93,7 +93,7 @@ pub(crate) fn numbers(made: &Made) -> String {
         JointKind::Prismatic => "mm",
     };
     let joint = cell(&made.joint);
-    let mut text = format!("{joint}, {unit}\tside\tto be added, {unit}\n");
+    let mut text = format!("{joint}, {unit}\tside\tcorrection, {unit}\n");
     for (side, column) in [("1", &table.forward), ("-1", &table.reverse)] {
         for (at, value) in column.places().iter().zip(column.values()) {
             let cells = [plain_number(*at), side.to_owned(), plain_number(*value)];
@@ -124,7 +124,7 @@ pub(crate) fn sketch(made: &Made) -> Option<Sketch> {
     Some(Sketch {
         title: "correction table".to_owned(),
         across: format!("{}, {unit}", made.joint),
-        upwards: format!("to be added, {unit}"),
+        upwards: format!("correction, {unit}"),
         bounds: [[from, low - by], [to, high + by]],
         degrees,
         ticks: Vec::new(),

@@ -13,11 +13,11 @@ use crate::gui::widgets::sign;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
 pub(crate) const GESTURES: [(&str, &str); 5] = [
-    ("wheel, or pinch", "closer, about the pointer"),
-    ("Shift and wheel", "closer along a chart's axis below"),
+    ("wheel, or pinch", "zoom at the pointer"),
+    ("Shift and wheel", "zoom along a chart's axis"),
     ("drag", "move"),
     ("drag with the right button", "show a part"),
-    ("double click, or Home", "show everything again"),
+    ("double click, or Home", "fit the view"),
 ];
 
 /// So much scrolling goes closer by a factor of e, points: a notch of a wheel is 40.

@@ -49,7 +49,7 @@ impl Step {
             Self::Session => "Session",
             Self::Regions => "Regions",
             Self::Identify => "Identify",
-            Self::Gap => "Find the gap",
+            Self::Gap => "Diagnose",
             Self::Export => "Export",
         }
     }
@@ -101,7 +101,7 @@ pub(crate) struct Message {
     pub(crate) details: Vec<String>,
 }
 
-/// Counts up when a plot is to show everything again.
+/// Counts up when a plot is to fit the view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Fitted {
     /// The upper plot.
@@ -173,7 +173,7 @@ pub(crate) struct ViewState {
     pub(crate) leaving: bool,
     /// What the user has to know.
     pub(crate) message: Option<Message>,
-    /// How often the plots were to show everything again.
+    /// How often the plots were to fit the view.
     pub(crate) fitted: Fitted,
 }
 

@@ -28,7 +28,7 @@ pub fn waterfall(steps: &[GapStep], floor_mm: Option<f64>, tolerance_mm: Option<
     let largest = finite.fold(0.0, f64::max);
     let width = FULL_WIDTH - NAMES - NUMBERS;
     let scale = if largest > 0.0 { width / largest } else { 0.0 };
-    let heads = [(0.0, "fit, mm"), (48.0, "unseen, mm")];
+    let heads = [(0.0, "fit, mm"), (48.0, "cross-validated, mm")];
     for (by, head) in heads {
         drawing.text(Label::new([RIGHT + by, TOP - 6.0], head, 7.0, MUTED));
     }

@@ -31,15 +31,10 @@ pub(super) fn show(
     ui.scope(|ui| {
         dense(ui);
         estimates(ui, units, found.effect, &found.parameters);
-        let bound = if found.p_family.bound {
-            "fewer than "
-        } else {
-            ""
-        };
-        let sessions = (1.0 / found.p_family.p).round();
+        let sign = if found.p_family.bound { '<' } else { '=' };
         widgets::hint_about(
             ui,
-            format!("Noise alone would look like this in {bound}1 of {sessions} sessions"),
+            format!("p {sign} {} (chance that noise alone looks like this)", found.p_family.p),
             help::P_FAMILY,
         );
         if let Some(next) = &found.next {
@@ -49,15 +44,15 @@ pub(super) fn show(
                 significant(found.odds_over_next, 2)
             };
             let next = super::title_of(next).to_lowercase();
-            let text = format!("{odds} : 1 over the next name, {next}");
+            let text = format!("{odds} times likelier than the next candidate, {next}");
             widgets::hint_about(ui, text, help::ODDS);
         }
     });
     let mm = |mm: f64| units.length_number(mm);
     let from_to = |[a, b]: [f64; 2]| format!("{} → {} {}", mm(a), mm(b), units.length_name());
     match found.held_out_mm {
-        Some(gap) => widgets::fact(ui, "held-out gap", from_to(gap)),
-        None => widgets::fact(ui, "gap", from_to(found.gap_mm)),
+        Some(gap) => widgets::fact(ui, "cross-validated RMS error", from_to(gap)),
+        None => widgets::fact(ui, "RMS error", from_to(found.gap_mm)),
     }
     widgets::fact(ui, "noise floor", units.length(d.floor.mm));
     ui.label(RichText::new("What to check").font(strong(size::SMALL)));

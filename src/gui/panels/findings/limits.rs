@@ -14,7 +14,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
         return;
     }
     let number = number_of(d.not_found.len(), "effect");
-    let text = format!("What would have been seen: {number}");
+    let text = format!("Detection limits: {number}");
     folded(ui, text, |ui| {
         for limit in &d.not_found {
             let name = limit.joint.filter(|_| d.model.robot.joints.len() > 1);

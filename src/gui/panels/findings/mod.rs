@@ -27,7 +27,7 @@ pub(in crate::gui::panels) fn show(
     workbench: &Workbench,
     commands: &mut Vec<Command>,
 ) {
-    widgets::heading(ui, "What is missing");
+    widgets::heading(ui, "Diagnosis");
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
@@ -98,9 +98,15 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     let units = workbench.units();
     let (says, color) = match d.verdict {
         Verdict::Noise => ("Nothing is missing", palette.within),
-        Verdict::Explained => ("The gap is explained", palette.within),
-        Verdict::PartlyExplained => ("A part of the gap is explained", palette.warning),
-        Verdict::Unexplained => ("No name explains what is left", palette.warning),
+        Verdict::Explained => (
+            "Explained: the remaining error is at the noise floor",
+            palette.within,
+        ),
+        Verdict::PartlyExplained => (
+            "Partly explained: an error is left without a name",
+            palette.warning,
+        ),
+        Verdict::Unexplained => ("Not explained by any effect", palette.warning),
     };
     let from = match d.floor.from {
         FloorFrom::Repeats => "from repeats",
@@ -126,7 +132,7 @@ fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
             mm(d.gap.end_mm),
             units.length_name()
         );
-        widgets::fact(ui, "gap", gaps);
+        widgets::fact(ui, "RMS error", gaps);
         if let Some(unseen) = &d.held_out.gaps {
             let gaps = format!("{} → {}", mm(unseen.identified_mm), mm(unseen.end_mm));
             widgets::fact(ui, "held out", format!("{gaps} {}", units.length_name()));

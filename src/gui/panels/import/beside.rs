@@ -114,7 +114,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
         alignment.rms_mm
     );
     if left_out > 0 {
-        says += &format!(", {left_out} left out: measured or surveyed wrongly, or moved since");
+        says += &format!(", {left_out} excluded: measured or surveyed wrongly, or moved since");
     }
     widgets::hint(ui, says);
     if (alignment.scale - 1.0).abs() > 0.0 {
@@ -145,7 +145,7 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
                 for part in [v.x, v.y, v.z] {
                     ui.label(cell(format!("{part:+.4}")));
                 }
-                let word = if residual.is_outlier { "left out" } else { "" };
+                let word = if residual.is_outlier { "excluded" } else { "" };
                 ui.label(cell(word.to_owned()));
                 ui.end_row();
             }

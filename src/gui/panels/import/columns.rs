@@ -25,7 +25,7 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         word: word.to_owned(),
         text: text.to_owned(),
     };
-    let mut all = vec![one("-", "left out")];
+    let mut all = vec![one("-", "not imported")];
     if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
         all.extend(words.iter().map(|(word, text)| one(word, text)));
         return all;
@@ -80,8 +80,8 @@ fn how(guess: &ColumnGuess) -> &'static str {
     match guess.known {
         Known::Said => "as you said",
         Known::Certain => "for certain",
-        Known::FromHeading => "guess: its heading",
-        Known::FromContent => "guess: its cells",
+        Known::FromHeading => "guessed from the header",
+        Known::FromContent => "guessed from the values",
     }
 }
 
@@ -161,7 +161,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
             for (k, guess) in found.columns.iter().enumerate() {
                 let meaning = offered.iter().find(|m| m.word == guess.meaning);
                 let text = match (guess.meaning.as_str(), meaning) {
-                    ("" | "-", _) => "left out",
+                    ("" | "-", _) => "not imported",
                     (_, Some(meaning)) => &meaning.text,
                     (other, None) => other,
                 };

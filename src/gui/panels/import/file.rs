@@ -40,7 +40,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
     let asks = kind.map_or(Asks::TABLE, |importer| importer.asks);
-    widgets::form_row(ui, "Written by", |ui| {
+    widgets::form_row(ui, "Source", |ui| {
         let list = ComboBox::from_id_salt("what wrote it")
             .width(430.0)
             .selected_text(kind.map_or("", |importer| importer.plainly))

@@ -31,7 +31,7 @@ fn contents(ui: &mut Ui, now: &Foreign) {
             brings(ui, trial);
         }
         Some(Err(because)) => {
-            widgets::section(ui, "What stands in the way");
+            widgets::section(ui, "To fix");
             for line in because {
                 super::line(ui, Severity::Error, line);
             }
@@ -47,7 +47,7 @@ fn brings(ui: &mut Ui, trial: &Trial) {
     }
     if let Some(matched) = &trial.matched {
         says += &format!(
-            "; matched by {}; without a partner: {} measured, {} commanded",
+            "; matched by {}; unmatched: {} measured, {} commanded",
             matched.by.id(),
             matched.lonely_measurements.len(),
             matched.lonely_commands.len()

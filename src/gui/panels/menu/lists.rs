@@ -23,7 +23,7 @@ pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.separator();
     let measured = !workbench.subject().is_empty();
     menu.item(ui, "Identify", Action::Identify, measured);
-    menu.item(ui, "Search for what is missing", Action::Search, measured);
+    menu.item(ui, "Run diagnosis", Action::Search, measured);
     let running = workbench.tasks().newest().is_some();
     menu.item(ui, "Cancel what is running", Action::Cancel, running);
     ui.separator();
@@ -101,7 +101,7 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
 
 pub(super) fn help(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.set_min_width(240.0);
-    menu.item(ui, "What the words mean", Action::Words, true);
+    menu.item(ui, "Glossary", Action::Words, true);
     menu.item(ui, "Keyboard and mouse", Action::Keys, true);
     menu.item(ui, "About truepose", Action::About, true);
 }

@@ -58,7 +58,7 @@ fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let present = document.regions.len();
     let number = if present == 0 { OFFERED } else { present };
-    let kinds = [(0, "Evenly"), (1, "By hand"), (2, "Adaptive")];
+    let kinds = [(0, "Uniform"), (1, "Manual"), (2, "Adaptive")];
     let now = match document.division {
         _ if present == 0 => 3,
         Division::Even => 0,
@@ -125,7 +125,7 @@ fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if own.is_empty() || own[..] == workbench.document().regions[..] {
         return;
     }
-    let button = ui.button("From session");
+    let button = ui.button("Reset to session");
     if button
         .on_hover_text("take the regions that the session brings along")
         .clicked()

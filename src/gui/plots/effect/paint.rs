@@ -24,9 +24,9 @@ fn curve(workbench: &Workbench) -> Result<&EffectCurve, (&'static str, &'static 
         Some(Charted::Effect(Some(curve))) if !curve.spots.is_empty() => Ok(curve),
         Some(Charted::Effect(_)) => Err((
             "There is no curve to show",
-            "Search again: what was found belongs to other samples",
+            "Run the diagnosis again: what was found belongs to other samples",
         )),
-        _ => Err(("Working it out…", "")),
+        _ => Err(("Computing…", "")),
     }
 }
 

@@ -30,7 +30,7 @@ fn histogram(workbench: &Workbench) -> Result<&Histogram, (&'static str, &'stati
             "No sample can be counted",
             "Every sample lacks a joint value or a coordinate",
         )),
-        _ => Err(("Working it out…", "")),
+        _ => Err(("Computing…", "")),
     }
 }
 

@@ -37,7 +37,7 @@ fn spectrum(workbench: &Workbench) -> Result<&Spectrum, (String, &'static str)> 
             "An order shows where a wave comes back with every turn: measure thirty angles or \
              more, spread over the whole range of the joint",
         )),
-        _ => Err(("Working it out…".to_owned(), "")),
+        _ => Err(("Computing…".to_owned(), "")),
     }
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     let colour = workbench.view().colouring;
     let component = workbench.view().component;
     let matters = |name: &str| {
-        ["left out", "deviation", "before", "after", "tolerance"].contains(&name)
+        ["excluded", "deviation", "before", "after", "tolerance"].contains(&name)
             || name == colour.name()
             || name == component.name()
     };
@@ -65,7 +65,7 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
     };
     lines.push(("approached".to_owned(), came.to_owned()));
     if !subject.usable[sample] {
-        lines.push(("left out".to_owned(), "a value is missing".to_owned()));
+        lines.push(("excluded".to_owned(), "a value is missing".to_owned()));
         return (title, lines);
     }
     let before = subject.deviation_before(sample);
