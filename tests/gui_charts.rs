@@ -351,12 +351,7 @@ fn a_found_effect_shows_its_own_curve_and_every_chart_is_saved_as_a_picture() {
     saved(&mut window, "histogram", "within ±", folder.path());
     press(&mut window, "5 Export");
     chart(&mut window, "Correction table");
-    saved(
-        &mut window,
-        "correction table",
-        "correction",
-        folder.path(),
-    );
+    saved(&mut window, "correction table", "correction", folder.path());
 }
 
 fn saved(window: &mut Window, plot: &str, says: &str, folder: &Path) {

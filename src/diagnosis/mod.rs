@@ -67,7 +67,8 @@ pub use limits::{Limit, Sight};
 pub use next_pose::NextPose;
 pub use smooth::Correction;
 
-use crate::effects::JointValues;
+use crate::effects::Owner;
+use crate::effects::{JointValues, Term};
 use crate::sessions::Session;
 use crate::set_up_errors::{self, Mended};
 use prepare::Prepared;
@@ -226,7 +227,7 @@ fn against_rivals<'a>(
     let mut others = Vec::new();
     for noise in white.into_iter().chain(slow).chain(instead) {
         let (rival, end) = settled_search(prepared.with_noise(noise), watch)?;
-        let loser = if end.fit.ln_evidence > found.fit.ln_evidence {
+        let loser = if standing(&rival, &end) > standing(&prepared, &found) {
             prepared = rival;
             std::mem::replace(&mut found, end)
         } else {
@@ -244,6 +245,17 @@ fn against_rivals<'a>(
     others.retain(|other| other.shapes.is_empty() && other.ln_evidence > least);
     found.other_ends = others;
     Ok((prepared, found))
+}
+
+/// How likely an end of a search is beside the others. A step or a drift of the measuring frame is a
+/// movement of the frame as a slow part of the noise is, and no set of equivalent names can hold the
+/// noise: such a name stands unless the noise rules it out.
+fn standing(prepared: &Prepared, end: &search::Found) -> f64 {
+    let names = prepared.regression.added(&end.fit);
+    let of_the_frame = |t: &&Term| t.effect.about().owner == Owner::Session;
+    let only = !names.is_empty() && names.iter().all(of_the_frame);
+    let favour = prepared.regression.noise.slow.is_none() && only && end.fit.shapes.is_empty();
+    end.fit.ln_evidence + if favour { aliases::UNDECIDED } else { 0.0 }
 }
 
 /// A search whose noise is estimated beside what it finds, until that is the same.

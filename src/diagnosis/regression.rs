@@ -88,11 +88,21 @@ pub(crate) struct Regression<'a> {
     ln_noise: f64,
 }
 
-/// A slow part of the noise pays for being there as a name does, and for each of its numbers (a time constant and a size for each
-/// axis), as a logarithm: each is known to about a factor of two within a range of some hundred to
-/// one: ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a
-/// variance of a few slow swings is not.)
+/// A slow part of the noise pays for each of its numbers (a time constant and a size for each axis),
+/// as a logarithm: each is known to about a factor of two within a range of some hundred to one:
+/// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
+/// few slow swings is not.)
 const PRICE_OF_A_VARIANCE: f64 = 1.0;
+
+/// What it costs to say along which of the axes the noise is slow, if not along all.
+fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
+    let slow = rows.axes.iter().filter(|axis| rms_mm[**axis] > 0.0).count();
+    if slow == rows.axes.len() {
+        0.0
+    } else {
+        (rows.axes.len() as f64).ln()
+    }
+}
 
 impl<'a> Regression<'a> {
     pub(crate) fn new(
@@ -109,7 +119,11 @@ impl<'a> Regression<'a> {
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
         });
-        let ln_noise = -0.5 * noise.filter(&rows).ln_determinant() - PRICE_OF_A_VARIANCE * numbers;
+        let choice = noise
+            .slow
+            .map_or(0.0, |slow| choice_of_axes(&rows, slow.rms_mm));
+        let price = PRICE_OF_A_VARIANCE * numbers + choice;
+        let ln_noise = -0.5 * noise.filter(&rows).ln_determinant() - price;
         Self {
             ln_noise,
             problem,

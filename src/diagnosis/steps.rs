@@ -128,7 +128,9 @@ fn says(step: &Step, p: &FamilyP, odds: f64, next: Option<&str>, floor: &Floor) 
     let sign = if p.bound { '<' } else { '=' };
     let chance = format!("p {sign} {} (chance that noise alone looks like this)", p.p);
     let over = match next {
-        Some(next) if odds > 1000.0 => format!("more than 1000 times likelier than the next candidate ({next})"),
+        Some(next) if odds > 1000.0 => {
+            format!("more than 1000 times likelier than the next candidate ({next})")
+        }
         Some(next) => format!("{odds:.1} times likelier than the next candidate ({next})"),
         None => "no other effect was a candidate".to_owned(),
     };

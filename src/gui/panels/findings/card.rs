@@ -34,7 +34,10 @@ pub(super) fn show(
         let sign = if found.p_family.bound { '<' } else { '=' };
         widgets::hint_about(
             ui,
-            format!("p {sign} {} (chance that noise alone looks like this)", found.p_family.p),
+            format!(
+                "p {sign} {} (chance that noise alone looks like this)",
+                found.p_family.p
+            ),
             help::P_FAMILY,
         );
         if let Some(next) = &found.next {
