@@ -592,13 +592,6 @@ fn at(robot: &Value, q_deg: &[f64], point: [f64; 3]) -> [f64; 3] {
     p
 }
 
-fn truepose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_truepose"))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
 #[test]
 fn the_test_cube_has_the_standards_poses_and_the_robot_reaches_them() {
     let folder = tempfile::tempdir().unwrap();
