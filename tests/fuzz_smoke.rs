@@ -227,9 +227,9 @@ const OPTIONS: [(&str, &str); 3] = [
 const PROGRAMS: [(&str, &[u8]); 7] = [
     ("csv", b"name;q1_deg;q2_deg;load_kg;dir1\r\nA;1,5;\"2\";3;-1\r\n\r\nB;-1;.5;;\r\n"),
     ("csv", b"x_mm,y_mm,z_mm,qw,qx,qy,qz,temperature_c\n1,2,3,1,0,0,0,21\n"),
-    ("rapid", b"MODULE m\n! [[\nCONST jointtarget j{2}:=[[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]],[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]];\nPERS robtarget p:=[[1,2,3],[1,0,0,0],[0,-1,0,1],[9E+09,9E9,9E9,9E9,9E9,9E9]];\nMoveL p\\ID:=1,v1,z1,t\\WObj:=w;MoveC [[1,2],[3]],Offs(p,1,2,3),v1;\np.trans.x:=1;TPWrite \"a\"\"b\";\n"),
-    ("krl", b"&ACCESS R\nDECL E6POS XP={X 1,Y 2.5,Z -3,A 0,B 1E-3,C 0,S 'B010',T 2,E1 0}\nPTP {E6AXIS: A1 1,A2 2} C_PTP\nCIRC XP,{X 1,Y 2,Z 3,A 0,B 0,C 0}\nLIN XP:Q\nP[1].X=2;{\n"),
-    ("urscript", b"def m():\n q=[1,-2e-1]\n movej(q,a=1)\n movel(p[1,2,3,.1,0,0]) # [\n movec(p[1,2,3,0,0,0],p[1,2,3,0,0,0])\n movej(get_inverse_kin(p[1,2,3,0,0,0],qnear=q))\n movej([d2r(9),1])\nend"),
+    ("rapid", b"MODULE m\n! [[\nCONST jointtarget j{2}:=[[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]],[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]];\nPERS robtarget p:=[[1,2,3],[1,0,0,0],[0,-1,0,1],[9E+09,9E9,9E9,9E9,9E9,9E9]];\nPERS tooldata t:=[TRUE,[[1,2,3],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\nPERS wobjdata w:=[FALSE,TRUE,\"\",[[1,2,3],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];\nMoveL p\\ID:=1,v1,z1,t\\WObj:=w;MoveC [[1,2],[3]],Offs(p,1,2,3),v1;\np.trans.x:=1;TPWrite \"a\"\"b\";\n"),
+    ("krl", b"&ACCESS R\nDECL E6POS XP={X 1,Y 2.5,Z -3,A 0,B 1E-3,C 0,S 'B010',T 2,E1 0}\nPTP {E6AXIS: A1 1,A2 2} C_PTP\nCIRC XP,{X 1,Y 2,Z 3,A 0,B 0,C 0}\n$BASE={X 1,Y 2,Z 3,A 0,B 0,C 0}\n$TOOL=TOOL_DATA[1]\nIF A==1 THEN\n$BASE=XP\nBAS(#TOOL,2)\nENDIF\nFDAT_ACT=F1\nLIN XP:Q\nP[1].X=2;{\n"),
+    ("urscript", b"def m():\n q=[1,-2e-1]\n set_tcp(p[0,0,.1,0,0,0])\n if q:\n set_tcp(q)\n end\n movej(q,a=1)\n movel(p[1,2,3,.1,0,0]) # [\n movec(p[1,2,3,0,0,0],p[1,2,3,0,0,0])\n movej(get_inverse_kin(p[1,2,3,0,0,0],qnear=q))\n movej([d2r(9),1])\nend"),
     ("fanuc-ls", b"/PROG M\n/MN\n 1:J P[1] 100% FINE ;\n 2:L P[2:a] 1mm/sec INC Offset,PR[1] ;\n 3:  P[1]=LPOS ;\n/POS\nP[1:\"x\"]{\n GP1:\n UF : 0, UT : 1,\n J1= -.5 deg, J2= 2. deg\n GP2:\n J1= 1 mm\n};\nP[2]{\n GP1:\n UF : 0, UT : -1, CONFIG : 'N U T, 0, -1, 0',\n X = 1 mm, Y = 2 mm, Z = 3 mm,\n W = 1 deg, P = 2 deg, R = 3 deg\n};\nP[3]{ J1= ******** deg, J2= 1 deg };\n/END\n"),
     ("rapid", b""),
 ];

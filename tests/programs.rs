@@ -10,14 +10,14 @@ mod hidden_robot;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use hidden_robot::{Hidden, Matrix, apart};
+use hidden_robot::{Hidden, Matrix, apart, times};
 use truepose::compensation::verify;
 use truepose::effects::{Inputs, JointValues};
 use truepose::fit::identify_exact;
 use truepose::kinematics::Pose;
 use truepose::model::Calibration;
 use truepose::pipeline;
-use truepose::programs::{Answer, CompensateError, Reason, Request, find, language_of};
+use truepose::programs::{Answer, CompensateError, ModelTool, Reason, Request, find, language_of};
 use truepose::sessions::load;
 
 const DEG: f64 = std::f64::consts::PI / 180.0;
@@ -56,7 +56,8 @@ fn request<'a>(calibration: &'a Calibration, bytes: &'a [u8], language: &str) ->
         file: None,
         load_kg: 0.0,
         start: None,
-        frame: Pose::identity(),
+        frame: None,
+        tool: None,
         measured_frame: false,
     }
 }
@@ -578,4 +579,533 @@ fn verify_carries_joints_and_links_over_to_another_tool() {
     );
     let same = verify(arm(), &load(folder().join("arm.json")).unwrap().session).unwrap();
     assert!(same.notes.is_empty(), "{:?}", same.notes);
+}
+
+/// The inverse of a rigid motion.
+fn back(m: &Matrix) -> Matrix {
+    let mut out = [[0.0; 4]; 4];
+    for i in 0..3 {
+        for j in 0..3 {
+            out[i][j] = m[j][i];
+            out[i][3] -= m[j][i] * m[j][3];
+        }
+    }
+    out[3][3] = 1.0;
+    out
+}
+
+fn place(m: &Matrix) -> [f64; 3] {
+    [m[0][3], m[1][3], m[2][3]]
+}
+
+/// w, x, y, z of a rotation, by its rotation vector.
+fn quaternion(m: &Matrix) -> [f64; 4] {
+    let v = vector(m);
+    let angle = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let s = if angle > 0.0 {
+        (0.5 * angle).sin() / angle
+    } else {
+        0.0
+    };
+    [(0.5 * angle).cos(), v[0] * s, v[1] * s, v[2] * s]
+}
+
+/// The rotation vector of a rotation by less than half a turn.
+fn vector(m: &Matrix) -> [f64; 3] {
+    let twice = [m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]];
+    let sine = 0.5 * twice.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let angle = sine.atan2(0.5 * (m[0][0] + m[1][1] + m[2][2] - 1.0));
+    twice.map(|v| 0.5 * v * angle / sine)
+}
+
+/// A, B, C of `R_z(a) R_y(b) R_x(c)`, degrees.
+fn zyx(m: &Matrix) -> [f64; 3] {
+    let b = (-m[2][0]).atan2(m[0][0].hypot(m[1][0]));
+    [m[1][0].atan2(m[0][0]), b, m[2][1].atan2(m[2][2])].map(|v| v / DEG)
+}
+
+/// A fixture in the base, the model's tool on the flange and another tool.
+fn held() -> [Matrix; 3] {
+    [
+        from_zyx(&[310.0, -120.0, 95.0], [25.0, -10.0, 40.0]),
+        from_zyx(&[30.0, -15.0, 160.0], [10.0, 35.0, -20.0]),
+        from_zyx(&[-55.0, 20.0, 240.0], [-70.0, 15.0, 30.0]),
+    ]
+}
+
+/// What a controller calls a pose of the model's tool: in a frame, of one of its tools.
+fn written_in(pose: &Matrix, frame: &Matrix, [model, tool]: [&Matrix; 2]) -> Matrix {
+    times(&times(&back(frame), pose), &times(&back(model), tool))
+}
+
+fn model_tool() -> ModelTool {
+    let [_, model, _] = held();
+    let (at, q) = (place(&model), quaternion(&model));
+    ModelTool::OnFlange(truepose::kinematics::pose_from_parts(at, q).unwrap())
+}
+
+fn with_tool(language: &str, program: &str, tool: Option<ModelTool>) -> Answer {
+    let request = Request {
+        tool,
+        ..request(arm(), program.as_bytes(), language)
+    };
+    pipeline::compensate(&request).unwrap()
+}
+
+/// Every pose that was corrected arrives in its frame with its tool; `left`: which are left, with words.
+fn assert_held(
+    answer: &Answer,
+    q: &[Vec<f64>],
+    frames: &[(Matrix, Matrix)],
+    read: impl Fn(&str, usize) -> Matrix,
+    left: &[(usize, &str)],
+) {
+    let (robot, _) = hidden("arm");
+    let model = held()[1];
+    let text = String::from_utf8(answer.bytes.clone()).unwrap();
+    for (k, target) in answer.targets.iter().enumerate() {
+        match (&target.result, left.iter().find(|(index, _)| *index == k)) {
+            (Err(found), Some((_, word))) => {
+                assert_eq!(found.reason, Reason::Frame, "{}", found.says);
+                assert!(found.says.contains(word), "{}: {}", target.name, found.says);
+            }
+            (Ok(_), None) => {
+                let (frame, tool) = &frames[k];
+                let pose = times(frame, &read(&text, k));
+                let pose = times(&pose, &times(&back(tool), &model));
+                let corrected = robot.nominal_inverse(&pose, &q[k]);
+                assert_arrives(&robot, &q[k], &corrected, 0.0, &target.name);
+            }
+            (found, expected) => panic!("{}: {found:?}, expected {expected:?}", target.name),
+        }
+    }
+}
+
+/// The poses of `cell.*` are every second one.
+fn every_second() -> Vec<Vec<f64>> {
+    let (_, value) = hidden("arm");
+    rows(&value, "q_deg")
+        .iter()
+        .step_by(2)
+        .map(|q| radians(q))
+        .collect()
+}
+
+/// A module with a pose for each frame and tool, the fixture as a user frame with an object frame in it.
+fn rapid_module(q: &[Vec<f64>], frames: &[(Matrix, Matrix)]) -> String {
+    let (robot, _) = hidden("arm");
+    let [fixture, gun, pen] = held();
+    let user = from_zyx(&[100.0, 40.0, -30.0], [15.0, 5.0, -25.0]);
+    let object = times(&back(&user), &fixture);
+    let parts = |m: &Matrix| {
+        let ([x, y, z], [w, i, j, k]) = (place(m), quaternion(m));
+        format!("[{x:.6},{y:.6},{z:.6}],[{w:.10},{i:.10},{j:.10},{k:.10}]")
+    };
+    let [gun_parts, pen_parts, user, object] = [gun, pen, user, object].map(|m| parts(&m));
+    let mut program = format!(
+        "MODULE m\nPERS tooldata tGun:=[TRUE,[{gun_parts}],[1,[0,0,9],[1,0,0,0],0,0,0]];\n\
+         PERS tooldata tPen:=[TRUE,[{pen_parts}],[1,[0,0,9],[1,0,0,0],0,0,0]];\n\
+         PERS wobjdata fix:=[FALSE,TRUE,\"\",[{user}],[{object}]];\n\
+         PERS wobjdata held:=[TRUE,TRUE,\"\",[{user}],[{object}]];\n"
+    );
+    let cell = String::from_utf8(bytes("cell.mod")).unwrap();
+    let declared = cell.lines().filter(|l| l.contains("CONST robtarget"));
+    for (k, ((frame, tool), line)) in frames.iter().zip(declared).enumerate() {
+        let x = written_in(&robot.nominal(&q[k]), frame, [&gun, tool]);
+        let (x, configuration) = (parts(&x), line.split("],").nth(2).unwrap());
+        let external = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+        program += &format!("CONST robtarget p{k}:=[{x},{configuration}],{external}];\n");
+    }
+    program
+        + "PROC main()\nMoveL p0,v9,fine,tGun\\WObj:=fix;\nMoveJ p1,v9\\T:=2,z10,tPen\\WObj:=fix;\n\
+        MoveL p2,v9,fine,tGun;\nMoveL p3,v9,fine,tool0\\WObj:=wobj0;\nMoveL p4,v9,fine,tGun\\WObj:=far;\n\
+        MoveL p5,v9,fine,tGun\\WObj:=held;\nENDPROC\nENDMODULE\n"
+}
+
+#[test]
+fn rapid_poses_are_corrected_in_their_work_objects_and_of_their_tools() {
+    let ([fixture, gun, pen], q) = (held(), every_second());
+    let unit = from_zyx(&[0.0; 3], [0.0; 3]);
+    let frames = [
+        (fixture, gun),
+        (fixture, pen),
+        (unit, gun),
+        (unit, unit),
+        (fixture, gun),
+        (fixture, gun),
+    ];
+    let program = rapid_module(&q, &frames);
+    let read = |text: &str, k: usize| {
+        let line = text
+            .lines()
+            .find(|l| l.contains(&format!("robtarget p{k}:=")))
+            .unwrap();
+        let all = numbers(&line[line.find(":=").unwrap()..]);
+        from_quaternion(&all[..3], &all[3..7])
+    };
+    let left = [
+        (4, "far is declared elsewhere"),
+        (5, "held is moved by the robot"),
+    ];
+    let answer = with_tool("rapid", &program, Some(ModelTool::Named("tgun".to_owned())));
+    assert_held(&answer, &q, &frames, read, &left);
+    assert_eq!(answer.targets[4].place, (10, 21));
+    // Where the model's tool sits on the flange says as much as its name.
+    assert_held(
+        &with_tool("rapid", &program, Some(model_tool())),
+        &q,
+        &frames,
+        read,
+        &left,
+    );
+    // Where nothing says which tool is the model's, no pose is.
+    let unsaid = with_tool("rapid", &program, None);
+    assert_eq!(
+        (unsaid.left(), unsaid.bytes),
+        (6, program.clone().into_bytes())
+    );
+    // A frame that is declared elsewhere may be stated.
+    let (at, turn) = (place(&fixture), quaternion(&fixture));
+    let request = Request {
+        frame: Some(truepose::kinematics::pose_from_parts(at, turn).unwrap()),
+        tool: Some(model_tool()),
+        ..request(arm(), program.as_bytes(), "rapid")
+    };
+    let answer = pipeline::compensate(&request).unwrap();
+    assert!(answer.targets[4].result.is_ok(), "{:?}", answer.targets[4]);
+    // What is changed at run time is not known, nor is what two moves go to differently.
+    for (change, word) in [
+        ("fix.oframe.trans.x:=3;", "fix is changed at run time"),
+        ("MoveL p0,v9,fine,tGun;", "frames fix and none"),
+        (
+            "MoveL Offs(p0,0,0,9),v9,fine,tPen\\WObj:=fix;",
+            "tools tgun and tpen",
+        ),
+    ] {
+        let changed = program.replace("ENDPROC", &format!("{change}\nENDPROC"));
+        let answer = with_tool("rapid", &changed, Some(model_tool()));
+        let found = answer.targets[0].result.as_ref().unwrap_err();
+        assert_eq!(found.reason, Reason::Frame);
+        assert!(found.says.contains(word), "{}", found.says);
+    }
+}
+
+#[test]
+fn krl_poses_are_corrected_in_the_base_and_of_the_tool_that_is_set() {
+    let (robot, _) = hidden("arm");
+    let [fixture, gun, pen] = held();
+    let q = every_second();
+    let parts = |m: &Matrix| {
+        let ([x, y, z], [a, b, c]) = (place(m), zyx(m));
+        format!("X {x:.6},Y {y:.6},Z {z:.6},A {a:.8},B {b:.8},C {c:.8}")
+    };
+    let cell = String::from_utf8(bytes("cell.src")).unwrap();
+    let configurations: Vec<&str> = cell
+        .lines()
+        .filter(|l| l.starts_with("XP"))
+        .map(|l| &l[l.find("S ").unwrap()..])
+        .collect();
+    let unit = from_zyx(&[0.0; 3], [0.0; 3]);
+    let frames = [
+        (fixture, gun),
+        (fixture, pen),
+        (unit, gun),
+        (fixture, gun),
+        (fixture, gun),
+        (unit, unit),
+        (fixture, gun),
+    ];
+    let mut program = format!(
+        "DEF m()\nDECL FRAME FIX\nFIX={{{}}}\nPEN={{FRAME: {}}}\n",
+        parts(&fixture),
+        parts(&pen)
+    );
+    for (k, (frame, tool)) in frames.iter().enumerate() {
+        let x = written_in(&robot.nominal(&q[k]), frame, [&gun, tool]);
+        program += &format!("XP{k}={{{},{}\n", parts(&x), configurations[k]);
+    }
+    let gun_set = format!("$TOOL={{{}}}", parts(&gun));
+    program += &format!(
+        "{gun_set}\n$BASE=FIX\nPTP XP0\n$TOOL=PEN\nLIN XP1\n{gun_set}\n$BASE=$NULLFRAME\nLIN XP2\n\
+         $BASE=BASE_DATA[4]\nLIN XP3\nIF A==1 THEN\n$BASE=FIX\nLIN XP4\nENDIF\nLIN XP6\n$TOOL=$NULLFRAME\n\
+         $BASE=$NULLFRAME\nLIN XP5\nEND\n"
+    );
+    let read = |text: &str, k: usize| {
+        let line = text
+            .lines()
+            .find(|l| l.starts_with(&format!("XP{k}=")))
+            .unwrap();
+        let all = numbers(
+            line[line.find('{').unwrap()..]
+                .replace(['X', 'Y', 'Z', 'A', 'B', 'C'], "")
+                .as_str(),
+        );
+        from_zyx(&all[..3], [all[3], all[4], all[5]])
+    };
+    let left = [(3, "base_data[4] is declared elsewhere"), (6, "branch")];
+    let answer = with_tool("krl", &program, Some(model_tool()));
+    assert_held(&answer, &q, &frames, read, &left);
+    assert_eq!(
+        with_tool("krl", &program, None).left(),
+        7,
+        "two tools and the flange"
+    );
+    // The other way to say the numbers of base and tool.
+    let inline = "DEF m()\nDECL FDAT F1={TOOL_NO 1,BASE_NO 2}\nBASE_DATA[2]={X 1,Y 2,Z 3,A 0,B 0,C 0}\nFDAT_ACT=F1\n\
+        PTP {X 162.2216,Y 61.7095,Z 586.1627,A -141.3534,B -26.4136,C -46.7269,S 0,T 18}\nEND\n";
+    for (program, shift) in [
+        (inline.to_owned(), 1.0),
+        (inline.replace("_NO 2", "_NO 0"), 0.0),
+    ] {
+        let answer = with_tool("krl", &program, None);
+        let written = answer.targets[0].result.as_ref();
+        let place = written.map(|w| robot.nominal(&w.commanded)[0][3]);
+        assert!((place.unwrap() - 162.2216 - shift).abs() < 1e-6, "{shift}");
+    }
+}
+
+#[test]
+fn urscript_poses_are_those_of_the_tool_that_is_set() {
+    let (robot, _) = hidden("arm");
+    let [_, gun, pen] = held();
+    let (q, unit) = (every_second(), from_zyx(&[0.0; 3], [0.0; 3]));
+    let parts = |m: &Matrix| {
+        let (at, v) = (place(m).map(|v| v / 1000.0), vector(m));
+        format!(
+            "p[{:.9}, {:.9}, {:.9}, {:.9}, {:.9}, {:.9}]",
+            at[0], at[1], at[2], v[0], v[1], v[2]
+        )
+    };
+    let frames = [(unit, gun), (unit, pen), (unit, gun)];
+    let mut program = format!(
+        "def m():\n  pen = {}\n  set_tcp({})\n",
+        parts(&pen),
+        parts(&gun)
+    );
+    for (k, (frame, tool)) in frames.iter().enumerate() {
+        let x = written_in(&robot.nominal(&q[k]), frame, [&gun, tool]);
+        program +=
+            &["", "  set_tcp(pen)\n", "  # back\n  set_tcp(GUN)\n"][k].replace("GUN", &parts(&gun));
+        program += &format!(
+            "  movel(get_inverse_kin({}, qnear={:.6?}))\n",
+            parts(&x),
+            q[k]
+        );
+    }
+    program += "end\n";
+    let read = |text: &str, k: usize| {
+        let line = text.lines().filter(|l| l.contains("movel")).nth(k).unwrap();
+        let all = numbers(&line[line.find('[').unwrap()..]);
+        let at: Vec<f64> = all[..3].iter().map(|v| v * 1000.0).collect();
+        from_vector(&at, &all[3..6])
+    };
+    assert_held(
+        &with_tool("urscript", &program, Some(model_tool())),
+        &q,
+        &frames,
+        read,
+        &[],
+    );
+    let word = "several tools";
+    assert_held(
+        &with_tool("urscript", &program, None),
+        &q,
+        &frames,
+        read,
+        &[(0, word), (1, word), (2, word)],
+    );
+    // In a branch nobody knows which holds.
+    let branch = program.replace("  set_tcp(pen)", "  if a:\n  set_tcp(pen)\n  end");
+    let word = "branch";
+    let answer = with_tool("urscript", &branch, Some(model_tool()));
+    assert_held(
+        &answer,
+        &q,
+        &frames,
+        read,
+        &[(0, word), (1, word), (2, word)],
+    );
+    // One tool is the model's.
+    let one = program.replace("  set_tcp(pen)\n", "");
+    let answer = with_tool("urscript", &one, None);
+    for k in [0, 2] {
+        assert!(answer.targets[k].result.is_ok(), "{:?}", answer.targets[k]);
+    }
+}
+
+#[test]
+fn fanuc_positions_of_other_user_frames_and_tools_are_left() {
+    let cell: String = bytes("cell.ls")
+        .iter()
+        .map(|b| char::from(*b))
+        .filter(char::is_ascii)
+        .collect();
+    // The frame of number 1 stands elsewhere: in the controller.
+    let framed = cell.replacen("UF : 0", "UF : 1", 1);
+    let answer = with_tool("fanuc-ls", &framed, None);
+    let found = answer.targets[0].result.as_ref().unwrap_err();
+    assert_eq!(
+        (found.reason, answer.left()),
+        (Reason::Frame, 1),
+        "{}",
+        found.says
+    );
+    assert_eq!(answer.targets[0].place, (24, 1));
+    let request = Request {
+        frame: Some(Pose::identity()),
+        ..request(arm(), framed.as_bytes(), "fanuc-ls")
+    };
+    assert_eq!(pipeline::compensate(&request).unwrap().left(), 0);
+    // With two tools the model's has to be named; positions of the other are left.
+    let tools = cell.replacen("UT : 1", "UT : 2", 1);
+    assert_eq!(with_tool("fanuc-ls", &tools, None).left(), 8, "every pose");
+    let answer = with_tool(
+        "fanuc-ls",
+        &tools,
+        Some(ModelTool::Named("UT 1".to_owned())),
+    );
+    assert_eq!(answer.left(), 1);
+    let error = pipeline::compensate(&Request {
+        tool: Some(ModelTool::Named("UT 7".to_owned())),
+        ..request_of(&tools)
+    });
+    assert!(error.unwrap_err().to_string().contains("no such tool"));
+}
+
+fn request_of(program: &str) -> Request<'_> {
+    request(arm(), program.as_bytes(), "fanuc-ls")
+}
+
+/// Runs the program; its status, output and messages.
+fn truepose(arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_truepose"))
+        .args(arguments)
+        .output()
+        .unwrap();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (
+        output.status.code(),
+        text(&output.stdout),
+        text(&output.stderr),
+    )
+}
+
+/// The model of the arm in a file, as the command identifies it.
+fn model_in(out: &Path) -> String {
+    let model = out.join("arm.model.json").to_str().unwrap().to_owned();
+    let session = folder().join("arm.json");
+    let effects = "joint-zero-offset,link-length,joint-compliance";
+    let session = session.to_str().unwrap();
+    let (status, _, said) = truepose(&["identify", session, "--effects", effects, "--out", &model]);
+    assert_eq!(status, Some(0), "{said}");
+    model
+}
+
+#[test]
+fn the_command_corrects_under_the_load_that_is_stated() {
+    let out = tempfile::tempdir().unwrap();
+    let file = |name: &str| out.path().join(name).to_str().unwrap().to_owned();
+    let model = model_in(out.path());
+    // Under the load of --load every target arrives.
+    let (robot, value) = hidden("arm");
+    let (cell, loaded) = (folder().join("cell.script"), file("loaded.script"));
+    let cell = cell.to_str().unwrap();
+    let (status, summary, said) =
+        truepose(&["compensate", &model, cell, "--out", &loaded, "--load", "4"]);
+    assert_eq!(status, Some(0), "{said}");
+    assert!(summary.contains("20 of 20 targets corrected"), "{summary}");
+    let text = std::fs::read_to_string(&loaded).unwrap();
+    let moves: Vec<&str> = text
+        .lines()
+        .filter(|l| l.contains("movej(["))
+        .filter(|l| !l.contains('#'))
+        .collect();
+    let q: Vec<Vec<f64>> = rows(&value, "q_deg")
+        .iter()
+        .skip(1)
+        .step_by(2)
+        .map(|q| radians(q))
+        .collect();
+    let inline: Vec<Vec<f64>> = moves
+        .iter()
+        .map(|line| numbers(&line[line.find('[').unwrap()..line.find(']').unwrap()]))
+        .collect();
+    assert!(inline.len() >= 4);
+    for corrected in &inline {
+        let near = |q: &&Vec<f64>| q.iter().zip(corrected).all(|(a, b)| (a - b).abs() < 0.05);
+        let commanded = rows(&value, "q_deg")
+            .iter()
+            .map(|q| radians(q))
+            .collect::<Vec<_>>();
+        let commanded = commanded.iter().chain(&q).find(near).unwrap();
+        assert_arrives(&robot, commanded, corrected, 4.0, "under load");
+    }
+    let sidecar: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(file("loaded.script.meta.json")).unwrap()).unwrap();
+    assert_eq!(sidecar["format"], "truepose-compensation/1");
+    assert!(
+        sidecar["targets"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|t| t["load_kg"] == 4.0)
+    );
+}
+
+#[test]
+fn the_command_names_what_it_leaves_with_its_line_and_says_so_with_its_status() {
+    let out = tempfile::tempdir().unwrap();
+    let file = |name: &str| out.path().join(name).to_str().unwrap().to_owned();
+    let (model, cell) = (model_in(out.path()), folder().join("cell.script"));
+    let cell = cell.to_str().unwrap();
+    // A singular, an unreachable and an ambiguous target: named with line and reason, status 1.
+    let table = file("left.csv");
+    let rows = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n10,20,-30,40,50,60\n10,20,-30,40,0,60\n10,300,0,0,50,0\n";
+    std::fs::write(&table, rows).unwrap();
+    let (status, summary, said) =
+        truepose(&["compensate", &model, &table, "--out", &file("left.out.csv")]);
+    assert_eq!(status, Some(1), "{said}");
+    assert!(summary.contains("1 of 3 targets corrected"), "{summary}");
+    for (line, reason) in [("line 3", "(singular)"), ("line 4", "(unreachable)")] {
+        assert!(
+            said.lines().any(|l| l.contains(line) && l.contains(reason)),
+            "{said}"
+        );
+    }
+    let poses = file("poses.csv");
+    std::fs::write(&poses, bytes("poses.csv")).unwrap();
+    let (status, _, said) = truepose(&[
+        "compensate",
+        &model,
+        &poses,
+        "--out",
+        &file("poses.out.csv"),
+    ]);
+    assert_eq!(status, Some(1));
+    assert!(
+        said.contains("line 2") && said.contains("(ambiguous)"),
+        "{said}"
+    );
+
+    // A broken file: status 2, line and column, and nothing is written.
+    let broken = file("broken.src");
+    std::fs::write(&broken, "DEF m()\nPTP {A1 1,A1 2}\n").unwrap();
+    let written = file("broken.out.src");
+    let (status, _, said) = truepose(&["compensate", &model, &broken, "--out", &written]);
+    assert_eq!(status, Some(2), "{said}");
+    assert!(
+        said.contains("line 2, column 11") && !Path::new(&written).exists(),
+        "{said}"
+    );
+    let (status, _, said) = truepose(&[
+        "compensate",
+        &model,
+        cell,
+        "--out",
+        &written,
+        "--tool",
+        "gripper",
+    ]);
+    assert_eq!(status, Some(2), "{said}");
+    assert!(said.contains("no such tool"), "{said}");
 }

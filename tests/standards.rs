@@ -445,3 +445,267 @@ fn the_command_prints_one_document_and_refuses_another_robots_model() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("different robots"));
 }
+
+fn of_numpy(name: &str) -> (Value, Value) {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/standards");
+    let expected = std::fs::read_to_string(folder.join("expected.json")).unwrap();
+    let session = truepose::sessions::load(folder.join(format!("{name}.json"))).unwrap();
+    let answer = figures(&session.session);
+    (
+        answer["iso_9283"].clone(),
+        serde_json::from_str(&expected).unwrap(),
+    )
+}
+
+/// The columns of the data have nine digits.
+const ROUNDING: f64 = 2e-6;
+
+#[test]
+fn poses_of_an_arm_have_the_accuracy_and_repeatability_of_numpy() {
+    let (answer, expected) = of_numpy("poses");
+    let poses = answer["poses"].as_array().unwrap();
+    assert_eq!((poses.len(), &poses[0]["cycles"]), (5, &json!(30)));
+    for (pose, expected) in poses.iter().zip(expected["poses"].as_array().unwrap()) {
+        let before = &pose["before"];
+        near(&before["AP_p_mm"], &expected["AP_p_mm"], ROUNDING, "AP_p");
+        near(&before["RP_l_mm"], &expected["RP_l_mm"], ROUNDING, "RP_l");
+        for (k, (along, about)) in [("x", "a"), ("y", "b"), ("z", "c")].into_iter().enumerate() {
+            near(
+                &before[format!("AP_{along}_mm")],
+                &expected["AP_mm"][k],
+                ROUNDING,
+                along,
+            );
+            let turn = &pose["orientation"];
+            near(
+                &turn[format!("AP_{about}_deg")],
+                &expected["AP_deg"][k],
+                ROUNDING,
+                about,
+            );
+            near(
+                &turn[format!("RP_{about}_deg")],
+                &expected["RP_deg"][k],
+                ROUNDING,
+                about,
+            );
+        }
+    }
+    assert_eq!(
+        answer["paths"],
+        json!([]),
+        "positions held at rest are no path"
+    );
+}
+
+#[test]
+fn paths_of_an_arm_have_the_accuracy_and_repeatability_of_numpy() {
+    let (answer, expected) = of_numpy("paths");
+    let paths = answer["paths"].as_array().unwrap();
+    assert_eq!(paths.len(), 3, "there, back, and a circle");
+    for (path, name) in paths.iter().zip(["line", "back", "circle"]) {
+        let expected = &expected["paths"][name];
+        assert_eq!(path["cycles"], expected["cycles"], "{name}");
+        assert_eq!(path["points"], expected["points"], "{name}");
+        for symbol in ["AT_p_mm", "RT_p_mm"] {
+            near(&path["before"][symbol], &expected[symbol], ROUNDING, symbol);
+        }
+        for (k, about) in ["a", "b", "c"].into_iter().enumerate() {
+            let turn = &path["orientation"];
+            near(
+                &turn[format!("AT_{about}_deg")],
+                &expected["AT_deg"][k],
+                ROUNDING,
+                name,
+            );
+            near(
+                &turn[format!("RT_{about}_deg")],
+                &expected["RT_deg"][k],
+                ROUNDING,
+                name,
+            );
+        }
+    }
+    let largest = &answer["largest"]["before"];
+    assert_eq!(largest["AT_p_mm"], paths[0]["before"]["AT_p_mm"]);
+    let missing = answer["missing"].to_string();
+    assert!(missing.contains("as few as 4 cycles"), "{missing}");
+    assert_eq!(
+        answer["poses"],
+        json!([]),
+        "samples of a path are no poses held"
+    );
+}
+
+#[test]
+fn a_session_without_points_is_answered_in_words() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/observations");
+    for name in [
+        "six-distance",
+        "six-bearing",
+        "six-socket",
+        "six-touch",
+        "six-pointing",
+    ] {
+        let session = truepose::sessions::load(folder.join(format!("{name}.json"))).unwrap();
+        let answer = figures(&session.session);
+        assert_eq!(answer["iso_9283"]["poses"], json!([]), "{name}");
+        assert!(
+            answer["notes"]
+                .to_string()
+                .contains("no point was measured"),
+            "{name}: {answer}"
+        );
+    }
+}
+
+/// `robot` of a session, as a plain product of rotations about its axes: where a point of the tool frame is.
+fn at(robot: &Value, q_deg: &[f64], point: [f64; 3]) -> [f64; 3] {
+    let three = |v: &Value| -> [f64; 3] { serde_json::from_value(v.clone()).unwrap() };
+    let turned = |axis: [f64; 3], angle: f64, v: [f64; 3]| -> [f64; 3] {
+        let norm = axis.iter().map(|a| a * a).sum::<f64>().sqrt();
+        let a = axis.map(|c| c / norm);
+        let (s, c) = angle.sin_cos();
+        let along: f64 = (0..3).map(|k| a[k] * v[k]).sum();
+        let cross = [
+            a[1] * v[2] - a[2] * v[1],
+            a[2] * v[0] - a[0] * v[2],
+            a[0] * v[1] - a[1] * v[0],
+        ];
+        std::array::from_fn(|k| v[k] * c + cross[k] * s + a[k] * along * (1.0 - c))
+    };
+    let tool = &robot["tool"];
+    let q: [f64; 4] = serde_json::from_value(tool["quaternion_wxyz"].clone()).unwrap();
+    let length = (q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
+    let mut p = point;
+    if length > 0.0 {
+        p = turned([q[1], q[2], q[3]], 2.0 * length.atan2(q[0]), p);
+    }
+    let home = three(&tool["position_mm"]);
+    p = std::array::from_fn(|k| p[k] + home[k]);
+    for (joint, q) in robot["joints"].as_array().unwrap().iter().zip(q_deg).rev() {
+        let (axis, on) = (three(&joint["axis"]), three(&joint["point_mm"]));
+        let lever = std::array::from_fn(|k| p[k] - on[k]);
+        let lever = turned(axis, q.to_radians(), lever);
+        p = std::array::from_fn(|k| lever[k] + on[k]);
+    }
+    p
+}
+
+#[test]
+fn the_test_cube_has_the_standards_poses_and_the_robot_reaches_them() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, side) in [("six", 400.0), ("seven", 250.0), ("parallel", 250.0)] {
+        let arms = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/arms");
+        let session = std::fs::read(arms.join(format!("{name}-60.json"))).unwrap();
+        let session: Value = serde_json::from_slice(&session).unwrap();
+        let robot = &session["robot"];
+        let file = folder.path().join(format!("{name}.json"));
+        std::fs::write(&file, robot.to_string()).unwrap();
+        let poses = folder.path().join(format!("{name}.csv"));
+        let (file, poses) = (file.to_str().unwrap(), poses.to_str().unwrap());
+        let output = truepose(&["plan", file, "--iso9283", "--out", poses, "--json"]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{name}: {said}");
+        let cube: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(cube["side_mm"], json!(side), "{name}");
+        let three = |v: &Value| -> [f64; 3] { serde_json::from_value(v.clone()).unwrap() };
+        let apart =
+            |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt();
+        let corner = |k: &str| three(&cube["corners_mm"][k]);
+        // Edges are parallel to the base's axes: C1 to C2, to C4, and to C5 below it.
+        for (k, axis, sign) in [("C2", 0, 1.0), ("C4", 1, 1.0), ("C5", 2, -1.0)] {
+            let mut expected = corner("C1");
+            expected[axis] += sign * side;
+            assert!(apart(corner(k), expected) < 1e-9, "{name} {k}");
+        }
+        let pose = |k: usize| &cube["poses"][k];
+        let places: Vec<[f64; 3]> = (0..5).map(|k| three(&pose(k)["position_mm"])).collect();
+        for (place, (from, to)) in
+            places[1..]
+                .iter()
+                .zip([("C1", "C7"), ("C2", "C8"), ("C7", "C1"), ("C8", "C2")])
+        {
+            let (a, b) = (corner(from), corner(to));
+            let tenth = std::array::from_fn(|k| a[k] + 0.1 * (b[k] - a[k]));
+            assert!(apart(*place, tenth) < 1e-9, "{name} {from}");
+        }
+        assert!(
+            apart(
+                places[0],
+                std::array::from_fn(|k| 0.5 * (corner("C1")[k] + corner("C7")[k]))
+            ) < 1e-9
+        );
+        // Every commanded value is within its limits and brings the tool there, in one orientation.
+        let mut all: Vec<&Value> = cube["poses"].as_array().unwrap().iter().collect();
+        for path in cube["paths"].as_array().unwrap() {
+            all.extend(path["points"].as_array().unwrap());
+        }
+        let direction = |q: &[f64], k: usize| {
+            let (o, mut axis) = (at(robot, q, [0.0; 3]), [0.0; 3]);
+            axis[k] = 1.0;
+            let p = at(robot, q, axis);
+            std::array::from_fn::<f64, 3, _>(|k| p[k] - o[k])
+        };
+        let first: Vec<f64> = serde_json::from_value(pose(0)["q_deg"].clone()).unwrap();
+        for one in &all {
+            let q: Vec<f64> = serde_json::from_value(one["q_deg"].clone()).unwrap();
+            assert!(
+                apart(at(robot, &q, [0.0; 3]), three(&one["position_mm"])) < 1e-6,
+                "{name} {one}"
+            );
+            for k in 0..3 {
+                assert!(
+                    apart(direction(&q, k), direction(&first, k)) < 1e-9,
+                    "{name} {one}"
+                );
+            }
+            for (q, joint) in q.iter().zip(robot["joints"].as_array().unwrap()) {
+                if let Some(limits) = joint["limits"].as_array() {
+                    let [low, high] = [0, 1].map(|k: usize| limits[k].as_f64().unwrap());
+                    assert!((low..=high).contains(q), "{name} {one}");
+                }
+            }
+        }
+        for (k, one) in cube["paths"][1]["points"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .enumerate()
+        {
+            assert!(
+                (apart(three(&one["position_mm"]), places[0]) - 0.4 * side).abs() < 1e-9,
+                "{name} {k}"
+            );
+        }
+        // The list to measure: 30 cycles from P5 to P1.
+        let list = std::fs::read_to_string(poses).unwrap();
+        let rows: Vec<&str> = list.lines().skip(1).collect();
+        assert_eq!(rows.len(), 150);
+        for (k, row) in rows.iter().enumerate() {
+            let expected = format!("P{} cycle {}", 5 - k % 5, k / 5 + 1);
+            assert!(row.ends_with(&expected), "{row}");
+        }
+    }
+}
+
+#[test]
+fn a_robot_that_no_test_cube_fits_is_refused_in_words() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (file, word) in [
+        ("sessions/lamp-commissioning.json", "ISO 230-2"),
+        (
+            "tests/data/arms/positioner-60.json",
+            "fewer than three directions",
+        ),
+        (
+            "tests/data/arms/scara-60.json",
+            "the smallest has edges of 250 mm",
+        ),
+    ] {
+        let output = truepose(&["plan", root.join(file).to_str().unwrap(), "--iso9283"]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(word) && said.contains(file), "{said}");
+    }
+}

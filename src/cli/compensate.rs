@@ -11,7 +11,7 @@ use truepose::model::format_v1::load_model;
 use truepose::pipeline;
 use truepose::present::compensation_v1::{Document, Summary};
 use truepose::programs::{
-    Answer, CompensateError, LANGUAGES, Language, Request, find, language_of,
+    Answer, CompensateError, LANGUAGES, Language, ModelTool, Request, find, language_of,
 };
 
 use super::failure::Failure;
@@ -42,8 +42,8 @@ pub(crate) struct Compensate {
         allow_negative_numbers = true
     )]
     load: f64,
-    /// Frame in which the file gives its poses, in the robot's base frame: mm, and a quaternion for a
-    /// turned one
+    /// Frame in which the file gives its poses where it declares none itself, in the robot's base frame:
+    /// mm, and a quaternion for a turned one
     #[arg(
         long,
         value_name = "X,Y,Z[,QW,QX,QY,QZ]",
@@ -51,6 +51,14 @@ pub(crate) struct Compensate {
         allow_negative_numbers = true
     )]
     frame: Option<Vec<f64>>,
+    /// The program's tool that is the model's: its name, or where the model's tool sits on the flange
+    /// [default: the only one]
+    #[arg(
+        long,
+        value_name = "NAME|X,Y,Z,QW,QX,QY,QZ",
+        allow_hyphen_values = true
+    )]
+    tool: Option<String>,
     /// Take the frame in which the session was measured, brought into the base, for the robot's base
     /// [default: the base is where the first axis is]
     #[arg(long)]
@@ -91,7 +99,12 @@ impl Compensate {
                 self.load
             )));
         }
-        let frame = self.frame.as_deref().map_or(Ok(Pose::identity()), frame)?;
+        let frame = self
+            .frame
+            .as_deref()
+            .map(|n| pose("--frame", n))
+            .transpose()?;
+        let tool = self.tool.as_deref().map(tool).transpose()?;
         let calibration = load_model(&self.model)?;
         let bytes = read(&self.targets)?;
         let language = self.language(&bytes)?;
@@ -104,11 +117,18 @@ impl Compensate {
             load_kg: self.load,
             start: self.start.as_deref().map(|start| inner(robot, start)),
             frame,
+            tool,
             measured_frame: self.measured_frame,
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());
         let names = [names[0].as_str(), names[1].as_str()];
-        let document = Document::new(&answer, robot, names, language.id, &frame);
+        let document = Document::new(
+            &answer,
+            robot,
+            names,
+            language.id,
+            &frame.unwrap_or_else(Pose::identity),
+        );
         self.write(&answer, &document, to_stdout)?;
         if self.json {
             output::json(&document)?;
@@ -153,10 +173,10 @@ impl Compensate {
     }
 }
 
-fn frame(numbers: &[f64]) -> Result<Pose, Failure> {
+fn pose(option: &str, numbers: &[f64]) -> Result<Pose, Failure> {
     let wrong = |what: String| {
         Failure::WrongInput(format!(
-            "--frame: {what}; expected X,Y,Z or X,Y,Z,QW,QX,QY,QZ"
+            "{option}: {what}; expected X,Y,Z or X,Y,Z,QW,QX,QY,QZ"
         ))
     };
     match *numbers {
@@ -165,6 +185,15 @@ fn frame(numbers: &[f64]) -> Result<Pose, Failure> {
         _ => return Err(wrong(format!("{} numbers", numbers.len()))),
     }
     .map_err(|error| wrong(error.to_string()))
+}
+
+/// A name, or numbers between commas.
+fn tool(text: &str) -> Result<ModelTool, Failure> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+    match numbers {
+        Ok(numbers) => pose("--tool", &numbers).map(ModelTool::OnFlange),
+        Err(_) => Ok(ModelTool::Named(text.to_owned())),
+    }
 }
 
 /// Values in degrees or mm in rad or mm; too many or too few are told apart later.

@@ -21,6 +21,7 @@ mod record;
 mod report;
 mod simulate;
 mod standards;
+mod test_cube;
 mod verify;
 mod window;
 

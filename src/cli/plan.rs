@@ -37,6 +37,9 @@ pub(crate) struct Plan {
     /// Heaviest load that the robot may carry for a test, kg [default: the session's, else 3]
     #[arg(long, value_name = "KG", allow_negative_numbers = true)]
     load: Option<f64>,
+    /// The test cube of ISO 9283 instead, with its poses and paths
+    #[arg(long, conflicts_with_all = ["poses", "separate", "sigma", "load"])]
+    iso9283: bool,
     /// Seed of everything random
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
@@ -61,6 +64,11 @@ impl Plan {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
+        if self.iso9283 {
+            let session = is_a_session(&self.subject);
+            let out = self.out.as_deref().map(|out| (out, self.force));
+            return super::test_cube::run(&self.subject, session, out, self.json);
+        }
         let separate = match &self.separate[..] {
             [] => None,
             [a, b] => Some([a.clone(), b.clone()]),

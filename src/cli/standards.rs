@@ -8,7 +8,7 @@ use clap::Args;
 use truepose::model::format_v1::load_model;
 use truepose::standards::axis::{AxisTest, Series};
 use truepose::standards::format_v1::Document;
-use truepose::standards::pose::{Largest, PoseTest};
+use truepose::standards::pose::PoseTest;
 use truepose::standards::{self, Positioning};
 
 use super::failure::Failure;
@@ -122,17 +122,15 @@ fn figure(value: Option<f64>, axis: &AxisTest) -> String {
     value.map_or_else(|| "–".to_owned(), |v| format!("{v:.digits$}"))
 }
 
-/// A figure of the largest ones.
-type Pick = fn(&Largest) -> Option<f64>;
-
 fn poses_in_words(test: &PoseTest, compensated: bool, text: &mut String) {
     let _ = writeln!(
         text,
-        "\nISO 9283, mm: {} poses, {} from several directions",
+        "\nISO 9283, mm: {} poses, {} from several directions, {} paths",
         test.poses.len(),
-        test.variations.len()
+        test.variations.len(),
+        test.paths.len()
     );
-    if !test.poses.is_empty() {
+    if !test.poses.is_empty() || !test.paths.is_empty() {
         let head = if compensated { "  corrected" } else { "" };
         let _ = writeln!(
             text,
@@ -140,19 +138,17 @@ fn poses_in_words(test: &PoseTest, compensated: bool, text: &mut String) {
             "largest over the poses", "measured"
         );
         let (before, after) = (test.largest(false), test.largest(true));
-        let rows: [(&str, Pick); 3] = [
-            ("AP  pose accuracy", |l| l.accuracy),
-            ("RP  pose repeatability", |l| l.repeatability),
-            ("vAP variation between directions", |l| l.variation),
-        ];
-        for (name, pick) in rows {
-            let show = |l: &Largest| pick(l).map_or_else(|| "–".to_owned(), |v| format!("{v:.4}"));
+        let show = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), |v| format!("{v:.4}"));
+        for ((symbol, name, before), (_, _, after)) in before.rows().into_iter().zip(after.rows()) {
+            if before.is_none() && symbol.ends_with('T') {
+                continue;
+            }
             let after = if compensated {
-                format!("{:>11}", show(&after))
+                format!("{:>11}", show(after))
             } else {
                 String::new()
             };
-            let _ = writeln!(text, "  {name:<36}{:>11}{after}", show(&before));
+            let _ = writeln!(text, "  {symbol:<4}{name:<32}{:>11}{after}", show(before));
         }
     }
     for missing in &test.missing {

@@ -102,12 +102,32 @@ pub fn commands_for_poses(
 
 /// Whether the nominal tool can hardly be moved in some direction at these joint values (rad or mm).
 pub fn is_singular(robot: &Robot, q: &[f64], free: &[usize]) -> bool {
+    conditioning(robot, q, free) <= FLATTEST
+}
+
+/// How evenly the free joints move the nominal tool at these joint values (rad or mm): least over
+/// largest singular value of its Jacobian, 0 where it is singular, at most 1.
+pub fn conditioning(robot: &Robot, q: &[f64], free: &[usize]) -> f64 {
     let scale = Scale::of(robot, free);
     let jacobian = scale.nominal(robot, q, free);
-    let rows = if scale.whole { 6 } else { 3 };
-    let rank = if scale.whole { 6 } else { scale.directions };
+    let (rows, rank) = if scale.whole {
+        (6, 6)
+    } else {
+        (3, scale.directions)
+    };
     let part = jacobian.rows(0, rows).into_owned();
-    solved(&part, &DVector::zeros(rows), rank).is_none()
+    let Some(svd) = part.try_svd(false, false, f64::EPSILON, MOST_ROTATIONS) else {
+        return 0.0;
+    };
+    let mut values: Vec<f64> = svd.singular_values.iter().copied().collect();
+    values.sort_by(|a, b| b.total_cmp(a));
+    match (
+        values.first(),
+        rank.checked_sub(1).and_then(|k| values.get(k)),
+    ) {
+        (Some(most), Some(least)) if *most > 0.0 => least / most,
+        _ => 0.0,
+    }
 }
 
 /// Rounding keeps the last steps from becoming smaller than this many times [`SETTLED`].

@@ -137,17 +137,7 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
     } else {
         Largest::default()
     };
-    let row = |symbol, name, pick: fn(&Largest) -> Option<f64>| Row {
-        symbol,
-        name,
-        before: pick(&before),
-        after: pick(&after),
-    };
-    let rows = [
-        row("AP", "pose accuracy", |l| l.accuracy),
-        row("RP", "pose repeatability", |l| l.repeatability),
-        row("vAP", "variation between directions", |l| l.variation),
-    ];
+    let rows = before.rows().into_iter().zip(after.rows());
     Group {
         title: "Poses".to_owned(),
         standard: "ISO 9283",
@@ -158,8 +148,13 @@ fn of_poses(test: &PoseTest, compensated: bool) -> Group {
             n => format!("the largest of {n} poses with two cycles or more"),
         },
         rows: rows
-            .into_iter()
-            .filter(|row| row.before.is_some())
+            .filter(|((_, _, before), _)| before.is_some())
+            .map(|((symbol, name, before), (_, _, after))| Row {
+                symbol,
+                name,
+                before,
+                after,
+            })
             .collect(),
         missing: test.missing.clone(),
     }

@@ -207,8 +207,8 @@ impl<'a> Inverse<'a> {
         way.norm() <= REACHED_MM && turn <= REACHED_RAD
     }
 
-    /// Point k of an even spread over the travel of the free joints.
-    fn spread(&self, fixed: &[f64], k: usize) -> Vec<f64> {
+    /// Point k of an even spread over the travel of the free joints; the others as in `fixed`.
+    pub fn spread(&self, fixed: &[f64], k: usize) -> Vec<f64> {
         let mut q = fixed.to_vec();
         for (joint, prime) in self.free.iter().zip(PRIMES.iter().cycle()) {
             let share = radical_inverse(k + 1, *prime);

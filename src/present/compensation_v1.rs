@@ -12,11 +12,12 @@
 //!   "remarks": [ { "line": 2, "column": 1, "says": "…" } ], "notes": ["…"] }
 //! ```
 //!
-//! - `frame`: where the poses of the file are given, in the robot's base frame; they are poses of the
-//!   model's tool.
+//! - `frame`: where the poses of the file are given for which it declares no frame, in the robot's base
+//!   frame.
 //! - `before_mm`, `after_mm`: how far the real tool, as the model knows it, is from the target without and
 //!   with the correction; in the summary the root mean square over the corrected targets.
-//! - `because`: `singular`, `unreachable`, `ambiguous` or `relative` for a target that was left as it is.
+//! - `because`: `singular`, `unreachable`, `ambiguous`, `relative` or `frame` (its frame or its tool is not
+//!   known) for a target that was left as it is.
 //! - `q_deg`, `change_deg`: the commands that the target means and what was added; mm for a sliding joint.
 //! - `at_run_time`: what the program computes or takes from elsewhere; it is not corrected.
 

@@ -4,5 +4,6 @@ pub mod compensation_v1;
 pub mod diagnosis_v1;
 pub mod kinds;
 pub mod plan_v1;
+pub mod test_cube_v1;
 
 mod place;

@@ -6,6 +6,9 @@
 
 use crate::kinematics::{JointKind, Robot};
 
+use super::number::Number;
+use super::target::{Problem, Shape, Target};
+
 /// An axis of a controller, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Slot {
@@ -24,7 +27,7 @@ pub struct Axes {
 }
 
 /// Axes of one kind that a controller has.
-pub(super) const MOST_OWN: usize = 6;
+const MOST_OWN: usize = 6;
 
 impl Axes {
     /// The axes of a robot.
@@ -54,6 +57,57 @@ impl Axes {
     pub fn own(&self) -> usize {
         let own = self.slots.iter().filter(|s| matches!(s, Slot::Own(_)));
         own.count()
+    }
+
+    /// That the controller has no room for the model's own axes; `external`: how it calls the others.
+    pub(super) fn check_own(&self, external: &str) -> Result<(), Vec<Problem>> {
+        if self.own() <= MOST_OWN {
+            return Ok(());
+        }
+        let found = format!("a model with {} axes of its own", self.own());
+        let expected = format!("at most 6; external axes are called {external} in the model");
+        Err(vec![Problem::new(0, found, expected)])
+    }
+
+    /// The joints at the robot's own axes, in their order.
+    pub(super) fn own_joints(&self) -> Vec<Option<usize>> {
+        (0..MOST_OWN).map(|k| self.joint(Slot::Own(k))).collect()
+    }
+
+    /// A target of joint values in degrees and mm, each taken from its axis.
+    ///
+    /// # Errors
+    /// What `number` says of an axis.
+    pub(super) fn joint_target<E>(
+        &self,
+        name: &str,
+        at: usize,
+        number: impl FnMut(Slot) -> Result<Number, E>,
+    ) -> Result<Target, E> {
+        let numbers: Result<Vec<Number>, E> = self.slots.iter().copied().map(number).collect();
+        let shape = Shape::Joints {
+            numbers: numbers?,
+            inner: self.inner_of_degrees(),
+            decimals: 5,
+        };
+        Ok(Target::new(name, at, shape))
+    }
+
+    /// The values of the external axes beside a pose, rad or mm, by joint.
+    ///
+    /// # Errors
+    /// What `number` says of an axis.
+    pub(super) fn external<E>(
+        &self,
+        mut number: impl FnMut(Slot) -> Result<Number, E>,
+    ) -> Result<Vec<(usize, f64)>, E> {
+        let external = (0..self.joints()).filter(|j| matches!(self.slot(*j), Slot::External(_)));
+        external
+            .map(|joint| {
+                let value = number(self.slot(joint))?.value;
+                Ok((joint, self.kind(joint).inner(value)))
+            })
+            .collect()
     }
 
     /// The joint at an axis.

@@ -18,8 +18,10 @@ use crate::effects::{Inputs, Role, Term};
 use crate::kinematics::{Pose, Robot};
 use crate::model::Calibration;
 
+use super::answer::{Answer, Left, Outcome, Reason, Written};
 use super::axes::Axes;
 use super::configuration::leaves_its_sides;
+use super::frames::{self, ModelTool};
 use super::resolve::{Resolved, Resolver, beyond_a_limit};
 use super::rewrite;
 use super::target::{Program, Remark, Shape, Target};
@@ -46,8 +48,11 @@ pub struct Request<'a> {
     pub load_kg: f64,
     /// Joint values before the first target, rad or mm.
     pub start: Option<Vec<f64>>,
-    /// The frame in which the file gives its poses, in the robot's base frame.
-    pub frame: Pose,
+    /// The frame in which the file gives its poses, in the robot's base frame, where it declares none
+    /// itself; `None`: the base.
+    pub frame: Option<Pose>,
+    /// Which of the program's tools is the model's; `None`: the only one.
+    pub tool: Option<ModelTool>,
     /// Whether the frame in which the session was measured, brought into the base, is the robot's base,
     /// so that what the first joint shares with it is corrected too.
     pub measured_frame: bool,
@@ -78,102 +83,19 @@ pub enum CompensateError {
          meaning for it"
     )]
     NoMeasuredFrame,
+    /// The program has no such tool.
+    #[error(
+        "--tool {found}: the program has no such tool; expected one of its own ({expected}), or X,Y,Z,QW,QX,QY,QZ"
+    )]
+    Tool {
+        /// The name.
+        found: String,
+        /// Tools that the program uses.
+        expected: String,
+    },
     /// What was written does not read back as it was meant.
     #[error("what was written reads back differently: {0}")]
     ReadBack(String),
-}
-
-/// Why a target was left as it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Reason {
-    /// The tool can hardly be moved in some direction there.
-    Singular,
-    /// No joint values within the limits reach it.
-    Unreachable,
-    /// Several sets of joint values reach it, and nothing says which.
-    Ambiguous,
-    /// It is a way from where the robot is, and no place.
-    Relative,
-}
-
-impl Reason {
-    /// Its name in answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Singular => "singular",
-            Self::Unreachable => "unreachable",
-            Self::Ambiguous => "ambiguous",
-            Self::Relative => "relative",
-        }
-    }
-}
-
-/// A target that was left as it is.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Left {
-    /// What kind of reason there is.
-    pub reason: Reason,
-    /// The reason in words.
-    pub says: String,
-}
-
-impl Left {
-    pub(super) fn new(reason: Reason, says: impl Into<String>) -> Self {
-        let says = says.into();
-        Self { reason, says }
-    }
-}
-
-/// A target that was corrected.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Written {
-    /// Joint values that the target means, rad or mm.
-    pub commanded: Vec<f64>,
-    /// Joint values that it means now.
-    pub corrected: Vec<f64>,
-    /// Side from which each joint comes: +1, −1, 0 unknown.
-    pub dir: Vec<f64>,
-    /// Load at the tool's origin, kg.
-    pub load_kg: f64,
-    /// How far the real tool is from the target without and with the correction, mm.
-    pub position_mm: [f64; 2],
-    /// The same of its orientation, rad.
-    pub rotation_rad: [f64; 2],
-}
-
-/// What became of one target.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Outcome {
-    /// Its name.
-    pub name: String,
-    /// Line and column, from 1.
-    pub place: (u64, u64),
-    /// Whether it is a pose rather than joint values.
-    pub is_pose: bool,
-    /// What became of it.
-    pub result: Result<Written, Left>,
-}
-
-/// A corrected file, and what there is to say about it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// The file.
-    pub bytes: Vec<u8>,
-    /// Every target, in the order of the file.
-    pub targets: Vec<Outcome>,
-    /// What is worked out at run time and was not corrected: line, column, words.
-    pub at_run_time: Vec<(u64, u64, String)>,
-    /// What else there is to know, with line and column.
-    pub remarks: Vec<(u64, u64, String)>,
-    /// What was assumed.
-    pub notes: Vec<String>,
-}
-
-impl Answer {
-    /// Targets that were left as they are.
-    pub fn left(&self) -> usize {
-        self.targets.iter().filter(|t| t.result.is_err()).count()
-    }
 }
 
 /// Corrects the targets of a file.
@@ -196,7 +118,7 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
         return Err(CompensateError::NoMeasuredFrame);
     }
     let axes = Axes::new(robot);
-    let program = request.language.read(request.bytes, &axes, request.file)?;
+    let program = read(request, request.bytes, &axes)?;
     let results = resolved(request, &program, &axes);
     let conditions = sequence::Sequence::new(&program, &results, request.load_kg);
     let corrected = corrected(request, &program, &axes, &conditions, &results);
@@ -232,10 +154,17 @@ pub fn compensate(request: &Request) -> Result<Answer, CompensateError> {
     })
 }
 
+/// The targets of a file, each with its frame and tool.
+fn read(request: &Request, bytes: &[u8], axes: &Axes) -> Result<Program, CompensateError> {
+    let mut program = request.language.read(bytes, axes, request.file)?;
+    frames::place(&mut program, request.frame, request.tool.as_ref())?;
+    Ok(program)
+}
+
 /// The joint values that every target means, in the order of the file.
 fn resolved(request: &Request, program: &Program, axes: &Axes) -> Vec<Result<Resolved, Left>> {
     let robot = &request.calibration.model.robot;
-    let mut resolver = Resolver::new(robot, axes, request.frame, request.start.clone());
+    let mut resolver = Resolver::new(robot, axes, request.start.clone());
     let nothing = || Err(Left::new(Reason::Ambiguous, String::new()));
     let mut results: Vec<_> = (0..program.targets.len()).map(|_| nothing()).collect();
     for k in program.order() {
@@ -373,16 +302,10 @@ fn written(
     robot: &Robot,
     corrected: &[Result<Written, Left>],
 ) -> Vec<u8> {
-    let program_from_base = request.frame.inverse();
     let mut edits = Vec::new();
     for (target, result) in program.targets.iter().zip(corrected) {
         if let Ok(written) = result {
-            edits.extend(rewrite::edits(
-                target,
-                robot,
-                &program_from_base,
-                &written.corrected,
-            ));
+            edits.extend(rewrite::edits(target, robot, &written.corrected));
         }
     }
     rewrite::applied(request.bytes, edits)
@@ -398,9 +321,9 @@ fn read_back(
 ) -> Result<(), CompensateError> {
     let robot = &request.calibration.model.robot;
     let wrong = |what: String| Err(CompensateError::ReadBack(what));
-    let again = match request.language.read(bytes, axes, request.file) {
+    let again = match read(request, bytes, axes) {
         Ok(again) => again,
-        Err(rejected) => return wrong(rejected.to_string()),
+        Err(error) => return wrong(error.to_string()),
     };
     if again.targets.len() != program.targets.len() {
         return wrong(format!("{} targets", again.targets.len()));
@@ -420,8 +343,8 @@ fn read_back(
                 off.fold(0.0, f64::max)
             }
             Shape::Pose(frame) => {
-                let meant = request.frame.inverse() * robot.base_from_tool(&written.corrected);
-                let Some(goal) = frame.goal() else {
+                let meant = robot.base_from_tool(&written.corrected);
+                let Some(goal) = frame.goal().map(|goal| target.placed.goal(&goal)) else {
                     return wrong(format!("{} has no orientation", target.name));
                 };
                 let way = (goal.position_mm.coords - meant.translation.vector).norm();
@@ -444,14 +367,14 @@ fn notes(request: &Request, program: &Program) -> Vec<String> {
         .iter()
         .any(|t| matches!(t.shape, Shape::Pose(_)));
     if poses {
-        let frame = if request.frame == Pose::identity() {
+        let frame = if request.frame.is_none() {
             "in the robot's base frame"
         } else {
             "in the frame that was stated"
         };
         notes.push(format!(
-            "poses are read as those of the model's tool {frame}; tool and frame of the controller have to \
-             be the same"
+            "poses for which the file declares no frame are read {frame}; the tool of the controller has to \
+             be the model's where the file has one tool only"
         ));
     }
     if let Some(frame) = measured_frame(request.calibration) {

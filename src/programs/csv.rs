@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use crate::kinematics::JointKind;
+use crate::sessions::columns::{Heading, Quantity, Unit};
 
 use super::axes::Axes;
 use super::number::{NoNumber, Number};
@@ -27,23 +28,6 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
         .split([',', ';', '\t'])
         .map(|n| n.trim().trim_matches('"'));
     names.any(|name| name.starts_with("q1_") || name == "x_mm" || name == "x_m")
-}
-
-/// What a column holds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Column {
-    /// A joint's value; rad or mm in one of its unit.
-    Joint(usize, f64),
-    /// x, y or z; mm in one of its unit.
-    Position(usize, f64),
-    /// qw, qx, qy or qz.
-    Turn(usize),
-    Load,
-    Temperature,
-    Direction(usize),
-    /// rad/s or mm/s in one of its unit.
-    Speed(usize, f64),
-    Other,
 }
 
 struct Row {
@@ -158,18 +142,17 @@ fn inside(bytes: &[u8], range: Range<usize>) -> Range<usize> {
     }
 }
 
-fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Vec<Column>, Problem> {
-    let mut columns: Vec<Column> = Vec::new();
+/// What each column holds, and how many inner units (mm, rad) one of its is; `None`: left as it is.
+type Columns = Vec<Option<(Quantity, f64)>>;
+
+fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Columns, Problem> {
+    let mut columns: Columns = Vec::new();
     for cell in &header.cells {
         let name = text.shown(cell.clone());
         let column = column(&name, axes)
-            .map_err(|(found, expected)| Problem::new(cell.start, found, expected))?;
-        let same = |other: &Column| match (other, &column) {
-            (Column::Joint(a, _), Column::Joint(b, _))
-            | (Column::Position(a, _), Column::Position(b, _))
-            | (Column::Speed(a, _), Column::Speed(b, _)) => a == b,
-            (Column::Other, _) => false,
-            (a, b) => *a == *b,
+            .map_err(|expected| Problem::new(cell.start, format!("the column {name}"), expected))?;
+        let same = |other: &Option<(Quantity, f64)>| {
+            other.zip(column).is_some_and(|((a, _), (b, _))| a == b)
         };
         if columns.iter().any(same) {
             let found = format!("the column {name} a second time");
@@ -180,120 +163,72 @@ fn header_columns(text: &Text, header: &Row, axes: &Axes) -> Result<Vec<Column>,
     Ok(columns)
 }
 
-/// What a heading means; an error says what was found and what was expected.
-fn column(name: &str, axes: &Axes) -> Result<Column, (String, String)> {
-    let joint_of = |digits: &str| -> Result<Option<usize>, (String, String)> {
-        let Ok(number) = digits.parse::<usize>() else {
-            return Ok(None);
-        };
-        if number == 0 || number > axes.joints() {
-            let found = format!("the column {name}");
-            return Err((found, format!("joints 1 to {}", axes.joints())));
+/// What a heading means; an error says what was expected.
+fn column(name: &str, axes: &Axes) -> Result<Option<(Quantity, f64)>, String> {
+    let (quantity, unit) = match Heading::read(name) {
+        Heading::Known(quantity, unit) => (quantity, unit),
+        // A slip in the name of a joint value would leave a target as it is.
+        Heading::Unknown { hint: Some(hint) } if name.starts_with('q') => return Err(hint),
+        Heading::Unknown { .. } => return Ok(None),
+    };
+    let joint = match quantity {
+        Quantity::Commanded(joint) | Quantity::Speed(joint) | Quantity::Direction(joint) => joint,
+        Quantity::X | Quantity::Y | Quantity::Z | Quantity::Orientation(_) => {
+            return Ok(Some((quantity, unit.factor())));
         }
-        Ok(Some(number - 1))
+        Quantity::Load | Quantity::Temperature => return Ok(Some((quantity, 1.0))),
+        _ => return Ok(None),
     };
-    let length = |unit: &str| match unit {
-        "mm" => Some(1.0),
-        "m" => Some(1000.0),
-        "um" => Some(1e-3),
-        "in" => Some(25.4),
-        _ => None,
+    if joint >= axes.joints() {
+        return Err(format!("joints 1 to {}", axes.joints()));
+    }
+    let fits = match unit {
+        Unit::Angle(_) => axes.kind(joint) == JointKind::Revolute,
+        Unit::Length(_) => axes.kind(joint) == JointKind::Prismatic,
+        Unit::Fixed => true,
     };
-    let of_kind = |joint: usize, unit: &str| {
-        let inner = match (axes.kind(joint), unit) {
-            (JointKind::Revolute, "deg") => Some(crate::units::rad_from_deg(1.0)),
-            (JointKind::Revolute, "rad") => Some(1.0),
-            (JointKind::Prismatic, unit) => length(unit),
-            _ => None,
-        };
-        let unit = axes.kind(joint).unit();
-        inner.ok_or_else(|| {
-            (
-                format!("the column {name}"),
-                format!("q{}_{unit}", joint + 1),
-            )
-        })
-    };
-    if let Some(axis) = ["x", "y", "z"].iter().position(|a| {
-        name.strip_prefix(a)
-            .and_then(|n| n.strip_prefix('_'))
-            .is_some_and(|u| length(u).is_some())
-    }) {
-        let unit = length(&name[2..]).unwrap_or(1.0);
-        return Ok(Column::Position(axis, unit));
+    if fits {
+        Ok(Some((quantity, unit.factor())))
+    } else {
+        Err(format!("q{}_{}", joint + 1, axes.kind(joint).unit()))
     }
-    if let Some(part) = ["qw", "qx", "qy", "qz"].iter().position(|q| *q == name) {
-        return Ok(Column::Turn(part));
-    }
-    match name {
-        "load_kg" => return Ok(Column::Load),
-        "temperature_c" => return Ok(Column::Temperature),
-        _ => {}
-    }
-    if let Some(joint) = name
-        .strip_prefix("dir")
-        .map(joint_of)
-        .transpose()?
-        .flatten()
-    {
-        return Ok(Column::Direction(joint));
-    }
-    if let Some((digits, unit)) = name.strip_prefix("speed").and_then(|n| n.split_once('_'))
-        && let Some(joint) = joint_of(digits)?
-    {
-        let unit = unit.strip_suffix("_s").unwrap_or(unit);
-        return Ok(Column::Speed(joint, of_kind(joint, unit)?));
-    }
-    if let Some((digits, unit)) = name.strip_prefix('q').and_then(|n| n.split_once('_'))
-        && !unit.starts_with("read")
-        && let Some(joint) = joint_of(digits)?
-    {
-        return Ok(Column::Joint(joint, of_kind(joint, unit)?));
-    }
-    Ok(Column::Other)
 }
 
 struct Table<'x> {
     text: &'x Text<'x>,
     axes: &'x Axes,
-    columns: Vec<Column>,
+    columns: Columns,
     /// Whether a decimal comma is possible.
     comma: bool,
 }
 
-impl Table<'_> {
-    fn of_joint(&self, joint: usize) -> Option<(usize, f64)> {
-        self.columns.iter().enumerate().find_map(|(k, c)| match c {
-            Column::Joint(j, inner) if *j == joint => Some((k, *inner)),
-            _ => None,
-        })
-    }
+const POSITION: [Quantity; 3] = [Quantity::X, Quantity::Y, Quantity::Z];
 
-    fn place(&self, wanted: impl Fn(&Column) -> bool) -> Option<usize> {
-        self.columns.iter().position(wanted)
+impl Table<'_> {
+    /// The column of a quantity and its unit.
+    fn of(&self, quantity: Quantity) -> Option<(usize, f64)> {
+        let mut columns = self.columns.iter().enumerate();
+        columns.find_map(|(k, column)| column.filter(|c| c.0 == quantity).map(|c| (k, c.1)))
     }
 
     fn is_of_joints(&self) -> bool {
-        self.columns.iter().any(|c| matches!(c, Column::Joint(..)))
+        (0..self.axes.joints()).any(|j| self.of(Quantity::Commanded(j)).is_some())
     }
 
     /// Checks that the columns make targets, and says what they are.
     fn layout(&self, header: &Row) -> Result<Program, Problem> {
         let at = header.line.start;
+        let wrong = |found: &str, expected: &str| Err(Problem::new(at, found, expected));
         let mut program = Program::default();
-        let has = |c: &Column| self.columns.contains(c);
+        let places = POSITION.map(|quantity| self.of(quantity));
         if self.is_of_joints() {
             for joint in 0..self.axes.joints() {
-                if self.of_joint(joint).is_none() {
+                if self.of(Quantity::Commanded(joint)).is_none() {
                     let name = format!("q{}_{}", joint + 1, self.axes.kind(joint).unit());
-                    return Err(Problem::new(
-                        at,
-                        format!("no column {name}"),
-                        "one for each joint",
-                    ));
+                    return wrong(&format!("no column {name}"), "one for each joint");
                 }
             }
-            if self.place(|c| matches!(c, Column::Position(..))).is_some() {
+            if places.iter().any(Option::is_some) {
                 program.notes.push(Remark {
                     at,
                     says: "the targets are the joint values; x, y, z are left as they are"
@@ -302,29 +237,22 @@ impl Table<'_> {
             }
             return Ok(program);
         }
-        for (axis, name) in ["x_mm", "y_mm", "z_mm"].iter().enumerate() {
-            if self
-                .place(|c| matches!(c, Column::Position(a, _) if *a == axis))
-                .is_none()
-            {
-                let found = format!("no column {name}");
+        for (place, name) in places.iter().zip(["x_mm", "y_mm", "z_mm"]) {
+            if place.is_none() {
                 let expected = "q1_deg, … or x_mm, y_mm, z_mm with qw, qx, qy, qz";
-                return Err(Problem::new(at, found, expected));
+                return wrong(&format!("no column {name}"), expected);
             }
         }
-        let turns = (0..4).filter(|k| has(&Column::Turn(*k))).count();
-        if turns != 0 && turns != 4 {
-            return Err(Problem::new(at, "an orientation in part", "qw, qx, qy, qz"));
-        }
-        if turns == 0 && self.axes.joints() > 3 {
-            let found = "positions without qw, qx, qy, qz";
-            return Err(Problem::new(
-                at,
-                found,
+        let turns = (0..4).filter(|k| self.of(Quantity::Orientation(*k)).is_some());
+        match turns.count() {
+            4 => Ok(program),
+            0 if self.axes.joints() <= 3 => Ok(program),
+            0 => wrong(
+                "positions without qw, qx, qy, qz",
                 "an orientation, for a robot with more than three joints",
-            ));
+            ),
+            _ => wrong("an orientation in part", "qw, qx, qy, qz"),
         }
-        Ok(program)
     }
 
     fn target(&self, number: usize, row: &Row) -> Result<Target, Problem> {
@@ -338,7 +266,7 @@ impl Table<'_> {
             let mut numbers = Vec::new();
             let mut inner = Vec::new();
             for joint in 0..self.axes.joints() {
-                if let Some((k, unit)) = self.of_joint(joint) {
+                if let Some((k, unit)) = self.of(Quantity::Commanded(joint)) {
                     numbers.push(number_at(k)?);
                     inner.push(unit);
                 }
@@ -358,24 +286,27 @@ impl Table<'_> {
         target.circumstances.dir = vec![None; joints];
         target.circumstances.speed = vec![None; joints];
         for (k, column) in self.columns.iter().enumerate() {
+            let Some((quantity, unit)) = *column else {
+                continue;
+            };
             if row.cells[k].is_empty() {
                 continue;
             }
             let circumstances = &mut target.circumstances;
-            match column {
-                Column::Load => circumstances.load_kg = Some(number_at(k)?.value),
-                Column::Temperature => circumstances.temperature_c = Some(number_at(k)?.value),
-                Column::Speed(joint, unit) => {
-                    circumstances.speed[*joint] = Some(number_at(k)?.value * unit);
+            match quantity {
+                Quantity::Load => circumstances.load_kg = Some(number_at(k)?.value),
+                Quantity::Temperature => circumstances.temperature_c = Some(number_at(k)?.value),
+                Quantity::Speed(joint) => {
+                    circumstances.speed[joint] = Some(number_at(k)?.value * unit);
                 }
-                Column::Direction(joint) => {
+                Quantity::Direction(joint) => {
                     let value = number_at(k)?;
                     if ![-1.0, 0.0, 1.0].contains(&value.value) {
                         let found = format!("dir{} {}", joint + 1, value.value);
                         return Err(Problem::new(value.range.start, found, "1, -1 or 0"));
                     }
                     // 0: not stated, so that it follows from the target before.
-                    circumstances.dir[*joint] = (value.value != 0.0).then_some(value.value);
+                    circumstances.dir[joint] = (value.value != 0.0).then_some(value.value);
                 }
                 _ => {}
             }
@@ -384,23 +315,18 @@ impl Table<'_> {
     }
 
     fn pose(&self, row: &Row) -> Result<Frame, Problem> {
-        let mut position = Vec::new();
-        let mut mm = [1.0; 3];
-        for (axis, mm) in mm.iter_mut().enumerate() {
-            for (k, column) in self.columns.iter().enumerate() {
-                if let Column::Position(a, unit) = column
-                    && *a == axis
-                {
-                    position.push(self.number(row.cells[k].clone())?);
-                    *mm = *unit;
-                }
-            }
+        let number = |quantity: Quantity| -> Result<Option<(Number, f64)>, Problem> {
+            let place = self.of(quantity);
+            place
+                .map(|(k, unit)| Ok((self.number(row.cells[k].clone())?, unit)))
+                .transpose()
+        };
+        let (mut position, mut turn) = (Vec::new(), Vec::new());
+        for quantity in POSITION {
+            position.extend(number(quantity)?);
         }
-        let mut turn = Vec::new();
         for part in 0..4 {
-            if let Some(k) = self.place(|c| *c == Column::Turn(part)) {
-                turn.push(self.number(row.cells[k].clone())?);
-            }
+            turn.extend(number(Quantity::Orientation(part))?.map(|(number, _)| number));
         }
         let orientation = if turn.is_empty() {
             Orientation::Free
@@ -408,18 +334,15 @@ impl Table<'_> {
             Orientation::Quaternion
         };
         let frame = Frame {
-            position: [0, 1, 2].map(|k: usize| position[k].clone()),
-            mm,
+            position: [0, 1, 2].map(|k: usize| position[k].0.clone()),
+            mm: [0, 1, 2].map(|k: usize| position[k].1),
             turn,
             orientation,
         };
         if frame.goal().is_none() {
             let at = frame.turn.first().map_or(row.line.start, |n| n.range.start);
-            return Err(Problem::new(
-                at,
-                "a quaternion of no length",
-                "an orientation",
-            ));
+            let found = "a quaternion of no length";
+            return Err(Problem::new(at, found, "an orientation"));
         }
         Ok(frame)
     }
@@ -434,11 +357,7 @@ impl Table<'_> {
             } else {
                 format!("'{shown}'")
             };
-            let expected = match reason {
-                NoNumber::Malformed => "a number",
-                NoNumber::TooLarge => "a number that is not larger than any machine",
-            };
-            Problem::new(range.start, found, expected)
+            Problem::new(range.start, found, reason.expected())
         };
         Number::read(bytes, range.clone(), has_comma).map_err(problem)
     }

@@ -8,15 +8,19 @@
 //! Write one file like its neighbours, a function from [`Text`] and [`Axes`] to a [`Program`], and add
 //! one line to [`LANGUAGES`].
 //!
-//! Poses are those of the model's tool in the robot's base frame, or in the frame that the caller
-//! states ([`Request::frame`]).
+//! Poses are taken in the frame and of the tool that the file declares for them (`frames`); where it
+//! declares none, they are those of the model's tool in the frame that the caller states
+//! ([`Request::frame`]).
 
+mod answer;
 mod axes;
 mod compensate;
 mod configuration;
 mod csv;
 mod fanuc;
+mod frames;
 mod krl;
+mod moves;
 mod number;
 mod pose;
 mod rapid;
@@ -28,10 +32,10 @@ mod text;
 mod tokens;
 mod urscript;
 
+pub use answer::{Answer, Left, Outcome, Reason, Written};
 pub use axes::{Axes, Slot};
-pub use compensate::{
-    Answer, CompensateError, Left, Outcome, Reason, Request, Written, compensate,
-};
+pub use compensate::{CompensateError, Request, compensate};
+pub use frames::ModelTool;
 pub use number::Number;
 pub use target::{Program, Remark, Shape, Target};
 pub use text::Text;

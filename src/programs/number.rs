@@ -24,6 +24,16 @@ pub(super) enum NoNumber {
     TooLarge,
 }
 
+impl NoNumber {
+    /// What was expected instead.
+    pub(super) fn expected(self) -> &'static str {
+        match self {
+            Self::Malformed => "a number",
+            Self::TooLarge => "a number that is not larger than any machine",
+        }
+    }
+}
+
 /// Digits that a pose carries at most; more are rounding.
 const MOST_DECIMALS: usize = 15;
 

@@ -48,6 +48,19 @@ fn decimals_of(mm: f64) -> usize {
 }
 
 impl Frame {
+    /// x, y, z in mm and three angles in degrees; `None` of another count.
+    pub(super) fn of_degrees(numbers: &[Number], orientation: Orientation) -> Option<Self> {
+        let [x, y, z, a, b, c] = numbers else {
+            return None;
+        };
+        Some(Self {
+            position: [x, y, z].map(Number::clone),
+            mm: [1.0; 3],
+            turn: vec![a.clone(), b.clone(), c.clone()],
+            orientation,
+        })
+    }
+
     /// Where the numbers put the tool; `None` where a quaternion has no length.
     pub fn goal(&self) -> Option<Goal> {
         let at = |k: usize| self.position[k].value * self.mm[k];
@@ -72,6 +85,15 @@ impl Frame {
             position_mm: Point3::new(at(0), at(1), at(2)),
             rotation,
         })
+    }
+
+    /// The numbers as a pose; `None` where there is no orientation.
+    pub(super) fn pose(&self) -> Option<Pose> {
+        let goal = self.goal()?;
+        Some(Pose::from_parts(
+            goal.position_mm.coords.into(),
+            goal.rotation?,
+        ))
     }
 
     /// The numbers of another pose, in the order of the file, each with the digits it needs at least.

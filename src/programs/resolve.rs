@@ -7,8 +7,8 @@ use crate::kinematics::configuration::{Statement, turns_of};
 use crate::kinematics::inverse::{Goal, Inverse};
 use crate::kinematics::{JointKind, Pose, Robot};
 
+use super::answer::{Left, Reason};
 use super::axes::Axes;
-use super::compensate::{Left, Reason};
 use super::target::{Shape, Target};
 
 /// Two solutions are equally near when the farther one is not farther than this times as far.
@@ -32,7 +32,6 @@ pub(super) struct Resolver<'a> {
     robot: &'a Robot,
     free: Vec<usize>,
     inverse: Inverse<'a>,
-    base_from_program: Pose,
     /// Joint values of the target before.
     before: Option<Vec<f64>>,
     /// All solutions of the pose before: the next ones are not far.
@@ -40,25 +39,19 @@ pub(super) struct Resolver<'a> {
 }
 
 impl<'a> Resolver<'a> {
-    pub(super) fn new(
-        robot: &'a Robot,
-        axes: &Axes,
-        base_from_program: Pose,
-        start: Option<Vec<f64>>,
-    ) -> Self {
+    pub(super) fn new(robot: &'a Robot, axes: &Axes, start: Option<Vec<f64>>) -> Self {
         Self {
             robot,
             free: axes.free(),
             inverse: Inverse::new(robot, axes.free()),
-            base_from_program,
             before: start,
             known: Vec::new(),
         }
     }
 
     pub(super) fn resolve(&mut self, target: &Target) -> Result<Resolved, Left> {
-        if let Some(because) = &target.left {
-            return Err(Left::new(Reason::Relative, because.clone()));
+        if let Some(left) = &target.left {
+            return Err(left.clone());
         }
         let (q, pose) = match &target.shape {
             Shape::Joints { numbers, inner, .. } => {
@@ -69,12 +62,11 @@ impl<'a> Resolver<'a> {
                 (q, pose)
             }
             Shape::Pose(frame) => {
-                let Some(mut goal) = frame.goal() else {
+                let Some(goal) = frame.goal() else {
                     let says = "its orientation is none";
                     return Err(Left::new(Reason::Unreachable, says));
                 };
-                goal.position_mm = self.base_from_program * goal.position_mm;
-                goal.rotation = goal.rotation.map(|r| self.base_from_program.rotation * r);
+                let goal = target.placed.goal(&goal);
                 let q = self.solution(target, &goal)?;
                 let here = self.robot.base_from_tool(&q);
                 let rotation = goal.rotation.unwrap_or(here.rotation);

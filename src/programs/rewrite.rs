@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::kinematics::{Pose, Robot};
+use crate::kinematics::Robot;
 
 use super::target::{Shape, Target};
 
@@ -13,14 +13,8 @@ pub(super) struct Edit {
     pub(super) text: String,
 }
 
-/// The edits that put corrected joint values into a target. `program_from_base`: the frame in which
-/// the file gives its poses, from the robot's base.
-pub(super) fn edits(
-    target: &Target,
-    robot: &Robot,
-    program_from_base: &Pose,
-    q: &[f64],
-) -> Vec<Edit> {
+/// The edits that put corrected joint values into a target.
+pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
     let numbers: Vec<(&super::Number, f64, usize)> = match &target.shape {
         Shape::Joints {
             numbers,
@@ -31,7 +25,7 @@ pub(super) fn edits(
             let values = values.map(|((number, inner), q)| (number, q / inner, *decimals));
             values.collect()
         }
-        Shape::Pose(frame) => frame.values(&(program_from_base * robot.base_from_tool(q))),
+        Shape::Pose(frame) => frame.values(&target.placed.written(&robot.base_from_tool(q))),
     };
     let written = numbers.into_iter().filter_map(|(number, value, decimals)| {
         let text = number.written(value, decimals)?;

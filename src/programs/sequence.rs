@@ -10,7 +10,7 @@ use crate::effects::Inputs;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::kinematics::Robot;
 
-use super::compensate::Left;
+use super::answer::Left;
 use super::resolve::Resolved;
 use super::target::{Program, Remark};
 
@@ -57,6 +57,8 @@ impl Sequence {
         }
         for k in order {
             let Ok(resolved) = &resolved[k] else {
+                // From where it is not known the next one is come to from nobody knows which side.
+                before = None;
                 continue;
             };
             // What no motion of the file names may come from anywhere.

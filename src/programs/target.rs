@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use crate::kinematics::configuration::Statement;
 
+use super::answer::Left;
+use super::frames::{Names, Placed, Use};
 use super::number::Number;
 use super::pose::Frame;
 
@@ -113,8 +115,10 @@ pub struct Target {
     /// What is known of its circumstances.
     pub circumstances: Circumstances,
     /// Why it cannot be corrected, whatever its numbers.
-    pub left: Option<String>,
+    pub left: Option<Left>,
     pub(super) marks: Vec<Mark>,
+    /// How its pose is to be read.
+    pub(super) placed: Placed,
 }
 
 impl Target {
@@ -129,6 +133,7 @@ impl Target {
             circumstances: Circumstances::default(),
             left: None,
             marks: Vec::new(),
+            placed: Placed::stated(None),
         }
     }
 }
@@ -144,9 +149,30 @@ pub struct Program {
     pub at_run_time: Vec<Remark>,
     /// What else there is to know.
     pub notes: Vec<Remark>,
+    /// In which frames and with which tools motions go to the targets.
+    pub(super) uses: Vec<Use>,
+    /// Frames that the file declares, in the robot's base.
+    pub(super) frames: Names,
+    /// Tools that the file declares, on the flange.
+    pub(super) tools: Names,
 }
 
 impl Program {
+    /// Puts the targets into the order of the file.
+    pub(super) fn sort(&mut self) {
+        let mut order: Vec<usize> = (0..self.targets.len()).collect();
+        order.sort_by_key(|k| self.targets[*k].at);
+        let mut place = vec![0; order.len()];
+        for (now, before) in order.iter().enumerate() {
+            place[*before] = now;
+        }
+        self.targets.sort_by_key(|target| target.at);
+        let used = self.uses.iter_mut().map(|one| &mut one.target);
+        for index in self.visits.iter_mut().chain(used) {
+            *index = place[*index];
+        }
+    }
+
     /// Every target in the order in which they are gone to: as the motions name them, the others
     /// after them in the order of the file.
     pub(super) fn order(&self) -> Vec<usize> {

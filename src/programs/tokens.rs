@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::number::{NoNumber, Number};
+use super::number::Number;
 use super::target::Problem;
 use super::text::Text;
 
@@ -137,6 +137,15 @@ fn string_end(bytes: &[u8], at: usize) -> Result<usize, Problem> {
 pub(super) struct Words<'t, 'a> {
     pub(super) text: &'t Text<'a>,
     pub(super) tokens: Vec<Token>,
+    /// What stands behind the last word, for messages.
+    pub(super) end: &'static str,
+}
+
+/// A value in a list.
+pub(super) enum Value {
+    Number(Number),
+    /// Something that is worked out at run time, and where it stands.
+    RunTime(usize),
 }
 
 impl Words<'_, '_> {
@@ -189,12 +198,74 @@ impl Words<'_, '_> {
             Err(reason) => Err(Problem::new(
                 range.start,
                 format!("'{}'", self.text.shown(range)),
-                match reason {
-                    NoNumber::Malformed => "a number",
-                    NoNumber::TooLarge => "a number that is not larger than any machine",
-                },
+                reason.expected(),
             )),
         })
+    }
+
+    /// What stands at a word, for messages.
+    pub(super) fn found(&self, k: usize) -> String {
+        if k < self.tokens.len() {
+            format!("'{}'", self.spelled(k))
+        } else {
+            self.end.to_owned()
+        }
+    }
+
+    /// That something else was expected at a word.
+    pub(super) fn problem(&self, k: usize, expected: impl Into<String>) -> Problem {
+        Problem::new(self.at(k), self.found(k), expected)
+    }
+
+    /// The text from a word to the one before `end`.
+    pub(super) fn shown(&self, k: usize, end: usize) -> String {
+        let last = self.tokens.get(end.max(k + 1) - 1).or(self.tokens.last());
+        match (self.tokens.get(k), last) {
+            (Some(first), Some(last)) => self.text.shown(first.range.start..last.range.end),
+            _ => String::new(),
+        }
+    }
+
+    /// The first word from `k` on that is one of the signs, outside of brackets that open on the way.
+    pub(super) fn until(&self, k: usize, signs: &[u8]) -> usize {
+        let mut depth = 0_usize;
+        let mut k = k;
+        while let Some(kind) = self.kind(k) {
+            if let Kind::Sign(sign) = kind {
+                // A statement's end ends everything.
+                if signs.contains(&sign) && (depth == 0 || sign == b';') {
+                    break;
+                }
+                match sign {
+                    b'[' | b'(' | b'{' => depth += 1,
+                    b']' | b')' | b'}' => depth = depth.saturating_sub(1),
+                    _ => {}
+                }
+            }
+            k += 1;
+        }
+        k
+    }
+
+    /// The value that begins at word `k` and ends before one of the signs, and the word behind it. A sum or
+    /// a product is worked out at run time.
+    pub(super) fn value(
+        &self,
+        k: usize,
+        ends: &[u8],
+        expected: &str,
+    ) -> Result<(Value, usize), Problem> {
+        if let Some(read) = self.number(k) {
+            let (number, end) = read?;
+            if !matches!(self.kind(end), Some(Kind::Sign(b'+' | b'-' | b'*' | b'/'))) {
+                return Ok((Value::Number(number), end));
+            }
+        }
+        let end = self.until(k, ends);
+        if end == k {
+            return Err(self.problem(k, expected));
+        }
+        Ok((Value::RunTime(k), end))
     }
 }
 

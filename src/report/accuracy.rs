@@ -1,7 +1,7 @@
 //! The standards' figures in a report.
 
 use crate::standards::axis::AxisTest;
-use crate::standards::pose::{Largest, PoseTest};
+use crate::standards::pose::PoseTest;
 use crate::standards::{Positioning, Standards, at_least};
 
 use super::document::{Block, Section, Table, clean};
@@ -9,9 +9,6 @@ use super::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
 const POSES: usize = 8;
-
-/// A figure of the largest ones.
-type Pick = fn(&Largest) -> Option<f64>;
 
 pub(super) fn section(standards: &Standards) -> Section {
     let mut blocks = vec![Block::Text(
@@ -91,7 +88,7 @@ fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
 
 fn pose_blocks(test: &PoseTest, compensated: bool, blocks: &mut Vec<Block>) {
     blocks.push(Block::Heading("Poses, ISO 9283".to_owned()));
-    if test.poses.is_empty() {
+    if test.poses.is_empty() && test.paths.is_empty() {
         blocks.push(Block::Text(format!(
             "No figures: {}",
             test.missing.join("; ")
@@ -101,32 +98,21 @@ fn pose_blocks(test: &PoseTest, compensated: bool, blocks: &mut Vec<Block>) {
     let (before, after) = (test.largest(false), test.largest(true));
     let mut table = Table::new(&[
         "Symbol",
-        "Largest over the poses, mm",
+        "Largest over poses and paths, mm",
         ">As measured",
         ">Corrected commands",
     ]);
-    let rows: [(&str, &str, Pick); 3] = [
-        ("AP", "pose accuracy", |l| l.accuracy),
-        ("RP", "pose repeatability", |l| l.repeatability),
-        (
-            "vAP",
-            "variation of pose accuracy between directions",
-            |l| l.variation,
-        ),
-    ];
     let show = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), plain);
-    for (symbol, name, pick) in rows {
+    for ((symbol, name, before), (_, _, after)) in before.rows().into_iter().zip(after.rows()) {
+        if before.is_none() && symbol.ends_with('T') {
+            continue;
+        }
         let corrected = if compensated {
-            show(pick(&after))
+            show(after)
         } else {
             "–".to_owned()
         };
-        table.row([
-            symbol.to_owned(),
-            name.to_owned(),
-            show(pick(&before)),
-            corrected,
-        ]);
+        table.row([symbol.to_owned(), name.to_owned(), show(before), corrected]);
     }
     blocks.push(Block::Table(table));
     let mut worst: Vec<usize> = (0..test.poses.len()).collect();

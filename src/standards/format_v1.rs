@@ -3,12 +3,14 @@
 //! `iso_230_2`: per joint (counted from 1) and series of like conditions, `before` and `after` hold
 //! `B`, `B_mean`, `R_up`, `R_down`, `R`, `E_up`, `E_down`, `E`, `M`, `A_up`, `A_down`, `A` in the
 //! joint's `unit` (`arcsec` or `mm`) and the `positions` they come from. `iso_9283`: `poses` with
-//! `AP…` and `RP…`, `variations` with `vAP_p_mm`, and the `largest` of each. A figure that the
+//! `AP…` and `RP…`, `variations` with `vAP_p_mm`, `paths` with `AT…` and `RT…` (`first_samples`: where
+//! each cycle begins, from 1), and the `largest` of each. A figure that the
 //! session cannot give is null, and `missing` says why. `after` is null without a model.
 
 use serde::Serialize;
 
 use super::axis::{AxisTest, Fixed, Series};
+use super::path::{PathAttained, PathFigures};
 use super::pose::{Attained, PoseFigures, PoseTest, Turned, Variation};
 use super::positioning::{AtPosition, Positioning};
 use super::{Standards, axis, pose};
@@ -101,6 +103,7 @@ struct Poses<'a> {
     largest: Largest,
     poses: Vec<PoseTwin<'a>>,
     variations: Vec<VariationTwin<'a>>,
+    paths: Vec<PathTwin>,
     missing: &'a [String],
 }
 
@@ -117,6 +120,38 @@ struct LargestTwin {
     AP_p_mm: Option<f64>,
     RP_l_mm: Option<f64>,
     vAP_p_mm: Option<f64>,
+    AT_p_mm: Option<f64>,
+    RT_p_mm: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct PathTwin {
+    first_samples: Vec<usize>,
+    cycles: usize,
+    points: usize,
+    length_mm: f64,
+    load_kg: Option<f64>,
+    before: PathAttainedTwin,
+    after: Option<PathAttainedTwin>,
+    orientation: Option<PathTurnedTwin>,
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the standard's symbols")]
+struct PathAttainedTwin {
+    AT_p_mm: f64,
+    RT_p_mm: f64,
+}
+
+#[derive(Debug, Serialize)]
+#[allow(non_snake_case, reason = "the standard's symbols")]
+struct PathTurnedTwin {
+    AT_a_deg: f64,
+    AT_b_deg: f64,
+    AT_c_deg: f64,
+    RT_a_deg: f64,
+    RT_b_deg: f64,
+    RT_c_deg: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -255,6 +290,8 @@ fn poses(test: &PoseTest, compensated: bool) -> Poses<'_> {
         AP_p_mm: largest.accuracy,
         RP_l_mm: largest.repeatability,
         vAP_p_mm: largest.variation,
+        AT_p_mm: largest.path_accuracy,
+        RT_p_mm: largest.path_repeatability,
     };
     Poses {
         standard_cycles: pose::STANDARD_CYCLES,
@@ -264,6 +301,7 @@ fn poses(test: &PoseTest, compensated: bool) -> Poses<'_> {
         },
         poses: test.poses.iter().map(pose_twin).collect(),
         variations: test.variations.iter().map(variation).collect(),
+        paths: test.paths.iter().map(path).collect(),
         missing: &test.missing,
     }
 }
@@ -278,6 +316,34 @@ fn pose_twin(pose: &PoseFigures) -> PoseTwin<'_> {
         before: attained(&pose.before),
         after: pose.after.as_ref().map(attained),
         orientation: pose.orientation.as_ref().map(turned),
+    }
+}
+
+fn path(path: &PathFigures) -> PathTwin {
+    let attained = |a: &PathAttained| PathAttainedTwin {
+        AT_p_mm: a.accuracy,
+        RT_p_mm: a.repeatability,
+    };
+    let turned = |t: &Turned| {
+        let ([a, b, c], [ra, rb, rc]) = (t.accuracy, t.repeatability);
+        PathTurnedTwin {
+            AT_a_deg: a,
+            AT_b_deg: b,
+            AT_c_deg: c,
+            RT_a_deg: ra,
+            RT_b_deg: rb,
+            RT_c_deg: rc,
+        }
+    };
+    PathTwin {
+        first_samples: path.starts.iter().map(|i| i + 1).collect(),
+        cycles: path.starts.len(),
+        points: path.points,
+        length_mm: path.length_mm,
+        load_kg: path.load_kg,
+        before: attained(&path.before),
+        after: path.after.as_ref().map(attained),
+        orientation: path.orientation.as_ref().map(turned),
     }
 }
 

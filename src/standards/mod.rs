@@ -3,6 +3,8 @@
 //! - [`positioning`]: one axis after ISO 230-2, from approaches of the same positions from both
 //!   sides; `axis` finds them in a session and takes the axis' deviation from the measured points.
 //! - [`pose`]: pose accuracy and repeatability after ISO 9283.
+//! - [`test_cube`]: the cube, poses and paths that ISO 9283 has a robot measured at.
+//! - [`path`]: path accuracy and repeatability after ISO 9283.
 //! - [`format_v1`] is `truepose-standards/1`.
 //!
 //! Every usable sample counts, suspected outliers too: the standards leave nothing out. Readings
@@ -11,8 +13,10 @@
 
 pub mod axis;
 pub mod format_v1;
+pub mod path;
 pub mod pose;
 pub mod positioning;
+pub mod test_cube;
 
 mod grouping;
 mod points;
@@ -49,7 +53,7 @@ pub struct Standards {
 /// The standards' figures of a session; with a calibration also those with corrected commands.
 ///
 /// # Errors
-/// If no sample can be used, or the calibration is another robot's.
+/// If there is no sample, or the calibration is another robot's.
 pub fn standards(
     session: &Session,
     calibration: Option<&Calibration>,
@@ -62,6 +66,13 @@ pub fn standards(
         notes.push(format!(
             "{left_out} samples are left out: a cell is missing, or the reflector was lost"
         ));
+    }
+    if samples == 0 {
+        notes.push(
+            "no point was measured (x_mm, y_mm): the figures of both standards are of positions that were \
+             measured at commanded ones; distances, directions, sockets and touches alone give none"
+                .to_owned(),
+        );
     }
     if session.compensated_by.is_some() {
         notes.push(

@@ -5,7 +5,7 @@
 //! does not know stay in it, as they do in [`verify`](crate::compensation::verify). What the model
 //! says of the instrument (its scale, a frame that drifts) is taken out with it.
 
-use nalgebra::Point3;
+use nalgebra::{Point3, UnitQuaternion};
 
 use crate::compensation::verification::{VerifyError, moved_by_correction};
 use crate::effects::{Inputs, JointValues};
@@ -36,7 +36,7 @@ impl<'a> Points<'a> {
         let robot = calibration.map_or(&session.robot, |c| &c.model.robot);
         let problem = Problem::new(session, JointValues::Commanded);
         let nominal = Model::nominal(robot.clone()).predict(&problem.inputs);
-        if !problem.usable.contains(&true) {
+        if problem.usable.is_empty() {
             return Err(VerifyError::NothingToVerify);
         }
         Ok(Self {
@@ -57,6 +57,12 @@ impl<'a> Points<'a> {
     /// Where the nominal robot puts a sample, mm.
     pub(super) fn commanded(&self, sample: usize) -> Point3<f64> {
         Point3::from(self.nominal.get(sample))
+    }
+
+    /// The orientation that the nominal robot gives the tool at a sample, base frame.
+    pub(super) fn orientation(&self, sample: usize) -> UnitQuaternion<f64> {
+        let q: Vec<f64> = self.inputs.q.iter().map(|q| q[sample]).collect();
+        self.robot.base_from_tool(&q).rotation
     }
 
     /// Where it was measured, or would have been with corrected commands, mm. In a planar session

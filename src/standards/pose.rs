@@ -14,6 +14,8 @@
 
 use nalgebra::{Point3, Quaternion, UnitQuaternion, Vector3};
 
+use super::path::{PATH_CYCLES, PathAttained, PathFigures, paths};
+
 use crate::kinematics::quaternion;
 use crate::units::deg_from_rad;
 
@@ -91,6 +93,8 @@ pub struct PoseTest {
     pub poses: Vec<PoseFigures>,
     /// Poses from several directions, in measuring order.
     pub variations: Vec<Variation>,
+    /// Paths that were followed several times, in measuring order.
+    pub paths: Vec<PathFigures>,
     /// What the standard asks for and the session does not have.
     pub missing: Vec<String>,
 }
@@ -104,6 +108,23 @@ pub struct Largest {
     pub repeatability: Option<f64>,
     /// `vAP_p`.
     pub variation: Option<f64>,
+    /// `AT_p`.
+    pub path_accuracy: Option<f64>,
+    /// `RT_p`.
+    pub path_repeatability: Option<f64>,
+}
+
+impl Largest {
+    /// Symbol, name and figure of each.
+    pub fn rows(&self) -> [(&'static str, &'static str, Option<f64>); 5] {
+        [
+            ("AP", "pose accuracy", self.accuracy),
+            ("RP", "pose repeatability", self.repeatability),
+            ("vAP", "variation between directions", self.variation),
+            ("AT", "path accuracy", self.path_accuracy),
+            ("RT", "path repeatability", self.path_repeatability),
+        ]
+    }
 }
 
 /// The barycentre and its figures.
@@ -137,11 +158,24 @@ impl PoseTest {
             keys = keys.and(q);
         }
         let stays = stays(points);
-        let mut test = Self::default();
-        for group in keys.groups(inputs.len(), |i| points.usable[i]) {
+        let (paths, on_paths) = paths(points);
+        let mut test = Self {
+            paths,
+            ..Self::default()
+        };
+        for group in keys.groups(inputs.len(), |i| points.usable[i] && !on_paths[i]) {
             test.add(points, &once_per_stay(&group, &stays));
         }
-        if test.poses.is_empty() {
+        let cycles = test.paths.iter().map(|p| p.starts.len());
+        if let Some(fewest) = cycles.min().filter(|n| *n < PATH_CYCLES) {
+            test.missing.push(format!(
+                "paths with as few as {fewest} cycles; the standard asks for {PATH_CYCLES}"
+            ));
+        }
+        if test.poses.is_empty() && !test.paths.is_empty() {
+            test.missing
+                .push("no pose beside the paths was reached twice".to_owned());
+        } else if test.poses.is_empty() {
             test.missing.push(
                 "no pose was reached twice from the same direction, after another pose".to_owned(),
             );
@@ -180,12 +214,19 @@ impl PoseTest {
                 .map(|a| pick(&a))
                 .reduce(f64::max)
         };
+        let path = |p: &PathFigures| if compensated { p.after } else { Some(p.before) };
+        let on_paths = |pick: fn(&PathAttained) -> f64| {
+            let figures = self.paths.iter().filter_map(path);
+            figures.map(|p| pick(&p)).reduce(f64::max)
+        };
         let variations = self.variations.iter();
         let variation = |v: &Variation| if compensated { v.after } else { Some(v.before) };
         Largest {
             accuracy: over(|a| a.accuracy),
             repeatability: over(|a| a.repeatability),
             variation: variations.filter_map(variation).reduce(f64::max),
+            path_accuracy: on_paths(|p| p.accuracy),
+            path_repeatability: on_paths(|p| p.repeatability),
         }
     }
 
@@ -272,12 +313,15 @@ fn turned(points: &Points<'_>, samples: &[usize]) -> Option<Turned> {
         .filter_map(|i| {
             let [w, x, y, z] = [0, 1, 2, 3].map(|k| columns[k][*i]);
             let attained = UnitQuaternion::try_new(Quaternion::new(w, x, y, z), 1e-9)?;
-            let q: Vec<f64> = points.inputs.q.iter().map(|q| q[*i]).collect();
-            let commanded = points.robot.base_from_tool(&q).rotation;
-            let turn = quaternion::log(&(attained * commanded.inverse()));
+            let turn = quaternion::log(&(attained * points.orientation(*i).inverse()));
             turn.iter().all(|a| a.is_finite()).then_some(turn)
         })
         .collect();
+    of_turns(&turns)
+}
+
+/// Accuracy and repeatability of some turns (rotation vectors, rad); `None` of fewer than two.
+pub(super) fn of_turns(turns: &[Vector3<f64>]) -> Option<Turned> {
     let about = |k: usize| -> Vec<f64> { turns.iter().map(|t| deg_from_rad(t[k])).collect() };
     let each = |f: fn(&[f64]) -> Option<f64>| -> Option<[f64; 3]> {
         Some([f(&about(0))?, f(&about(1))?, f(&about(2))?])

@@ -1,0 +1,80 @@
+//! `truepose plan --iso9283`: the test cube of ISO 9283 with its poses and paths.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use truepose::design::measuring_list;
+use truepose::kinematics::Robot;
+use truepose::present::test_cube_v1::Document;
+use truepose::standards::test_cube::TestCube;
+
+use super::failure::Failure;
+use super::output;
+
+/// Runs the command for a session or a robot; `out`: where the poses go, and whether a file that exists is
+/// replaced.
+pub(super) fn run(
+    subject: &Path,
+    session: bool,
+    out: Option<(&Path, bool)>,
+    json: bool,
+) -> Result<(), Failure> {
+    let (robot, files) = if session {
+        let loaded = truepose::sessions::load(subject)?;
+        output::messages(&loaded.findings);
+        (loaded.session.robot, loaded.files)
+    } else {
+        let loaded = truepose::sessions::load_robot(subject)?;
+        output::messages(&loaded.findings);
+        (loaded.robot, vec![subject.to_owned()])
+    };
+    let cube = TestCube::of(&robot)
+        .map_err(|error| Failure::WrongInput(format!("{}: {error}", subject.display())))?;
+    if let Some((out, force)) = out {
+        let list = measuring_list(&cube.measuring_order(), &robot);
+        output::document(out, list.as_bytes(), force, &files)?;
+    }
+    if json {
+        output::json(&Document::new(&cube, &robot))
+    } else if output::is_standard_output(out.map(|(out, _)| out)) {
+        Ok(())
+    } else {
+        output::text(&in_words(&cube, &robot))
+    }
+}
+
+fn in_words(cube: &TestCube, robot: &Robot) -> String {
+    let centre = cube.poses[0].pose.translation.vector;
+    let mut text = format!(
+        "{}: test cube of ISO 9283 with edges of {:.0} mm, centre ({:.0}, {:.0}, {:.0}) mm, plane C1-C2-C7-C8\n\
+         30 cycles P5 → P4 → P3 → P2 → P1, beginning at P1, in one configuration, {}\n",
+        robot.name,
+        cube.side_mm,
+        centre.x,
+        centre.y,
+        centre.z,
+        if cube.orientation_kept {
+            "with one orientation"
+        } else {
+            "the orientation as the joints allow"
+        }
+    );
+    for pose in &cube.poses {
+        let at = pose.pose.translation.vector;
+        let _ = write!(
+            text,
+            "  {}  ({:>8.1}, {:>8.1}, {:>8.1}) mm ",
+            pose.name, at.x, at.y, at.z
+        );
+        for (joint, q) in robot.joints.iter().zip(&pose.q) {
+            let _ = write!(text, " {:>9.3}{}", joint.kind.outer(*q), joint.kind.sign());
+        }
+        text.push('\n');
+    }
+    let _ = writeln!(
+        text,
+        "paths: straight from P2 to P4, and a circle of {:.0} mm about P1, 10 cycles each (points in --json)",
+        0.8 * cube.side_mm
+    );
+    text
+}

@@ -1,0 +1,97 @@
+//! What became of the targets of a file.
+
+/// Why a target was left as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// The tool can hardly be moved in some direction there.
+    Singular,
+    /// No joint values within the limits reach it.
+    Unreachable,
+    /// Several sets of joint values reach it, and nothing says which.
+    Ambiguous,
+    /// It is a way from where the robot is, and no place.
+    Relative,
+    /// Its frame or its tool is not known.
+    Frame,
+}
+
+impl Reason {
+    /// Its name in answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Singular => "singular",
+            Self::Unreachable => "unreachable",
+            Self::Ambiguous => "ambiguous",
+            Self::Relative => "relative",
+            Self::Frame => "frame",
+        }
+    }
+}
+
+/// A target that was left as it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Left {
+    /// What kind of reason there is.
+    pub reason: Reason,
+    /// The reason in words.
+    pub says: String,
+}
+
+impl Left {
+    pub(super) fn new(reason: Reason, says: impl Into<String>) -> Self {
+        let says = says.into();
+        Self { reason, says }
+    }
+}
+
+/// A target that was corrected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Written {
+    /// Joint values that the target means, rad or mm.
+    pub commanded: Vec<f64>,
+    /// Joint values that it means now.
+    pub corrected: Vec<f64>,
+    /// Side from which each joint comes: +1, −1, 0 unknown.
+    pub dir: Vec<f64>,
+    /// Load at the tool's origin, kg.
+    pub load_kg: f64,
+    /// How far the real tool is from the target without and with the correction, mm.
+    pub position_mm: [f64; 2],
+    /// The same of its orientation, rad.
+    pub rotation_rad: [f64; 2],
+}
+
+/// What became of one target.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Its name.
+    pub name: String,
+    /// Line and column, from 1.
+    pub place: (u64, u64),
+    /// Whether it is a pose rather than joint values.
+    pub is_pose: bool,
+    /// What became of it.
+    pub result: Result<Written, Left>,
+}
+
+/// A corrected file, and what there is to say about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Every target, in the order of the file.
+    pub targets: Vec<Outcome>,
+    /// What is worked out at run time and was not corrected: line, column, words.
+    pub at_run_time: Vec<(u64, u64, String)>,
+    /// What else there is to know, with line and column.
+    pub remarks: Vec<(u64, u64, String)>,
+    /// What was assumed.
+    pub notes: Vec<String>,
+}
+
+impl Answer {
+    /// Targets that were left as they are.
+    pub fn left(&self) -> usize {
+        self.targets.iter().filter(|t| t.result.is_err()).count()
+    }
+}

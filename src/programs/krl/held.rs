@@ -1,0 +1,247 @@
+//! Which base and tool a KRL program has at each of its lines.
+//!
+//! `$BASE` and `$TOOL` (and the numbers of `FDAT_ACT`, which motions of inline forms take theirs from) hold
+//! from where they are set to the end of the routine. In branches and loops that set one they are known
+//! from there to the next word that branches, and after the block they are not. A routine after the
+//! first of a file that sets one takes them from its caller.
+
+use crate::kinematics::Pose;
+
+use super::super::frames::{Names, Referred, declare};
+
+use super::super::target::Program;
+use super::super::tokens::{Kind, Words};
+use super::aggregates::{Aggregate, aggregate};
+
+/// Base and tool of motions.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Held {
+    pub(super) base: Referred,
+    pub(super) tool: Referred,
+}
+
+/// What a line sets: base, tool.
+type Set = [Option<Referred>; 2];
+
+impl Held {
+    /// Base and tool at each line; what the file declares of them goes to the program.
+    pub(super) fn of(lines: &[Words], program: &mut Program) -> Vec<Self> {
+        declare(&mut program.tools, "$nullframe", 0, Ok(Pose::identity()));
+        let sets: Vec<Set> = lines
+            .iter()
+            .map(|line| set_by(line, lines, program))
+            .collect();
+        let any = which_set(&sets);
+        let mut held = Self::default();
+        let mut all = Vec::with_capacity(lines.len());
+        let (mut depth, mut routines, mut unsure) = (0_usize, 0_usize, [false; 2]);
+        for (k, line) in lines.iter().enumerate() {
+            let word = line.name(0).unwrap_or_default();
+            let first = if word == "global" {
+                line.name(1).unwrap_or_default()
+            } else {
+                word
+            };
+            match first.as_str() {
+                "def" | "deffct" => {
+                    routines += 1;
+                    held = Self::default();
+                    if routines > 1 {
+                        held.unknown(any, "another routine of this file sets it");
+                    }
+                }
+                "if" | "switch" | "for" | "while" | "loop" | "repeat" => {
+                    if depth == 0 {
+                        let end = end_of_block(lines, k);
+                        unsure = which_set(&sets[k..end]);
+                    }
+                    depth += 1;
+                }
+                "endif" | "endswitch" | "endfor" | "endwhile" | "endloop" | "until" => {
+                    depth = depth.saturating_sub(1);
+                }
+                _ => {}
+            }
+            if branches(&first) {
+                held.unknown(unsure, "it is set in a branch or a loop");
+            }
+            let [base, tool] = &sets[k];
+            held.base = base.clone().unwrap_or(held.base);
+            held.tool = tool.clone().unwrap_or(held.tool);
+            all.push(held.clone());
+        }
+        all
+    }
+
+    fn unknown(&mut self, [base, tool]: [bool; 2], says: &str) {
+        if base {
+            self.base = Referred::Unknown(says.to_owned());
+        }
+        if tool {
+            self.tool = Referred::Unknown(says.to_owned());
+        }
+    }
+}
+
+/// Whether some lines set the base, and the tool.
+fn which_set(sets: &[Set]) -> [bool; 2] {
+    [0, 1].map(|which: usize| sets.iter().any(|set| set[which].is_some()))
+}
+
+fn branches(word: &str) -> bool {
+    const WORDS: &str = "if else endif switch case default endswitch for endfor while endwhile loop endloop repeat \
+        until";
+    WORDS.split(' ').any(|known| known == word)
+}
+
+/// The line behind a block that begins at a line.
+fn end_of_block(lines: &[Words], from: usize) -> usize {
+    let mut depth = 0_usize;
+    for (k, line) in lines.iter().enumerate().skip(from) {
+        match line.name(0).as_deref() {
+            Some("if" | "switch" | "for" | "while" | "loop" | "repeat") => depth += 1,
+            Some("endif" | "endswitch" | "endfor" | "endwhile" | "endloop" | "until") => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return k + 1;
+        }
+    }
+    lines.len()
+}
+
+/// What a line sets or declares.
+fn set_by(line: &Words, lines: &[Words], program: &mut Program) -> Set {
+    // BAS(#BASE,3)
+    if line.name(0).as_deref() == Some("bas") && line.is_sign(2, b'#') && line.is_sign(4, b',') {
+        let number = line.shown(5, line.until(5, b")"));
+        return match line.name(3).as_deref() {
+            Some("base") => [Some(numbered("BASE_DATA", &number, Referred::Unsaid)), None],
+            Some("tool") => [None, Some(numbered("TOOL_DATA", &number, null_tool()))],
+            _ => [None, None],
+        };
+    }
+    let Some(equals) = (1..line.tokens.len()).find(|k| line.is_sign(*k, b'=')) else {
+        return [None, None];
+    };
+    if line.is_sign(equals + 1, b'=') {
+        return [None, None];
+    }
+    // Behind DECL, FRAME and the like stands the name, perhaps with an index.
+    let mut k = equals - 1;
+    if line.is_sign(k, b']') {
+        while k > 0 && !line.is_sign(k, b'[') {
+            k -= 1;
+        }
+        k = k.saturating_sub(1);
+    }
+    let component = k > 0 && line.is_sign(k - 1, b'.');
+    let name = if component && k >= 2 {
+        line.name(k - 2)
+    } else {
+        line.name(k)
+    };
+    let which = match name.as_deref() {
+        Some("$base") => 0,
+        Some("$tool") => 1,
+        Some("fdat_act") => return numbers_of(&line.spelled(equals + 1), lines),
+        Some(_) if !component => {
+            declare_aggregate(line, k, equals, program);
+            return [None, None];
+        }
+        _ => return [None, None],
+    };
+    let names = if which == 0 {
+        &mut program.frames
+    } else {
+        &mut program.tools
+    };
+    let referred = if component {
+        Referred::Unknown(format!(
+            "{} is set",
+            line.shown(k.saturating_sub(2), equals)
+        ))
+    } else {
+        value(line, equals + 1, names)
+    };
+    let mut set = [None, None];
+    // The null frame is the world.
+    let world = which == 0 && referred.is("$nullframe");
+    set[which] = Some(if world { Referred::Unsaid } else { referred });
+    set
+}
+
+/// What `$BASE` or `$TOOL` is set to.
+fn value(line: &Words, k: usize, names: &mut Names) -> Referred {
+    let shown = line.shown(k, line.tokens.len());
+    if line.is_sign(k, b'{') {
+        let read = aggregate(line, k).ok();
+        if let Some((aggregate, end)) = read
+            && end == line.tokens.len()
+        {
+            declare(names, &shown, line.at(k), pose_of(&aggregate, &shown));
+            return Referred::named(shown);
+        }
+    }
+    let whole = |end: usize| end == line.tokens.len();
+    let indexed = line.is_sign(k + 1, b'[') && line.kind(k + 2) == Some(Kind::Digits);
+    if line.kind(k) == Some(Kind::Name) && (whole(k + 1) || indexed && whole(k + 4)) {
+        return Referred::named(shown);
+    }
+    Referred::Unknown(format!("{shown} is worked out at run time"))
+}
+
+/// `FIXTURE = {X …}`, `BASE_DATA[3] = {X …}`: what may be a base or a tool. A target has these components too,
+/// but no base is set to one.
+fn declare_aggregate(line: &Words, k: usize, equals: usize, program: &mut Program) {
+    let spelled = line.shown(k, equals);
+    let pose = if line.is_sign(equals + 1, b'{') {
+        let read = aggregate(line, equals + 1).ok();
+        read.map(|(read, _)| pose_of(&read, &spelled))
+    } else {
+        Some(Err(format!("{spelled} is worked out at run time")))
+    };
+    if let Some(pose) = pose {
+        declare(&mut program.frames, &spelled, line.at(k), pose.clone());
+        declare(&mut program.tools, &spelled, line.at(k), pose);
+    }
+}
+
+fn pose_of(aggregate: &Aggregate, spelled: &str) -> Result<Pose, String> {
+    let pose = aggregate.pose();
+    pose.ok_or_else(|| format!("{spelled} is not written out in numbers"))
+}
+
+/// Base and tool of `FDAT_ACT = name`, by the numbers that `name` is declared with.
+fn numbers_of(name: &str, lines: &[Words]) -> Set {
+    let declared = lines.iter().find_map(|line| {
+        let equals = (1..line.tokens.len()).find(|k| line.is_sign(*k, b'='))?;
+        let same = line.spelled(equals - 1).eq_ignore_ascii_case(name);
+        (same && line.is_sign(equals + 1, b'{')).then(|| aggregate(line, equals + 1).ok())?
+    });
+    let of = |key: &str, table: &str, zero: Referred| {
+        let number = declared.as_ref().and_then(|(read, _)| read.number(key));
+        Some(match number {
+            Some(number) => numbered(table, &number.value.to_string(), zero),
+            None => Referred::Unknown(format!("{name} has its numbers elsewhere")),
+        })
+    };
+    [
+        of("base_no", "BASE_DATA", Referred::Unsaid),
+        of("tool_no", "TOOL_DATA", null_tool()),
+    ]
+}
+
+/// The base or tool of a number; 0 is none.
+fn numbered(table: &str, number: &str, zero: Referred) -> Referred {
+    match number.parse::<u32>() {
+        Ok(0) => zero,
+        Ok(number) => Referred::named(format!("{table}[{number}]")),
+        Err(_) => Referred::Unknown(format!("{table}[{number}] is chosen at run time")),
+    }
+}
+
+/// The tool that is the flange itself.
+fn null_tool() -> Referred {
+    Referred::named("$NULLFRAME")
+}
