@@ -12,7 +12,8 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 
 use super::candidate_poses::{self, CandidatePose, Conditions};
-use super::comparison::{Axes, Comparison, Prediction, choose, enough_for, predictions};
+use super::comparison::{Axes, Comparison, Parting, Prediction, enough_for, predictions};
+use super::exchange::choose;
 use super::needs::{Need, TEST_LOAD_KG, Untestable, WARMING_C, lacks};
 use super::next_poses::{CandidatePoses, axes_of, gram, later_s, poses_of};
 use crate::diagnosis::NextPose;
@@ -259,7 +260,8 @@ pub(crate) fn enable(
         comparisons.push(comparison.starting(&(pull * weight), square * weight));
     }
     let fresh = comparisons.clone();
-    let mut order = choose(&mut comparisons, candidates.poses.len(), most, 1);
+    let mut parting = Parting::new(comparisons, candidates.poses.len(), 1);
+    let mut order = choose(&mut parting, most);
     // Warming up and changing the load take time: once each.
     order.sort_by(|a, b| {
         let (a, b) = (&candidates.poses[*a], &candidates.poses[*b]);

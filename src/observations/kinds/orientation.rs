@@ -22,6 +22,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Radian,
     usual_sigma: 5e-4,
     shows_length: false,
+    holds: false,
 };
 
 /// The measured orientation of a sample.
