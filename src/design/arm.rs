@@ -90,25 +90,33 @@ impl Arm {
         let priors = problem.priors.clone();
         let ranges = ranges(&session.robot, Some(&problem.inputs));
         let mut session = session.clone();
+        let from = session
+            .instrument
+            .tracker
+            .map(|t| t.position_mm)
+            .or(sight.from);
         let per_axis = matches!(session.instrument.sigma_mm, Some(Sigma::PerAxis(_)));
         if let Some(sigma_mm) = sigma_mm {
             session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
             session.instrument.tracker = None;
         } else if session.has_plain_points() && !per_axis {
-            // The noise is what the fit leaves, where that is more than what is stated.
-            session.instrument.sigma_mm = Some(Sigma::Overall(priors.variance.sqrt()));
+            // The noise is what the fit leaves, in the mean of the axes that were measured.
+            let unit = problem.noise.as_ref().map_or(1.0, |noise| {
+                let of = noise.sigma_mm.iter().zip(&problem.axis_weights);
+                let squares = of.filter(|own| *own.1 > 0.0).map(|own| own.0 * own.0);
+                (squares.sum::<f64>() / problem.axes().max(1) as f64).sqrt()
+            });
+            session.instrument.sigma_mm = Some(Sigma::Overall(unit * priors.variance.sqrt()));
         }
-        let mut arm = Self {
+        Ok(Self {
             base: valued(&start, &fitted),
-            ways: Vec::new(),
+            ways: ways(&session, from),
             cone_rad: sight.cone_rad,
             seed: options.seed,
             session,
             priors,
             ranges,
-        };
-        arm.ways = arm.ways_of_session();
-        Ok(arm)
+        })
     }
 
     /// A robot that nobody has measured, seen from a place in its base frame.
@@ -153,45 +161,6 @@ impl Arm {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed ^ 0x00a2_3d07);
         random.set_stream(stream);
         random
-    }
-
-    /// The different ways in which the samples were measured.
-    fn ways_of_session(&self) -> Vec<Way> {
-        let session = &self.session;
-        let mut known: Vec<(Vec<(usize, Option<Place>)>, u32)> = Vec::new();
-        let mut ways = Vec::new();
-        for sample in 0..session.samples.len() {
-            let measured = KINDS
-                .iter()
-                .enumerate()
-                .filter(|(_, kind)| kind.measured(session, sample));
-            let kinds: Vec<_> = measured
-                .map(|(k, kind)| (k, kind.place(session, sample)))
-                .collect();
-            let target = session.samples.target.as_ref().map_or(0, |t| t[sample]);
-            let key = (kinds, target);
-            if key.0.is_empty() || known.contains(&key) || ways.len() >= MOST_WAYS {
-                continue;
-            }
-            let places = || {
-                key.0
-                    .iter()
-                    .filter_map(|(k, place)| place.map(|place| (*k, place)))
-            };
-            let station = places().find(|(_, place)| place.kind == PlaceKind::Station);
-            let position = station.and_then(|(_, place)| {
-                let at = stated(&session.instrument.references, place);
-                Some(Point3::new(at[3]?, at[4]?, at[5]?))
-            });
-            ways.push(Way {
-                like: Some(sample),
-                target,
-                held: places().find(|(k, _)| KINDS[*k].about().holds),
-                from: position.or(session.instrument.tracker.map(|t| t.position_mm)),
-            });
-            known.push(key);
-        }
-        ways
     }
 
     /// Poses over the joint ranges, in all ways of measuring in turn; with `ends` many have joints at the
@@ -335,4 +304,43 @@ fn valued(start: &Model, fitted: &Model) -> Model {
         term
     });
     Model::new(start.robot.clone(), terms.collect())
+}
+
+/// The different ways in which the samples were measured; `from` is where the instrument stands that is no
+/// station.
+fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Way> {
+    let mut known: Vec<(Vec<(usize, Option<Place>)>, u32)> = Vec::new();
+    let mut ways = Vec::new();
+    for sample in 0..session.samples.len() {
+        let measured = KINDS
+            .iter()
+            .enumerate()
+            .filter(|(_, kind)| kind.measured(session, sample));
+        let kinds: Vec<_> = measured
+            .map(|(k, kind)| (k, kind.place(session, sample)))
+            .collect();
+        let target = session.samples.target.as_ref().map_or(0, |t| t[sample]);
+        let key = (kinds, target);
+        if key.0.is_empty() || known.contains(&key) || ways.len() >= MOST_WAYS {
+            continue;
+        }
+        let places = || {
+            key.0
+                .iter()
+                .filter_map(|(k, place)| place.map(|place| (*k, place)))
+        };
+        let station = places().find(|(_, place)| place.kind == PlaceKind::Station);
+        let position = station.and_then(|(_, place)| {
+            let at = stated(&session.instrument.references, place);
+            Some(Point3::new(at[3]?, at[4]?, at[5]?))
+        });
+        ways.push(Way {
+            like: Some(sample),
+            target,
+            held: places().find(|(k, _)| KINDS[*k].about().holds),
+            from: position.or(from),
+        });
+        known.push(key);
+    }
+    ways
 }

@@ -101,9 +101,10 @@ impl Arm {
         (columns, DMatrix::from_diagonal(&precision))
     }
 
-    /// Candidates over the joint ranges beside what was measured.
-    pub(crate) fn spread(&self) -> Bench {
-        self.bench(self.candidates(CANDIDATES, true, &mut self.random(1)), None)
+    /// Candidates over the joint ranges beside what was measured; `None` where there are none.
+    pub(crate) fn spread(&self) -> Option<Bench> {
+        let candidates = self.candidates(CANDIDATES, true, &mut self.random(1));
+        (!candidates.is_empty()).then(|| self.bench(candidates, None))
     }
 
     /// Poses at random, that show what the candidates of a bench do.

@@ -1,8 +1,7 @@
 //! Under which conditions the poses of a robot with several joints are measured: from which side every
 //! joint comes, with which load, how warm, so that they tell most of the effects beside the geometry.
 //!
-//! Loads and temperatures follow the schedule of a first measurement in stretches
-//! ([`super::first_measurement`]); which pose is measured in which stretch, and from which sides, is
+//! Loads and temperatures follow a schedule in four stretches; which pose is measured in which stretch, and from which sides, is
 //! chosen by the information about every effect of the catalogue (D-optimality, [`super::exchange`]).
 //! Within a stretch the poses are put into a short way. All are measured at standstill, after an
 //! approach of its own that is as long for every pose ([`approach`]).
@@ -14,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 use super::arm::{Arm, Candidate};
 use super::comparison::inverse;
 use super::exchange::{Criterion, Information, choose};
-use super::first_measurement::{LOADS, WARMTHS};
+use super::first_measurement::WARMTHS;
 use super::imagined::{SECONDS_PER_POSE, shown};
 use super::information::every_effect;
 use super::needs::WARMING_C;
@@ -25,6 +24,9 @@ use crate::effects::{Setting, Term};
 use crate::kinematics::{Joint, Range};
 use crate::model::Model;
 
+/// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
+/// Warmth is that of a first measurement: cold, warming up, warm, cooling down.
+const LOADS: [f64; 4] = [0.0, 1.0, 1.0, 0.0];
 /// Poses from which on there are stretches.
 const SOME: usize = 16;
 /// Sides of approach that are tried for each pose, and of many poses.
@@ -68,7 +70,6 @@ pub(crate) fn conditioned(
     };
     let mut slots = Slots::new(arm, poses, offer, seed, stretches);
     let order = choose(&mut slots, poses.len());
-    let chosen: Vec<usize> = order.into_iter().collect();
     let robot = &arm.session.robot;
     let mut here: Vec<f64> = arm
         .ranges
@@ -77,7 +78,7 @@ pub(crate) fn conditioned(
         .collect();
     let mut all = Vec::new();
     for stretch in 0..stretches {
-        let inside = chosen.iter().filter(|k| slots.stretch[**k] == stretch);
+        let inside = order.iter().filter(|k| slots.stretch[**k] == stretch);
         let own: Vec<&NextPose> = inside.map(|k| &slots.candidates[*k].0).collect();
         let places: Vec<&[f64]> = own.iter().map(|p| &p.q[..]).collect();
         for k in path::short(robot, &places, &here) {
@@ -123,8 +124,8 @@ impl Slots {
                     let mut one = own.clone();
                     one.dir.clone_from(&dir);
                     one.speed = offer.speeds.then(|| vec![0.0; one.q.len()]);
-                    one.load_kg = offer.load_kg.map(|kg| kg * share(&LOADS, s, stretches));
-                    let warmth = WARMING_C * share(&WARMTHS, s, stretches);
+                    one.load_kg = offer.load_kg.map(|kg| kg * LOADS[s]);
+                    let warmth = WARMING_C * WARMTHS[s];
                     one.temperature_c = offer.warmth.then_some(REFERENCE_TEMPERATURE_C + warmth);
                     candidates.push((one, *way));
                     pose.push(k);
@@ -143,15 +144,6 @@ impl Slots {
             pose,
             stretch,
         }
-    }
-}
-
-/// The part of a schedule that a stretch falls into.
-fn share(schedule: &[f64], stretch: usize, stretches: usize) -> f64 {
-    if stretches == 1 {
-        schedule[0]
-    } else {
-        schedule[stretch * schedule.len() / stretches]
     }
 }
 
@@ -223,19 +215,18 @@ fn information(
     let model = Model::new(arm.session.robot.clone(), all);
     let (columns, mut precision) = arm.known(&model);
     let shown = shown(&whole, &model, &columns);
-    let mut owner = model
+    let owner = model
         .terms()
         .iter()
         .flat_map(|t| vec![of_base(t); t.coefficients.len()]);
-    let owner: Vec<bool> = owner.by_ref().collect();
-    for (to, k) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
+    let owner: Vec<bool> = owner.collect();
+    for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
         let mean = shown.rows.column(to).norm_squared() / shown.rows.nrows().max(1) as f64;
         precision[(to, to)] = if mean > 0.0 {
             mean / (USUAL * USUAL)
         } else {
             1.0
         };
-        let _ = k;
     }
     let known = shown.rows.rows(0, shown.first[before]);
     precision.gemm_tr(1.0, &known, &known, 1.0);

@@ -47,7 +47,7 @@ pub(crate) fn untestable(prepared: &Prepared, not_testable: &[NotTestable]) -> V
 /// reflector.
 fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Need> {
     for (need, reflector) in [(Need::Travel, false), (Need::Reflector, true)] {
-        let (candidates, _) = candidates_for(prepared, &[need], reflector);
+        let candidates = candidates_for(prepared, &[need], reflector);
         let inputs = candidates.inputs(prepared);
         let axes = axes_of(&prepared.regression);
         let truth = with_effect(&prepared.regression.base, effect, joint, &inputs, &axes);
@@ -67,11 +67,7 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize
 }
 
 /// What is offered where these needs are to be met.
-fn candidates_for(
-    prepared: &Prepared,
-    needs: &[Need],
-    reflector: bool,
-) -> (CandidatePoses, Conditions) {
+fn candidates_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     let turns = session
@@ -115,10 +111,7 @@ fn candidates_for(
     }
     conditions.targets = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
     conditions.time_s = later_s(prepared);
-    (
-        CandidatePoses::new(prepared, targets, &conditions),
-        conditions,
-    )
+    CandidatePoses::new(prepared, targets, &conditions)
 }
 
 /// Size of an effect that is to be enabled, in units of the noise: small enough that each new
@@ -218,7 +211,7 @@ pub(crate) fn enable(
     needs.sort_unstable();
     needs.dedup();
     let mounted = needs.contains(&Need::Reflector);
-    let (candidates, _) = candidates_for(prepared, &needs, mounted);
+    let candidates = candidates_for(prepared, &needs, mounted);
     let inputs = candidates.inputs(prepared);
     let axes = axes_of(&prepared.regression);
     let samples = &prepared.problem.session.samples;

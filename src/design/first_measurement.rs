@@ -25,7 +25,7 @@ use super::information::Columns;
 use super::needs::WARMING_C;
 
 /// Load in each eighth of the measurement, as a share of the test load.
-pub(crate) const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
+const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
 /// Warmth in each quarter, as a share of the warming: cold, warming up, warm, cooling down.
 pub(crate) const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
 /// Speeds in turn, in units of a modest one: most poses at standstill.

@@ -46,10 +46,7 @@ pub(crate) enum OutOfReach {
 
 /// Poses that show the geometry best, in no order, and what they do.
 pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometry), OutOfReach> {
-    let bench = arm.spread();
-    if bench.candidates.is_empty() {
-        return Err(OutOfReach::Unseen);
-    }
+    let bench = arm.spread().ok_or(OutOfReach::Unseen)?;
     let count = match wanted {
         Wanted::Poses(count) => count,
         Wanted::Accuracy(mm) => enough(&bench, mm)?,

@@ -91,12 +91,16 @@ impl Workspace {
     /// Takes what everything together shows for what can be shown.
     pub(crate) fn can_show(&mut self, gram: &DMatrix<f64>) {
         let squares = self.squares(gram);
-        self.shown = squares.iter().filter(|s| **s > NONE * squares[0]).count();
+        let least = NONE * squares.first().unwrap_or(&0.0);
+        self.shown = squares.iter().filter(|s| **s > least).count();
     }
 
     /// Squared singular values in mm², the largest first, of an information matrix.
     fn squares(&self, gram: &DMatrix<f64>) -> Vec<f64> {
         let p = self.steps.len();
+        if p == 0 {
+            return Vec::new();
+        }
         let mm = self.unit_mm * self.unit_mm;
         let scaled = DMatrix::from_fn(p, p, |i, j| {
             gram[(i, j)] * self.steps[i] * self.steps[j] * mm
@@ -131,7 +135,7 @@ impl Workspace {
     ) -> Prospect {
         let squares = self.squares(gram);
         let own = &squares[..self.shown];
-        let all_shown = own.iter().all(|s| *s > NONE * squares[0]) && self.shown > 0;
+        let all_shown = own.iter().all(|s| *s > NONE * own[0]) && self.shown > 0;
         let mean = own.iter().map(|s| 0.5 * s.max(1e-300).ln()).sum::<f64>() / own.len() as f64;
         Prospect {
             error: self.error(covariance),
