@@ -60,6 +60,9 @@ struct Way {
 /// A pose, and in which of the ways it is measured.
 pub(crate) type Candidate = (NextPose, usize);
 
+/// What was measured of a sample: kinds, and the places that they refer to.
+type Measured = Vec<(usize, Option<Place>)>;
+
 /// See the module.
 pub(crate) struct Arm {
     /// What was measured, and planned before.
@@ -309,7 +312,7 @@ fn valued(start: &Model, fitted: &Model) -> Model {
 /// The different ways in which the samples were measured; `from` is where the instrument stands that is no
 /// station.
 fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Way> {
-    let mut known: Vec<(Vec<(usize, Option<Place>)>, u32)> = Vec::new();
+    let mut known: Vec<(Measured, u32)> = Vec::new();
     let mut ways = Vec::new();
     for sample in 0..session.samples.len() {
         let measured = KINDS

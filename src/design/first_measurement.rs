@@ -96,12 +96,13 @@ pub(crate) fn extension(
     let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
     let columns = Columns::new(robot, targets, ranges, n, &mut random);
     let covariance = columns.known(&known(&columns.model));
+    let nothing = Information::new(DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
     let mut slots = Slots {
         schedule: Schedule::new(robot, targets.len(), request, &mut random),
         kinds: robot.joints.iter().map(|j| j.kind).collect(),
         planned: Vec::with_capacity(n),
         candidates: Vec::new(),
-        information: Information::new(DMatrix::zeros(0, 0), vec![0], covariance),
+        information: nothing,
         ranges,
         columns,
         random,

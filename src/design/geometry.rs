@@ -83,7 +83,7 @@ fn enough(bench: &Bench, mm: f64) -> Result<usize, OutOfReach> {
     let trace = bench.trace(MOST);
     let last = trace.last().map_or(f64::INFINITY, |e| e.p95_mm);
     let at = trace.iter().position(reached).ok_or(OutOfReach::By(last))?;
-    let (mut few, mut enough) = ((at + 1) / 2, at + 1);
+    let (mut few, mut enough) = (at.div_ceil(2), at + 1);
     while few + 1 < enough {
         let middle = few.midpoint(enough);
         if reached(&bench.prospect(&bench.chosen(middle)).error) {

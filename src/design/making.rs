@@ -316,7 +316,13 @@ fn first_poses(
         let wanted = options
             .accuracy_mm
             .map_or(Wanted::Poses(count), Wanted::Accuracy);
-        let (poses, geometry) = of_arm(&arm, wanted, offer, options)?;
+        let (mut poses, geometry) = of_arm(&arm, wanted, offer, options)?;
+        for pose in &mut poses {
+            // Beside the tool's origin a target has to be mounted first.
+            let own = |t: &&Target| Some(&t.name) == pose.target.as_ref();
+            let mounted = targets.iter().skip(1).find(own);
+            pose.target_mm = mounted.map(|t| t.position_mm.coords.into());
+        }
         return Ok((poses, Some(geometry)));
     }
     let request = Request {
