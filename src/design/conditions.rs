@@ -48,7 +48,7 @@ pub(crate) struct Offer {
 
 /// How far before a pose the approach to it begins, rad or mm: 5° or 10 mm, within a quarter of the
 /// range.
-pub fn approach(joint: &Joint, range: Option<Range>) -> f64 {
+pub(crate) fn approach(joint: &Joint, range: Option<Range>) -> f64 {
     let usual = match joint.kind {
         crate::kinematics::JointKind::Revolute => joint.kind.inner(5.0),
         crate::kinematics::JointKind::Prismatic => 10.0,

@@ -14,7 +14,6 @@
     reason = "indices come from small non-negative numbers"
 )]
 
-pub mod conditions;
 pub mod enabling_poses;
 pub mod expected_information;
 pub mod geometry;
@@ -29,6 +28,7 @@ mod arm;
 mod bench;
 mod candidate_poses;
 mod comparison;
+mod conditions;
 mod decision;
 mod exchange;
 mod first_measurement;

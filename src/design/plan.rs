@@ -1,6 +1,6 @@
 //! What to measure: for a session the poses that decide what it leaves open, that make testable
 //! what it cannot show, and that sharpen the rest; for a robot alone a first measurement. This is what
-//! is asked and what is answered; [`super::making`] makes it.
+//! is asked and what is answered; `making` makes it.
 
 use nalgebra::Point3;
 
