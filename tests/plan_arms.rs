@@ -188,6 +188,11 @@ impl Lehmer {
         ((self.0 >> 75) as u64) as f64 / (1_u64 << 53) as f64
     }
 
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an index below the count"
+    )]
     fn below(&mut self, count: usize) -> usize {
         ((self.unit() * count as f64) as usize).min(count - 1)
     }
@@ -269,18 +274,18 @@ fn planned_poses_leave_less_uncertainty_than_random_ones_on_every_arm() {
     for kind in KINDS {
         let (robot, bare) = robot(kind);
         let mut random = Lehmer(0x1234_5678_9abc_def1);
-        let mut made: Option<(Vec<DMatrix<f64>>, Vec<DMatrix<f64>>)> = None;
+        let mut made: Option<[Vec<DMatrix<f64>>; 2]> = None;
         for poses in [30, 60] {
             let plan = plan_robot(&robot, &with_poses(poses)).unwrap();
             assert_eq!(plan.poses.len(), poses);
             let targets = targets(&plan);
-            let (workspace, pool) = made.get_or_insert_with(|| {
+            let [workspace, pool] = made.get_or_insert_with(|| {
                 let anywhere = |k: usize, random: &mut Lehmer| {
                     let q = bare.anywhere(random);
                     bare.slopes(&q, &targets, k % targets.len()).transpose()
                 };
                 let pool = (0..600).map(|k| anywhere(k, &mut random)).collect();
-                (workspace(&bare, &targets, &mut random), pool)
+                [workspace(&bare, &targets, &mut random), pool]
             });
             let planned = information(&bare, &plan);
             let own = uncertainty(&planned, workspace);
