@@ -4,15 +4,19 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
+use nalgebra::Point3;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use truepose::design::measuring_list;
+use truepose::design::geometry::Geometry;
 use truepose::design::needs::Untestable;
 use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
+use truepose::design::{measuring_list, measuring_program};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Options, Sight};
 use truepose::present::plan_v1::Document;
+use truepose::programs::language_of;
 
 use super::failure::Failure;
 use super::output;
@@ -38,14 +42,35 @@ pub(crate) struct Plan {
     #[arg(long, value_name = "KG", allow_negative_numbers = true)]
     load: Option<f64>,
     /// The test cube of ISO 9283 instead, with its poses and paths
-    #[arg(long, conflicts_with_all = ["poses", "separate", "sigma", "load"])]
+    #[arg(long, conflicts_with_all = ["poses", "separate", "sigma", "load", "accuracy", "instrument", "cone"])]
     iso9283: bool,
+    /// As many poses as bring the expected error of the model of a robot with several joints below this
+    /// at 95 % of the places within the joint ranges, mm
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    accuracy: Option<f64>,
+    /// Where the instrument stands that is to measure a robot with several joints, in its base frame, mm:
+    /// targets in the robot's shadow are left out [default: a session's own place, if it states one]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    instrument: Option<Vec<f64>>,
+    /// A target is seen from within this angle of where it faces, away from the tool's origin [default:
+    /// from everywhere]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    cone: Option<f64>,
     /// Seed of everything random
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
-    /// Write the poses to this file, with the column names of a session; - is standard output
+    /// Write the poses to this file: a table with the column names of a session, or a program of joint
+    /// moves that stops at each; - is standard output
     #[arg(long, value_name = "POSES.csv")]
     out: Option<PathBuf>,
+    /// What to write [default: by the file's ending, else csv]
+    #[arg(long = "as", value_name = "LANGUAGE", value_parser = PossibleValuesParser::new(["csv", "rapid", "krl", "urscript"]))]
+    language: Option<String>,
     /// Replace the file if it exists
     #[arg(long)]
     force: bool,
@@ -84,6 +109,9 @@ impl Plan {
             separate,
             sigma_mm: self.sigma,
             load_kg: self.load,
+            accuracy_mm: self.accuracy,
+            instrument_mm: self.instrument.as_deref().map(place).transpose()?,
+            cone_rad: self.cone.map(f64::to_radians),
             diagnosis: Options {
                 seed: self.seed,
                 ..Options::default()
@@ -101,7 +129,11 @@ impl Plan {
             (plan, vec![self.subject.clone()])
         };
         if let Some(out) = &self.out {
-            let list = measuring_list(&plan.poses, &plan.robot);
+            let list = match self.language(out) {
+                "csv" => measuring_list(&plan.poses, &plan.robot),
+                language => measuring_program(&plan.poses, &plan.robot, language)
+                    .map_err(|error| Failure::WrongInput(format!("{}: {error}", out.display())))?,
+            };
             output::document(out, list.as_bytes(), self.force, &files)?;
         }
         if self.json {
@@ -111,6 +143,24 @@ impl Plan {
         } else {
             output::text(&in_words(&plan))
         }
+    }
+}
+
+impl Plan {
+    /// The language of what is written.
+    fn language<'s>(&'s self, out: &Path) -> &'s str {
+        let by_name = || language_of(out, b"").map(|language| language.id);
+        self.language.as_deref().or_else(by_name).unwrap_or("csv")
+    }
+}
+
+fn place(numbers: &[f64]) -> Result<Point3<f64>, Failure> {
+    match *numbers {
+        [x, y, z] if numbers.iter().all(|v| v.is_finite()) => Ok(Point3::new(x, y, z)),
+        _ => Err(Failure::WrongInput(format!(
+            "--instrument has {} numbers; expected X,Y,Z in mm, such as 2500,0,800",
+            numbers.len()
+        ))),
     }
 }
 
@@ -209,10 +259,49 @@ fn in_words(plan: &plan::Plan) -> String {
         };
         let _ = writeln!(text, "{names} stays untestable, {}: {help}", locked.because);
     }
-    if !plan.poses.is_empty() {
+    if let Some(geometry) = &plan.geometry {
+        of_geometry(geometry, plan, &mut text);
+    }
+    if !plan.poses.is_empty() && !plan.seen_above().is_empty() {
         limits(plan, &mut text);
     }
     text
+}
+
+fn of_geometry(geometry: &Geometry, plan: &plan::Plan, text: &mut String) {
+    let so_far = match plan.subject {
+        Subject::Session => "with the session alone".to_owned(),
+        Subject::Robot => format!("with {} random poses", plan.poses.len()),
+    };
+    let (before, after) = (&geometry.before, &geometry.after);
+    let _ = writeln!(
+        text,
+        "geometry: {} parameters; observability index {:.4} mm {so_far}, {:.4} mm with these poses",
+        geometry.parameters, before.observability, after.observability
+    );
+    let _ = writeln!(
+        text,
+        "expected error of the model over the joint ranges: RMS {:.4} mm {so_far}, {:.4} mm with these poses; 95 \
+         % of the places {:.4} and {:.4} mm",
+        before.error.rms_mm, after.error.rms_mm, before.error.p95_mm, after.error.p95_mm
+    );
+    if let Some((mm, poses)) = geometry.enough {
+        let _ = writeln!(
+            text,
+            "{poses} poses are enough for {mm} mm at 95 % of the places"
+        );
+    }
+    let each = geometry.curve.iter();
+    let each = each.map(|(poses, error)| format!("{poses} poses {:.4} mm", error.p95_mm));
+    let _ = writeln!(
+        text,
+        "95 % of the places with {}",
+        each.collect::<Vec<_>>().join(", ")
+    );
+    let _ = writeln!(
+        text,
+        "limits are all that is known of the surroundings: look where the way between the poses leads"
+    );
 }
 
 fn limits(plan: &plan::Plan, text: &mut String) {

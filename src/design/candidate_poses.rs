@@ -161,6 +161,12 @@ pub(crate) fn at(range: &Range, share: f64) -> f64 {
     exact.clamp(range.from, range.to)
 }
 
+/// Rounded to what a technician types: a tenth of a degree or of a millimetre.
+pub(crate) fn typed(value: f64, kind: JointKind) -> f64 {
+    let step = kind.inner(0.1);
+    (value / step).round() * step
+}
+
 /// Joint values anywhere within the ranges.
 pub(crate) fn anywhere(ranges: &[Range], random: &mut impl Rng) -> Vec<f64> {
     use rand::RngExt as _;

@@ -17,6 +17,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::exchange::Criterion;
 use crate::effects::Inputs;
 use crate::model::Model;
 
@@ -183,48 +184,52 @@ pub(crate) fn enough_for(wanted: f64, lead: f64) -> f64 {
     root * root
 }
 
-/// Chooses poses greedily until every comparison is decided, or `most` are chosen, or nothing helps;
-/// no choice more than `repeats` times.
-pub(crate) fn choose(
-    comparisons: &mut [Comparison],
-    choices: usize,
-    most: usize,
+/// Models that are to be parted, a criterion of poses: none is taken more than `repeats` times.
+pub(crate) struct Parting {
+    pub(crate) comparisons: Vec<Comparison>,
+    taken: Vec<u8>,
     repeats: u8,
-) -> Vec<usize> {
-    let mut taken = vec![0_u8; choices];
-    let mut order = Vec::new();
-    while order.len() < most && !comparisons.iter().all(Comparison::decided) {
-        let Some(k) = best_choice(comparisons, &taken, repeats) else {
-            break;
-        };
-        taken[k] += 1;
-        order.push(k);
-        for comparison in comparisons.iter_mut() {
-            comparison.take(k);
-        }
-    }
-    order
 }
 
-/// The choice that is worth most to the comparisons that are open; `None` where nothing helps.
-pub(crate) fn best_choice(comparisons: &[Comparison], taken: &[u8], repeats: u8) -> Option<usize> {
-    // The gain of each comparison counts up to where it is decided.
-    let worth = |k: usize| -> f64 {
-        let open = comparisons.iter().filter(|c| !c.decided());
-        open.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
-            .sum()
-    };
-    let free = (0..taken.len()).filter(|k| taken[*k] < repeats);
-    let best = free
-        .map(|k| (k, worth(k)))
-        .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)));
-    let (k, worth) = best.filter(|b| b.1 > 1e-9)?;
-    debug_assert!(worth.is_finite(), "{worth}");
-    Some(k)
+impl Parting {
+    pub(crate) fn new(comparisons: Vec<Comparison>, candidates: usize, repeats: u8) -> Self {
+        Self {
+            comparisons,
+            taken: vec![0; candidates],
+            repeats,
+        }
+    }
+}
+
+impl Criterion for Parting {
+    fn worths(&self) -> Vec<f64> {
+        let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
+        // The gain of each comparison counts up to where it is decided.
+        let worth = |k: usize| -> f64 {
+            let each = open.iter();
+            each.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
+                .sum()
+        };
+        let free = |k: usize| self.taken[k] < self.repeats;
+        let all = 0..self.taken.len();
+        all.map(|k| if free(k) { worth(k) } else { 0.0 }).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.taken[candidate] += 1;
+        for comparison in &mut self.comparisons {
+            comparison.take(candidate);
+        }
+    }
+
+    fn satisfied(&mut self) -> bool {
+        self.comparisons.iter().all(Comparison::decided)
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::exchange::choose;
     use super::*;
 
     /// Difference and column of one number at every choice.
@@ -262,9 +267,11 @@ mod tests {
     #[test]
     fn a_difference_that_the_rival_can_imitate_is_worth_nothing() {
         let rows = [(3.0, 1.0), (6.0, 2.0)];
-        let mut comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
-        let order = choose(std::slice::from_mut(&mut comparison), 2, 5, 2);
-        assert!(comparison.delta < 1e-6, "{order:?}: {}", comparison.delta);
+        let comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
+        let mut parting = Parting::new(vec![comparison], 2, 2);
+        let order = choose(&mut parting, 5);
+        let delta = parting.comparisons[0].delta;
+        assert!(delta < 1e-6, "{order:?}: {delta}");
     }
 
     #[test]

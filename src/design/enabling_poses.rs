@@ -12,7 +12,8 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 
 use super::candidate_poses::{self, CandidatePose, Conditions};
-use super::comparison::{Axes, Comparison, Prediction, choose, enough_for, predictions};
+use super::comparison::{Axes, Comparison, Parting, Prediction, enough_for, predictions};
+use super::exchange::choose;
 use super::needs::{Need, TEST_LOAD_KG, Untestable, WARMING_C, lacks};
 use super::next_poses::{CandidatePoses, axes_of, gram, later_s, poses_of};
 use crate::diagnosis::NextPose;
@@ -46,7 +47,7 @@ pub(crate) fn untestable(prepared: &Prepared, not_testable: &[NotTestable]) -> V
 /// reflector.
 fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Need> {
     for (need, reflector) in [(Need::Travel, false), (Need::Reflector, true)] {
-        let (candidates, _) = candidates_for(prepared, &[need], reflector);
+        let candidates = candidates_for(prepared, &[need], reflector);
         let inputs = candidates.inputs(prepared);
         let axes = axes_of(&prepared.regression);
         let truth = with_effect(&prepared.regression.base, effect, joint, &inputs, &axes);
@@ -66,11 +67,7 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize
 }
 
 /// What is offered where these needs are to be met.
-fn candidates_for(
-    prepared: &Prepared,
-    needs: &[Need],
-    reflector: bool,
-) -> (CandidatePoses, Conditions) {
+fn candidates_for(prepared: &Prepared, needs: &[Need], reflector: bool) -> CandidatePoses {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
     let turns = session
@@ -114,10 +111,7 @@ fn candidates_for(
     }
     conditions.targets = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
     conditions.time_s = later_s(prepared);
-    (
-        CandidatePoses::new(prepared, targets, &conditions),
-        conditions,
-    )
+    CandidatePoses::new(prepared, targets, &conditions)
 }
 
 /// Size of an effect that is to be enabled, in units of the noise: small enough that each new
@@ -217,7 +211,7 @@ pub(crate) fn enable(
     needs.sort_unstable();
     needs.dedup();
     let mounted = needs.contains(&Need::Reflector);
-    let (candidates, _) = candidates_for(prepared, &needs, mounted);
+    let candidates = candidates_for(prepared, &needs, mounted);
     let inputs = candidates.inputs(prepared);
     let axes = axes_of(&prepared.regression);
     let samples = &prepared.problem.session.samples;
@@ -259,7 +253,8 @@ pub(crate) fn enable(
         comparisons.push(comparison.starting(&(pull * weight), square * weight));
     }
     let fresh = comparisons.clone();
-    let mut order = choose(&mut comparisons, candidates.poses.len(), most, 1);
+    let mut parting = Parting::new(comparisons, candidates.poses.len(), 1);
+    let mut order = choose(&mut parting, most);
     // Warming up and changing the load take time: once each.
     order.sort_by(|a, b| {
         let (a, b) = (&candidates.poses[*a], &candidates.poses[*b]);

@@ -4,16 +4,11 @@
 //! in the order 0 L L 0 0 L L 0 (a drift in time cancels), the machine cold, warming up, warm and
 //! cooling down, both reflectors and all speeds in every stretch, short approaches after a
 //! reversal, and returns to earlier poses under the same conditions. Joint values are then chosen
-//! one pose after the other by greedy D-optimality (Fedorov 1972) over random candidates:
-//!
-//! ```text
-//! maximise ln det(1 + J C Jᵀ),   C ← C − C Jᵀ (1 + J C Jᵀ)⁻¹ J C
-//! ```
-//!
+//! one pose after the other by greedy D-optimality ([`super::exchange`]) over random candidates,
 //! with J the columns of every effect of the catalogue that the robot can show, each scaled to the
 //! same size. Random candidates also leave no equal steps, behind which an order could hide.
 
-use nalgebra::Point3;
+use nalgebra::{DMatrix, Point3};
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -24,15 +19,15 @@ use crate::sessions::Target;
 
 use super::candidate_poses::{self, CandidatePose};
 use super::comparison::Prediction;
-use super::information::Information;
+use super::exchange::{Criterion, Information, choose};
+use super::imagined::SECONDS_PER_POSE;
+use super::information::Columns;
 use super::needs::WARMING_C;
 
-/// Time for a pose, s, as far as drifts are concerned.
-pub(crate) const SECONDS_PER_POSE: f64 = 10.0;
 /// Load in each eighth of the measurement, as a share of the test load.
 const LOADS: [f64; 8] = [0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0];
 /// Warmth in each quarter, as a share of the warming: cold, warming up, warm, cooling down.
-const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
+pub(crate) const WARMTHS: [f64; 4] = [0.0, 0.5, 1.0, 0.35];
 /// Speeds in turn, in units of a modest one: most poses at standstill.
 const SPEEDS: [f64; 5] = [0.0, 1.0, 0.0, 2.0, 0.0];
 /// Lengths of the short approaches, as shares of a joint's range.
@@ -99,24 +94,68 @@ pub(crate) fn extension(
 ) -> Vec<PlannedPose> {
     let n = request.poses;
     let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
-    let mut information = Information::new(robot, targets, ranges, n, &mut random);
-    information.learn(&known(&information.model));
-    let schedule = Schedule::new(robot, targets.len(), request, &mut random);
-    let mut planned: Vec<PlannedPose> = Vec::with_capacity(n);
-    for i in 0..n {
-        let like = schedule.conditions(i);
-        let candidates = candidates(
-            ranges,
-            &planned,
-            &like,
-            schedule.arrivals[i],
-            &information,
-            &mut random,
-        );
-        let best = information.best(&candidates, &planned);
-        planned.extend(candidates.into_iter().nth(best));
+    let columns = Columns::new(robot, targets, ranges, n, &mut random);
+    let covariance = columns.known(&known(&columns.model));
+    let nothing = Information::new(DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
+    let mut slots = Slots {
+        schedule: Schedule::new(robot, targets.len(), request, &mut random),
+        kinds: robot.joints.iter().map(|j| j.kind).collect(),
+        planned: Vec::with_capacity(n),
+        candidates: Vec::new(),
+        information: nothing,
+        ranges,
+        columns,
+        random,
+    };
+    slots.offer();
+    choose(&mut slots, n);
+    slots.planned
+}
+
+/// The schedule, slot by slot: each has candidates of its own.
+struct Slots<'r> {
+    schedule: Schedule,
+    kinds: Vec<JointKind>,
+    ranges: &'r [Range],
+    columns: Columns,
+    planned: Vec<PlannedPose>,
+    candidates: Vec<PlannedPose>,
+    information: Information,
+    random: ChaCha8Rng,
+}
+
+impl Slots<'_> {
+    /// Candidates for the next slot.
+    fn offer(&mut self) {
+        let slot = self.planned.len();
+        if slot >= self.schedule.count {
+            return;
+        }
+        let like = self.schedule.conditions(slot);
+        self.candidates = self.next_candidates(&like, self.schedule.arrivals[slot]);
+        let covariance = self.information.covariance.clone();
+        let now = self
+            .columns
+            .information(&self.candidates, &self.planned, covariance);
+        self.information = now;
     }
-    planned
+}
+
+impl Criterion for Slots<'_> {
+    fn worths(&self) -> Vec<f64> {
+        let worth = |(k, one): (usize, &PlannedPose)| {
+            let gap = self.columns.gap(&one.choice, &self.planned);
+            // Every slot is filled, whatever it shows.
+            (self.information.gain(k).exp() * gap).max(1e-6)
+        };
+        self.candidates.iter().enumerate().map(worth).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.information.take(candidate);
+        self.planned.push(self.candidates[candidate].clone());
+        self.offer();
+    }
 }
 
 /// Conditions of every pose, before its joint values.
@@ -199,105 +238,94 @@ impl Schedule {
     }
 }
 
-/// Stops that may come next.
-fn candidates(
-    ranges: &[Range],
-    before: &[PlannedPose],
-    like: &CandidatePose,
-    wanted: ArrivalWanted,
-    information: &Information,
-    random: &mut ChaCha8Rng,
-) -> Vec<PlannedPose> {
-    let last = before.last().map(|s| &s.choice);
-    let reached = |q: Vec<f64>, arrival: Arrival| {
-        let from = |j: usize| last.map_or(0.5 * (ranges[j].from + ranges[j].to), |l| l.q[j]);
-        let dir: Vec<f64> = (0..q.len())
-            .map(|j| if q[j] >= from(j) { 1.0 } else { -1.0 })
-            .collect();
-        let speed = like
-            .speed
-            .iter()
-            .zip(&dir)
-            .map(|(s, d)| s * d + 0.0)
-            .collect();
-        let choice = CandidatePose {
-            q,
-            dir,
-            speed,
-            ..like.clone()
-        };
-        PlannedPose { choice, arrival }
-    };
-    if let (ArrivalWanted::Short(share), Some(last)) = (wanted, last) {
-        let step = |j: usize| {
-            let range = &ranges[j];
-            last.q[j] - last.dir[j] * typed(share * (range.to - range.from), range)
-        };
-        let q: Vec<f64> = (0..ranges.len()).map(step).collect();
-        let inside = q
-            .iter()
-            .zip(ranges)
-            .all(|(q, r)| *q >= r.from && *q <= r.to);
-        if inside {
-            return vec![reached(q, Arrival::Short(share))];
-        }
-    }
-    if wanted == ArrivalWanted::Return {
-        let same = |s: &&PlannedPose| {
-            s.choice.load_kg == like.load_kg && !matches!(s.arrival, Arrival::Return(_))
-        };
-        let earlier = before.len().saturating_sub(2);
-        let all: Vec<PlannedPose> = before[..earlier]
-            .iter()
-            .enumerate()
-            .filter(|(_, s)| same(s))
-            .map(|(k, s)| PlannedPose {
-                choice: CandidatePose {
-                    warmth_c: like.warmth_c,
-                    time_s: like.time_s,
-                    ..s.choice.clone()
-                },
-                arrival: Arrival::Return(k),
-            })
-            .collect();
-        // Where the way leads there from the right side, no detour is needed.
-        let direct = |s: &&PlannedPose| {
-            let came = reached(s.choice.q.clone(), Arrival::Long);
-            came.choice.dir == s.choice.dir
-        };
-        let short: Vec<PlannedPose> = all.iter().filter(direct).cloned().collect();
-        if let Some(one) = [short, all].into_iter().find(|list| !list.is_empty()) {
-            let pick = random.random_range(0..one.len());
-            return vec![one[pick].clone()];
-        }
-    }
-    let drawn = (0..information.candidates).map(|k| {
-        // The ends belong to the travel: some candidates lie there.
-        let mut q = candidate_poses::anywhere(ranges, random);
-        if k % 8 == 0 {
-            let joint = random.random_range(0..ranges.len());
-            let range = &ranges[joint];
-            q[joint] = if random.random::<bool>() {
-                range.from
-            } else {
-                range.to
+impl Slots<'_> {
+    /// Stops that may come next.
+    fn next_candidates(&mut self, like: &CandidatePose, wanted: ArrivalWanted) -> Vec<PlannedPose> {
+        let (ranges, kinds, before) = (self.ranges, &self.kinds, &self.planned);
+        let random = &mut self.random;
+        let last = before.last().map(|s| &s.choice);
+        let reached = |q: Vec<f64>, arrival: Arrival| {
+            let from = |j: usize| last.map_or(0.5 * (ranges[j].from + ranges[j].to), |l| l.q[j]);
+            let dir: Vec<f64> = (0..q.len())
+                .map(|j| if q[j] >= from(j) { 1.0 } else { -1.0 })
+                .collect();
+            let speed = like
+                .speed
+                .iter()
+                .zip(&dir)
+                .map(|(s, d)| s * d + 0.0)
+                .collect();
+            let choice = CandidatePose {
+                q,
+                dir,
+                speed,
+                ..like.clone()
             };
+            PlannedPose { choice, arrival }
+        };
+        if let (ArrivalWanted::Short(share), Some(last)) = (wanted, last) {
+            let step = |j: usize| {
+                let range = &ranges[j];
+                last.q[j]
+                    - last.dir[j]
+                        * candidate_poses::typed(share * (range.to - range.from), kinds[j])
+            };
+            let q: Vec<f64> = (0..ranges.len()).map(step).collect();
+            let inside = q
+                .iter()
+                .zip(ranges)
+                .all(|(q, r)| *q >= r.from && *q <= r.to);
+            if inside {
+                return vec![reached(q, Arrival::Short(share))];
+            }
         }
-        let q = q.iter().zip(ranges).map(|(q, range)| {
-            let rounded = typed(*q, range);
-            rounded.clamp(range.from, range.to)
+        if wanted == ArrivalWanted::Return {
+            let same = |s: &&PlannedPose| {
+                s.choice.load_kg == like.load_kg && !matches!(s.arrival, Arrival::Return(_))
+            };
+            let earlier = before.len().saturating_sub(2);
+            let all: Vec<PlannedPose> = before[..earlier]
+                .iter()
+                .enumerate()
+                .filter(|(_, s)| same(s))
+                .map(|(k, s)| PlannedPose {
+                    choice: CandidatePose {
+                        warmth_c: like.warmth_c,
+                        time_s: like.time_s,
+                        ..s.choice.clone()
+                    },
+                    arrival: Arrival::Return(k),
+                })
+                .collect();
+            // Where the way leads there from the right side, no detour is needed.
+            let direct = |s: &&PlannedPose| {
+                let came = reached(s.choice.q.clone(), Arrival::Long);
+                came.choice.dir == s.choice.dir
+            };
+            let short: Vec<PlannedPose> = all.iter().filter(direct).cloned().collect();
+            if let Some(one) = [short, all].into_iter().find(|list| !list.is_empty()) {
+                let pick = random.random_range(0..one.len());
+                return vec![one[pick].clone()];
+            }
+        }
+        let drawn = (0..self.columns.candidates).map(|k| {
+            // The ends belong to the travel: some candidates lie there.
+            let mut q = candidate_poses::anywhere(ranges, random);
+            if k % 8 == 0 {
+                let joint = random.random_range(0..ranges.len());
+                let range = &ranges[joint];
+                q[joint] = if random.random::<bool>() {
+                    range.from
+                } else {
+                    range.to
+                };
+            }
+            let q = q.iter().zip(ranges).zip(kinds).map(|((q, range), kind)| {
+                let rounded = candidate_poses::typed(*q, *kind);
+                rounded.clamp(range.from, range.to)
+            });
+            reached(q.collect(), Arrival::Long)
         });
-        reached(q.collect(), Arrival::Long)
-    });
-    drawn.collect()
-}
-
-/// Rounded to what a technician types: a tenth of a degree or of a millimetre.
-fn typed(value: f64, range: &Range) -> f64 {
-    let step = if range.to - range.from < 20.0 {
-        0.1_f64.to_radians()
-    } else {
-        0.1
-    };
-    (value / step).round() * step
+        drawn.collect()
+    }
 }

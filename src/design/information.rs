@@ -1,5 +1,4 @@
-//! What a first measurement knows so far, pose by pose, and which pose adds the most to it (greedy
-//! D-optimality, see `first_measurement`).
+//! What poses show of every effect of the catalogue.
 
 use nalgebra::DMatrix;
 use rand::RngExt;
@@ -12,27 +11,29 @@ use crate::sessions::Target;
 
 use super::candidate_poses::{self, CandidatePose};
 use super::comparison::{Axes, Prediction, inverse, predictions};
-use super::first_measurement::{PlannedPose, SECONDS_PER_POSE, reflectors};
+use super::exchange::Information;
+use super::first_measurement::{PlannedPose, reflectors};
+use super::imagined::{SECONDS_PER_POSE, unmeasured};
 use super::needs::{WARMING_C, all_met};
 
 /// Settings of gear orders that stand for all of them.
 const ORDERS: [f64; 5] = [3.0, 4.0, 5.0, 7.0, 12.0];
 
-/// The information so far and how to add to it.
-pub(crate) struct Information {
+/// The columns of every effect that a robot can show, each scaled to a root mean square of one.
+pub(crate) struct Columns {
     robot: Robot,
     targets: Vec<Target>,
     ranges: Vec<Range>,
     pub(crate) model: Model,
     scale: Vec<f64>,
-    covariance: DMatrix<f64>,
+    /// Candidates for each pose.
     pub(crate) candidates: usize,
 }
 
 /// Multiplications that a design may take.
 const EFFORT: usize = 600_000_000;
 
-impl Information {
+impl Columns {
     pub(crate) fn new(
         robot: &Robot,
         targets: &[Target],
@@ -40,19 +41,17 @@ impl Information {
         poses: usize,
         random: &mut ChaCha8Rng,
     ) -> Self {
-        let model = every_effect(robot, ranges, poses);
+        let model = every_effect(robot, ranges, 0.5 * SECONDS_PER_POSE * poses as f64);
         let p = model.coefficient_count();
-        let mut information = Self {
+        let mut columns = Self {
             robot: robot.clone(),
             targets: targets.to_vec(),
             ranges: ranges.to_vec(),
             scale: vec![1.0; p],
-            covariance: DMatrix::identity(p, p),
             candidates: (EFFORT / (3 * p * p * poses).max(1)).clamp(12, 160),
             model,
         };
-        // Each column is scaled to a root mean square of one over random poses and conditions.
-        let mut sum = vec![0.0; p];
+        // Over random poses and conditions.
         let pool: Vec<CandidatePose> = (0..64)
             .map(|k| {
                 let side = |_| if random.random::<bool>() { 1.0 } else { -1.0 };
@@ -73,50 +72,64 @@ impl Information {
                 }
             })
             .collect();
-        for seen in information.seen(&pool, None) {
-            for (k, sum) in sum.iter_mut().enumerate() {
-                *sum += seen.columns.column(k).norm_squared() / 64.0;
-            }
-        }
-        for (scale, sum) in information.scale.iter_mut().zip(sum) {
-            *scale = if sum > 0.0 { 1.0 / sum.sqrt() } else { 0.0 };
-        }
-        information
+        let (rows, _) = columns.of_choices(&pool, None);
+        let unit = |k: usize| {
+            let sum = rows.column(k).norm_squared() / 64.0;
+            if sum > 0.0 { 1.0 / sum.sqrt() } else { 0.0 }
+        };
+        columns.scale = (0..p).map(unit).collect();
+        columns
     }
 
-    /// Takes in what was measured already.
-    pub(crate) fn learn(&mut self, known: &[Prediction]) {
+    /// What is known of the scaled coefficients once these were measured, and nothing before.
+    pub(crate) fn known(&self, measured: &[Prediction]) -> DMatrix<f64> {
         let p = self.scale.len();
         let mut precision = DMatrix::identity(p, p);
-        for seen in known {
-            let mut columns = seen.columns.clone();
-            for (k, scale) in self.scale.iter().enumerate() {
-                columns.column_mut(k).scale_mut(*scale);
-            }
-            precision.gemm_tr(1.0, &columns, &columns, 1.0);
+        if measured.is_empty() {
+            return precision;
         }
-        if !known.is_empty() {
-            self.covariance = inverse(&precision);
-        }
+        let (rows, _) = self.scaled(measured);
+        precision.gemm_tr(1.0, &rows, &rows, 1.0);
+        inverse(&precision)
     }
 
-    fn seen(&self, choices: &[CandidatePose], travel: Option<&[Vec<f64>]>) -> Vec<Prediction> {
+    /// Scaled rows, one below the other, and where each begins.
+    fn scaled(&self, seen: &[Prediction]) -> (DMatrix<f64>, Vec<usize>) {
+        let mut first = vec![0];
+        first.extend(seen.iter().scan(0, |end, one| {
+            *end += one.columns.nrows();
+            Some(*end)
+        }));
+        let mut rows = DMatrix::zeros(first[seen.len()], self.scale.len());
+        for (one, from) in seen.iter().zip(&first) {
+            rows.rows_mut(*from, one.columns.nrows())
+                .copy_from(&one.columns);
+        }
+        for (mut column, scale) in rows.column_iter_mut().zip(&self.scale) {
+            column *= *scale;
+        }
+        (rows, first)
+    }
+
+    fn of_choices(
+        &self,
+        choices: &[CandidatePose],
+        travel: Option<Vec<Vec<f64>>>,
+    ) -> (DMatrix<f64>, Vec<usize>) {
         let mut inputs =
             candidate_poses::inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
         if let Some(travel) = travel {
-            for (own, travel) in inputs.travel.iter_mut().zip(travel) {
-                *own = Some(travel.clone());
-            }
+            inputs.travel = travel.into_iter().map(Some).collect();
         }
         let axes = Axes {
             axes: vec![0, 1, 2],
             sigma_mm: [1.0; 3],
         };
-        predictions(&self.model, &self.model, &inputs, &axes)
+        self.scaled(&predictions(&self.model, &self.model, &inputs, &axes))
     }
 
     /// From 0 at an earlier place to 1 far from all: places that lie together hide what is local.
-    fn gap(&self, choice: &CandidatePose, before: &[PlannedPose]) -> f64 {
+    pub(crate) fn gap(&self, choice: &CandidatePose, before: &[PlannedPose]) -> f64 {
         let apart = |planned_pose: &PlannedPose| {
             let each = (0..self.ranges.len()).map(|j| {
                 let span = self.ranges[j].to - self.ranges[j].from;
@@ -129,46 +142,17 @@ impl Information {
         1.0 - (-(2.0 * nearest / step).powi(2)).exp()
     }
 
-    /// The candidate that adds most; it is taken.
-    pub(crate) fn best(&mut self, candidates: &[PlannedPose], before: &[PlannedPose]) -> usize {
+    /// What each of some poses would add behind those before.
+    pub(crate) fn information(
+        &self,
+        candidates: &[PlannedPose],
+        before: &[PlannedPose],
+        covariance: DMatrix<f64>,
+    ) -> Information {
         let choices: Vec<CandidatePose> = candidates.iter().map(|s| s.choice.clone()).collect();
         let travel = travels(before, &choices);
-        let mut scaled: Vec<DMatrix<f64>> = Vec::new();
-        for seen in self.seen(&choices, Some(&travel)) {
-            let mut columns = seen.columns;
-            for (k, scale) in self.scale.iter().enumerate() {
-                columns.column_mut(k).scale_mut(*scale);
-            }
-            scaled.push(columns);
-        }
-        let spread = |j: &DMatrix<f64>| {
-            let mut spread = j * &self.covariance * j.transpose();
-            for k in 0..spread.nrows() {
-                spread[(k, k)] += 1.0;
-            }
-            spread
-        };
-        let worth = |j: &DMatrix<f64>| spread(j).determinant();
-        let values: Vec<f64> = if scaled.len() > 1 {
-            let gaps = choices.iter().map(|c| self.gap(c, before));
-            scaled
-                .iter()
-                .zip(gaps)
-                .map(|(j, gap)| worth(j) * gap)
-                .collect()
-        } else {
-            vec![0.0; scaled.len()]
-        };
-        let best = (0..values.len())
-            .max_by(|a, b| values[*a].total_cmp(&values[*b]).then(b.cmp(a)))
-            .unwrap_or(0);
-        if let Some(j) = scaled.get(best)
-            && let Some(factor) = spread(j).cholesky()
-        {
-            let carried = &self.covariance * j.transpose();
-            self.covariance -= &carried * factor.solve(&carried.transpose());
-        }
-        best
+        let (rows, first) = self.of_choices(&choices, Some(travel));
+        Information::new(rows, first, covariance)
     }
 }
 
@@ -196,7 +180,7 @@ fn travels(before: &[PlannedPose], choices: &[CandidatePose]) -> Vec<Vec<f64>> {
 }
 
 /// A model with every effect that this robot can show, absent, at settings that stand for all.
-fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
+pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Model {
     let survey = ideal_survey(robot, ranges);
     let mut terms = Vec::new();
     for effect in CATALOGUE {
@@ -217,7 +201,7 @@ fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
                     .into_iter()
                     .map(|share| share * (range.to - range.from))
                     .collect(),
-                Setting::Time => vec![0.5 * SECONDS_PER_POSE * poses as f64],
+                Setting::Time => vec![middle_s],
                 Setting::Listed(listed) => vec![listed.stands_for_all(joint)],
             };
             terms.extend(
@@ -232,7 +216,7 @@ fn every_effect(robot: &Robot, ranges: &[Range], poses: usize) -> Model {
 
 /// The survey of a robot under all conditions that poses can meet.
 fn ideal_survey(robot: &Robot, ranges: &[Range]) -> Survey {
-    let session = super::expected_information::imagined(robot, &reflectors(robot), &[], None);
+    let session = unmeasured(robot, &reflectors(robot), None);
     let inputs = crate::effects::Inputs::new(&session, crate::effects::JointValues::Commanded);
     let mut survey = all_met(&Survey::new(&session, &inputs));
     for (joint, range) in survey.joints.iter_mut().zip(ranges) {

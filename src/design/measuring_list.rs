@@ -1,14 +1,80 @@
-//! Poses to measure next as a CSV table with the column names of a session: what comes back from
-//! the instrument can be appended to it column by column.
+//! Poses to measure next, for people and for controllers: a CSV table with the column names of a session,
+//! so that what comes back from the instrument can be appended to it column by column, or a program of
+//! joint moves.
 //!
-//! Only the columns that matter are there. A reflector that the session does not have stands with
+//! Of the table only the columns that matter are there. A reflector that the session does not have stands with
 //! its place in the tool frame; why a pose is worth measuring stands last.
 
 use std::fmt::Write as _;
 
 use crate::kinematics::Robot;
 
+use super::conditions::approach;
 use crate::diagnosis::NextPose;
+use crate::programs::{Stop, WriteError, stops};
+
+/// The poses as a program of joint moves in `language` (`rapid`, `krl`, `urscript`): each is approached
+/// from its side over a stretch of its own, and the robot waits there. What changes by hand (load, target,
+/// temperature) stands in the comments, and so does what is measured in motion.
+///
+/// # Errors
+/// A language in which no such programs are written, or that the robot's joints do not fit.
+pub fn measuring_program(
+    poses: &[NextPose],
+    robot: &Robot,
+    language: &str,
+) -> Result<String, WriteError> {
+    let stop = |pose: &NextPose| {
+        let mut from = pose.q.clone();
+        for ((from, dir), joint) in from.iter_mut().zip(&pose.dir).zip(&robot.joints) {
+            *from -= dir * approach(joint, joint.limits);
+            if let Some(limits) = joint.limits {
+                *from = from.clamp(limits.from, limits.to);
+            }
+        }
+        Stop {
+            from: (from != pose.q).then_some(from),
+            q: pose.q.clone(),
+            says: circumstances(pose, robot),
+        }
+    };
+    let all: Vec<Stop> = poses.iter().map(stop).collect();
+    let title = format!(
+        "{}: {} poses to measure, by truepose",
+        robot.name,
+        poses.len()
+    );
+    stops(language, robot, &title, &all)
+}
+
+/// What has to be seen to before a pose.
+fn circumstances(pose: &NextPose, robot: &Robot) -> String {
+    let mut says: Vec<String> = Vec::new();
+    says.extend(
+        pose.target
+            .as_ref()
+            .map(|target| format!("target {target}")),
+    );
+    says.extend(pose.load_kg.map(|load| format!("load {load} kg")));
+    says.extend(
+        pose.temperature_c
+            .map(|at| format!("at about {at:.0} degrees C")),
+    );
+    let speeds = pose.speed.iter().flatten().zip(&robot.joints).enumerate();
+    says.extend(
+        speeds
+            .filter(|(_, (speed, _))| **speed != 0.0)
+            .map(|(j, (speed, joint))| {
+                let unit = joint.kind.unit();
+                format!(
+                    "in motion, joint {} at {:.1} {unit}/s",
+                    j + 1,
+                    joint.kind.outer(*speed)
+                )
+            }),
+    );
+    says.join(", ")
+}
 
 type Cell<'a> = Box<dyn Fn(&NextPose) -> String + 'a>;
 

@@ -12,9 +12,11 @@ use crate::sessions::{Session, Target};
 use crate::units::deg_from_rad;
 
 use super::candidate_poses::{self, CandidatePose, Conditions};
-use super::comparison::{Axes, Comparison, best_choice, enough_for, predictions};
+use super::comparison::{Axes, Comparison, Parting, enough_for, predictions};
 use super::decision::{Decision, Explanation, Needed};
 use super::enabling_poses;
+use super::exchange::{Criterion, choose};
+use super::imagined::LATER_S;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
 use crate::diagnosis::conclude::{Proposal, Undecided};
@@ -33,8 +35,6 @@ const MOST_ASKED: usize = 3;
 const MOST_SEPARATION: f64 = 1e6;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
-/// New poses are measured so long after the last one, s.
-pub(crate) const LATER_S: f64 = 60.0;
 
 /// What is offered, and where: the session's reflectors and perhaps one more.
 #[derive(Debug, Clone)]
@@ -249,6 +249,41 @@ impl Attempt {
     }
 }
 
+/// Rival models that are parted until the right one is found often enough.
+struct Rivals {
+    parting: Parting,
+    decision: Decision,
+}
+
+impl Criterion for Rivals {
+    fn worths(&self) -> Vec<f64> {
+        self.parting.worths()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.parting.take(candidate);
+        self.decision.take(candidate);
+    }
+
+    fn satisfied(&mut self) -> bool {
+        if self.decision.probability() >= SURE {
+            return true;
+        }
+        // All are far enough apart and still too few draws are decided: further apart, then.
+        let comparisons = &mut self.parting.comparisons;
+        while !comparisons.is_empty()
+            && comparisons
+                .iter()
+                .all(|c| c.decided() && c.enough < MOST_SEPARATION)
+        {
+            for comparison in comparisons.iter_mut() {
+                comparison.enough = 1.3 * comparison.enough.max(1.0);
+            }
+        }
+        false
+    }
+}
+
 /// Poses one after the other until they decide often enough, or `most` are chosen.
 fn attempt(
     prepared: &Prepared,
@@ -263,7 +298,7 @@ fn attempt(
         .iter()
         .map(|(fit, open)| Explanation { fit, open: *open })
         .collect();
-    let mut decision = Decision::new(regression, &explanations, &inputs, &axes, UNDECIDED);
+    let decision = Decision::new(regression, &explanations, &inputs, &axes, UNDECIDED);
     let mut comparisons = Vec::new();
     for (i, truth) in explanations.iter().enumerate().filter(|(_, e)| e.open) {
         for (j, other) in explanations.iter().enumerate() {
@@ -276,29 +311,13 @@ fn attempt(
         }
     }
     let first_enough: Vec<f64> = comparisons.iter().map(|c| c.enough).collect();
-    let mut taken = vec![0_u8; candidates.poses.len()];
-    let mut order = Vec::new();
-    while order.len() < most && decision.probability() < SURE {
-        // All are far enough apart and still too few draws are decided: further apart, then.
-        while !comparisons.is_empty()
-            && comparisons
-                .iter()
-                .all(|c| c.decided() && c.enough < MOST_SEPARATION)
-        {
-            for comparison in &mut comparisons {
-                comparison.enough = 1.3 * comparison.enough.max(1.0);
-            }
-        }
-        let Some(k) = best_choice(&comparisons, &taken, REPEATS) else {
-            break;
-        };
-        taken[k] += 1;
-        order.push(k);
-        for comparison in &mut comparisons {
-            comparison.take(k);
-        }
-        decision.take(k);
-    }
+    let mut rivals = Rivals {
+        parting: Parting::new(comparisons, candidates.poses.len(), REPEATS),
+        decision,
+    };
+    let mut order = choose(&mut rivals, most);
+    let Rivals { parting, decision } = rivals;
+    let comparisons = parting.comparisons;
     let needed = decision.needed(SURE);
     order.truncate(needed.poses);
     let shares = comparisons.iter().zip(&first_enough);

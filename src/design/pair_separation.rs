@@ -12,7 +12,8 @@ use crate::effects::{Effect, Setting, Term, find};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::comparison::{Comparison, Prediction, choose, enough_for, inverse, predictions};
+use super::comparison::{Comparison, Parting, Prediction, enough_for, inverse, predictions};
+use super::exchange::choose;
 use super::next_poses::{CandidatePoses, axes_of, conditions, gram, poses_of, reflector_sets};
 use crate::diagnosis::NextPose;
 use crate::diagnosis::prepare::Prepared;
@@ -207,7 +208,9 @@ fn attempt(
             directions.push((k, pair));
         }
     }
-    let order = choose(&mut comparisons, candidates.poses.len(), most, 2);
+    let mut parting = Parting::new(comparisons, candidates.poses.len(), 2);
+    let order = choose(&mut parting, most);
+    let comparisons = parting.comparisons;
     for (k, pair) in &directions {
         let seen = predictions(base, &pair.both, &inputs, &axes);
         let mut all = gram(&prepared.regression, &pair.both);

@@ -1,41 +1,22 @@
 //! What to measure: for a session the poses that decide what it leaves open, that make testable
-//! what it cannot show, and that sharpen the rest; for a robot alone a first measurement.
-//!
-//! 1. Rivals of the diagnosis first (`next_poses`), or the two effects that
-//!    the user names (`pair_separation`).
-//! 2. Then what is not testable (`enabling_poses`): which condition is missing, and poses under
-//!    that condition.
-//! 3. Then, where more poses are asked for, greedy D-optimality over every effect of the catalogue
-//!    (`first_measurement`), which lowers the detection limits.
-//!
-//! What the plan claims is checked on the session as it would be with the poses measured
-//! (`expected_information`): an effect counts as enabled only if nothing stands against
-//! it there.
+//! what it cannot show, and that sharpen the rest; for a robot alone a first measurement. This is what
+//! is asked and what is answered; `making` makes it.
 
+use nalgebra::Point3;
+
+use super::expected_information::ExpectedInformation;
+use super::geometry::{Geometry, MOST};
+use super::needs::Untestable;
+use super::pair_separation::{Named, Separation};
+use crate::diagnosis::{DiagnoseError, NextPose, Options};
 use crate::effects::{Form, find};
 use crate::kinematics::Robot;
-use crate::sessions::{Session, Target};
+use crate::sessions::Target;
 
-use super::comparison::{Axes, predictions};
-use super::enabling_poses;
-use super::expected_information::{self, ExpectedInformation};
-use super::first_measurement::{self, Arrival, PlannedPose, Request};
-use super::needs::{self, TEST_LOAD_KG, Untestable};
-use super::next_poses;
-use super::pair_separation::{self, Named, Separation};
-use crate::diagnosis::NextPose;
-use crate::diagnosis::candidates::NotTestable;
-use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::search::mean_sigma_mm;
-use crate::diagnosis::testable::not_testable;
-use crate::diagnosis::{DiagnoseError, Options, Watch, checked, searched};
+pub use super::making::{plan_robot, plan_session};
 
 /// Noise of the instrument where nobody says it, mm: a laser tracker.
 pub const USUAL_SIGMA_MM: f64 = 0.03;
-/// Poses of a first measurement for each joint, where nobody says how many.
-const POSES_PER_JOINT: usize = 60;
-/// Poses that make effects testable, where no number is given.
-const MOST_ENABLING: usize = 24;
 /// Poses that a plan holds at most.
 pub const MOST_POSES: usize = 2000;
 
@@ -50,6 +31,13 @@ pub struct PlanOptions {
     pub sigma_mm: Option<f64>,
     /// Heaviest load that the robot may carry for a test, kg.
     pub load_kg: Option<f64>,
+    /// As many poses as bring the 95th percentile of the expected error over the joint ranges below
+    /// this, mm.
+    pub accuracy_mm: Option<f64>,
+    /// Where the instrument stands that measures a robot, base frame, mm.
+    pub instrument_mm: Option<Point3<f64>>,
+    /// A target is seen within this angle of where it faces, rad; by default from everywhere.
+    pub cone_rad: Option<f64>,
     /// How a session is diagnosed.
     pub diagnosis: Options,
 }
@@ -88,6 +76,8 @@ pub struct Plan {
     pub sigma_mm: f64,
     /// What can be told once the poses are measured.
     pub expected: ExpectedInformation,
+    /// What the poses do for the geometry of a robot with several joints.
+    pub geometry: Option<Geometry>,
 }
 
 /// Why there is no plan.
@@ -102,6 +92,37 @@ pub enum PlanError {
     /// A load that makes no sense.
     #[error("--load is {0}; expected a mass above 0 in kg, such as 3")]
     Load(f64),
+    /// An accuracy that makes no sense.
+    #[error("--accuracy is {0}; expected a length above 0 in mm, such as 0.1")]
+    Accuracy(f64),
+    /// An accuracy that no number of poses reaches.
+    #[error(
+        "--accuracy {wanted}: {MOST} poses are expected to leave {reached:.4} mm (95th percentile over the \
+         joint ranges); expected a larger value, or a smaller --sigma"
+    )]
+    OutOfReach {
+        /// What was asked for, mm.
+        wanted: f64,
+        /// What most poses reach, mm.
+        reached: f64,
+    },
+    /// Something that only plans for several joints know.
+    #[error(
+        "{0} is for robots with several joints, measured without --separate; this plan has neither"
+    )]
+    OnlyArms(&'static str),
+    /// A cone that makes no sense.
+    #[error("--cone is {0}; expected an angle above 0 and up to 180 degrees, such as 60")]
+    Cone(f64),
+    /// No pose can be measured.
+    #[error(
+        "no pose within the joint limits can be measured: none is seen from where the instrument stands, or \
+         brings the target to where it is held; expected limits, a place or a cone that leave some"
+    )]
+    Unseen,
+    /// Every pose has a wrong number of poses asked for with an accuracy.
+    #[error("--poses and --accuracy both say how many poses there are; expected one of them")]
+    TwoNumbers,
     /// A joint that is not there, or not a number.
     #[error(
         "--separate {given}: expected an effect, or an effect and a joint from 1 to {joints} such as backlash:1"
@@ -121,8 +142,20 @@ pub enum PlanError {
 }
 
 impl PlanOptions {
-    fn check(&self) -> Result<(), PlanError> {
+    pub(crate) fn check(&self) -> Result<(), PlanError> {
         let above_zero = |v: &f64| v.is_finite() && *v > 0.0;
+        if let Some(mm) = self.accuracy_mm {
+            if !above_zero(&mm) {
+                return Err(PlanError::Accuracy(mm));
+            }
+            if self.poses.is_some() {
+                return Err(PlanError::TwoNumbers);
+            }
+        }
+        let angle = |cone: &f64| above_zero(cone) && *cone <= std::f64::consts::PI;
+        if let Some(cone) = self.cone_rad.filter(|cone| !angle(cone)) {
+            return Err(PlanError::Cone(cone.to_degrees()));
+        }
         if let Some(n) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
             return Err(PlanError::Poses(n));
         }
@@ -136,7 +169,7 @@ impl PlanOptions {
     }
 
     /// The two effects, found in the catalogue.
-    fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, PlanError> {
+    pub(crate) fn between(&self, robot: &Robot) -> Result<Option<[Named; 2]>, PlanError> {
         let joints = robot.joints.len();
         let Some(two) = &self.separate else {
             return Ok(None);
@@ -167,259 +200,6 @@ impl PlanOptions {
     }
 }
 
-/// A plan for a session: it is diagnosed, and what that leaves open is planned for.
-///
-/// # Errors
-/// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
-pub fn plan_session(
-    session: &Session,
-    options: &PlanOptions,
-    watch: Watch,
-) -> Result<Plan, PlanError> {
-    options.check()?;
-    let between = options.between(&session.robot)?;
-    let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
-    let session: &Session = &mended.session;
-    let (prepared, found) = searched(session, &options.diagnosis, watch)?;
-    let (regression, fit) = (&prepared.regression, &found.fit);
-    let sigma_mm = options
-        .sigma_mm
-        .unwrap_or_else(|| mean_sigma_mm(regression) * regression.scale(fit).max(1e-6));
-    let most = |usual: usize| options.poses.unwrap_or(usual);
-    let base = regression.fit(&regression.base, Vec::new());
-    let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
-    let name = session.name.clone();
-    let (robot, targets) = (&session.robot, &session.targets);
-    let mut plan = Plan::empty(Subject::Session, name, robot, targets, sigma_mm);
-    if let Some(between) = between {
-        let separation = two(&prepared, &found.fit, between, most(next_poses::MOST));
-        plan.poses.clone_from(&separation.poses);
-        plan.separation = Some(separation);
-    } else {
-        let rivals = crate::diagnosis::aliases::open_rivals(regression, fit);
-        let rivals: Vec<_> = rivals.iter().collect();
-        let ids = |terms: &[crate::effects::Term]| {
-            terms.iter().map(|t| t.name_on(&session.robot)).collect()
-        };
-        plan.open = rivals
-            .iter()
-            .map(|r| [ids(&r.removed), ids(&r.instead)])
-            .collect();
-        plan.open.dedup();
-        plan.poses = next_poses::separate(&prepared, fit, &rivals, most(next_poses::MOST));
-        let room = options
-            .poses
-            .map_or(MOST_ENABLING, |n| n - plan.poses.len());
-        let own_reflector = plan
-            .poses
-            .iter()
-            .find_map(|p| p.target_mm.map(|_| p.clone()));
-        let mut more = enabling_poses::enable(&prepared, fit, &untestable_now, true, room);
-        same_reflector(&mut more, own_reflector.as_ref());
-        plan.poses.extend(more);
-    }
-    plan.targets.extend(new_targets(&plan.poses, &plan.targets));
-    if let Some(room) = options
-        .poses
-        .filter(|_| plan.separation.is_none())
-        .map(|n| n - plan.poses.len())
-        .filter(|n| *n > 0)
-    {
-        let sharper = sharpen(&prepared, &plan, options, room);
-        plan.poses.extend(sharper);
-    }
-    let with_poses =
-        expected_information::extended(session, &fit.model, &plan.poses, &plan.targets);
-    plan.expected = expected_information::expected(&with_poses, sigma_mm, &options.diagnosis)?;
-    let still = |l: &Untestable| {
-        let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
-        plan.expected.not_testable.iter().any(same)
-    };
-    let (cannot, enables): (Vec<Untestable>, Vec<Untestable>) =
-        untestable_now.into_iter().partition(still);
-    (plan.cannot, plan.enables) = (cannot, enables);
-    Ok(plan)
-}
-
-/// A first measurement of a robot that nobody has measured.
-///
-/// # Errors
-/// If an option makes no sense.
-pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
-    options.check()?;
-    let between = options.between(robot)?;
-    let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
-    let usual = (POSES_PER_JOINT * (1 + robot.joints.len()) / 2).min(240);
-    let poses = options.poses.unwrap_or(usual);
-    let targets = first_measurement::reflectors(robot);
-    let request = Request {
-        poses,
-        load_kg: options.load_kg.unwrap_or(TEST_LOAD_KG),
-        seed: options.diagnosis.seed,
-    };
-    let mut planned = first_measurement::design(robot, &targets, &request);
-    let name = robot.name.clone();
-    let mut plan = Plan::empty(Subject::Robot, name, robot, &targets, sigma_mm);
-    let imagined = |planned: &[PlannedPose]| {
-        let choices: Vec<_> = planned.iter().map(|s| s.choice.clone()).collect();
-        let noise = (sigma_mm, options.diagnosis.seed.wrapping_add(1));
-        expected_information::imagined(robot, &targets, &choices, Some(noise))
-    };
-    let mut decisive = Vec::new();
-    if let Some(between) = between {
-        // Half of the poses measure the robot, of the other half as many as it takes decide.
-        planned.truncate(poses.div_ceil(2));
-        let session = imagined(&planned);
-        let prepared = Prepared::new(&session, &options.diagnosis)?;
-        let fit = prepared
-            .regression
-            .fit(&prepared.regression.base, Vec::new());
-        let separation = two(&prepared, &fit, between, poses - planned.len());
-        decisive.clone_from(&separation.poses);
-        let rest = Request {
-            poses: poses - decisive.len(),
-            ..request
-        };
-        planned = first_measurement::design(robot, &targets, &rest);
-        if separation.impossible.is_some() {
-            planned.clear();
-        }
-        plan.separation = Some(separation);
-    }
-    plan.poses = poses_of_planned(&planned, &targets, robot);
-    plan.poses.extend(decisive.iter().cloned());
-    plan.targets.extend(new_targets(&plan.poses, &targets));
-    if planned.is_empty() {
-        return Ok(plan);
-    }
-    let model = crate::model::Model::nominal(robot.clone());
-    let session =
-        expected_information::extended(&imagined(&planned), &model, &decisive, &plan.targets);
-    plan.expected = expected_information::expected(&session, sigma_mm, &options.diagnosis)?;
-    let prepared = Prepared::new(&session, &options.diagnosis)?;
-    plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
-    Ok(plan)
-}
-
-/// Two effects, unless one of them cannot be seen by any measurement.
-fn two(
-    prepared: &Prepared,
-    fit: &crate::diagnosis::regression::Fit,
-    between: [Named; 2],
-    most: usize,
-) -> Separation {
-    let met = needs::all_met(&prepared.survey);
-    for named in between {
-        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
-        if let Some(because) = obstacle {
-            let because = format!("{} cannot be seen: {because}", named.id);
-            return pair_separation::nothing(between, &because);
-        }
-    }
-    pair_separation::separate_two(prepared, fit, between, most)
-}
-
-/// New reflectors of two lists of poses become one: a technician mounts one bar.
-fn same_reflector(poses: &mut [NextPose], like: Option<&NextPose>) {
-    let Some(like) = like else { return };
-    for pose in poses.iter_mut().filter(|p| p.target_mm.is_some()) {
-        pose.target.clone_from(&like.target);
-        pose.target_mm = like.target_mm;
-    }
-}
-
-/// Reflectors that poses use and that are not there yet.
-fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
-    let mut new: Vec<Target> = Vec::new();
-    for pose in poses {
-        if let (Some(name), Some(mm)) = (&pose.target, pose.target_mm) {
-            let known = |t: &Target| t.name == *name;
-            if !there.iter().any(known) && !new.iter().any(known) {
-                new.push(Target {
-                    name: name.clone(),
-                    position_mm: mm.into(),
-                });
-            }
-        }
-    }
-    new
-}
-
-/// More poses for a session, where they lower the detection limits most.
-fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize) -> Vec<NextPose> {
-    let session = prepared.problem.session;
-    let heaviest = prepared.survey.largest_load_kg;
-    let load = if heaviest > 0.0 {
-        heaviest
-    } else {
-        TEST_LOAD_KG
-    };
-    let request = Request {
-        poses: count,
-        load_kg: options.load_kg.unwrap_or(load),
-        seed: options.diagnosis.seed,
-    };
-    let axes = Axes {
-        axes: prepared.regression.rows.axes.clone(),
-        sigma_mm: [1.0; 3],
-    };
-    let extended = expected_information::extended(
-        session,
-        &prepared.regression.base,
-        &plan.poses,
-        &plan.targets,
-    );
-    let inputs = crate::effects::Inputs::new(&extended, prepared.options().joint_values);
-    let ranges = super::candidate_poses::ranges(&session.robot, Some(&prepared.problem.inputs));
-    let known = |model: &crate::model::Model| predictions(model, model, &inputs, &axes);
-    let planned =
-        first_measurement::extension(&session.robot, &plan.targets, &ranges, &request, &known);
-    let mut poses = poses_of_planned(&planned, &plan.targets, &session.robot);
-    for pose in &mut poses {
-        let is_new = |t: &&Target| Some(&t.name) == pose.target.as_ref();
-        let own = session.targets.iter().any(|t| is_new(&t));
-        let place = plan.targets.iter().find(is_new).filter(|_| !own);
-        pose.target_mm = place.map(|t| t.position_mm.coords.into());
-    }
-    poses
-}
-
-/// The planned poses of a design, with the reason for each.
-fn poses_of_planned(planned: &[PlannedPose], targets: &[Target], robot: &Robot) -> Vec<NextPose> {
-    let loads = planned.iter().any(|s| s.choice.load_kg != 0.0);
-    let one = |planned_pose: &PlannedPose| {
-        let choice = &planned_pose.choice;
-        let target = targets.get(choice.target as usize);
-        NextPose {
-            q: choice.q.clone(),
-            dir: choice.dir.clone(),
-            target: target.filter(|_| targets.len() > 1).map(|t| t.name.clone()),
-            target_mm: target
-                .filter(|_| choice.target > 0)
-                .map(|t| t.position_mm.coords.into()),
-            speed: Some(choice.speed.clone()),
-            load_kg: loads.then_some(choice.load_kg),
-            temperature_c: Some(choice.warmth_c + crate::effects::inputs::REFERENCE_TEMPERATURE_C),
-            why: why(planned_pose, robot),
-        }
-    };
-    planned.iter().map(one).collect()
-}
-
-fn why(planned_pose: &PlannedPose, robot: &Robot) -> String {
-    match planned_pose.arrival {
-        Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
-        Arrival::Short(_) => {
-            "a short approach after a reversal: lost motion against backlash".to_owned()
-        }
-        Arrival::Long if planned_pose.choice.speed.iter().any(|s| *s != 0.0) => {
-            "measure while moving: tracking lag against backlash".to_owned()
-        }
-        Arrival::Long if robot.joints.len() > 1 => "joint values that tell most".to_owned(),
-        Arrival::Long => "a place that tells most, unequal steps".to_owned(),
-    }
-}
-
 /// A detection limit as the user reads it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeenAbove {
@@ -432,7 +212,7 @@ pub struct SeenAbove {
 }
 
 impl Plan {
-    fn empty(
+    pub(crate) fn empty(
         subject: Subject,
         name: String,
         robot: &Robot,
@@ -451,6 +231,7 @@ impl Plan {
             cannot: Vec::new(),
             sigma_mm,
             expected: ExpectedInformation::default(),
+            geometry: None,
         }
     }
 

@@ -30,7 +30,7 @@ pub mod familywise;
 pub mod limits;
 pub mod smooth;
 
-mod base_alone;
+pub(crate) mod base_alone;
 mod base_misfit;
 pub(crate) mod classes;
 pub(crate) mod conclude;

@@ -349,6 +349,11 @@ fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
     names.into_iter().nth(coefficient).unwrap_or_default()
 }
 
+/// The model with everything held that the samples cannot show, whatever was held in it before.
+pub(crate) fn gauged(problem: &Problem, start: &Model) -> Model {
+    with_gauge(problem, start).0
+}
+
 /// The model with everything held at zero that the samples cannot tell from what comes before it,
 /// and that in words. Links that are held altogether are left out.
 fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>) {
@@ -435,7 +440,7 @@ fn with_gauge(problem: &Problem, start: &Model) -> (Model, Vec<NotIdentifiable>)
 }
 
 /// How far the tool is from the farthest axis at home: what a turn of 1 rad may do, mm.
-fn reach_mm(robot: &Robot) -> f64 {
+pub(crate) fn reach_mm(robot: &Robot) -> f64 {
     let tool = robot.base_from_tool.translation.vector;
     let axes = robot.joints.iter();
     let far = axes.map(|joint| (tool - joint.axis.point_mm.coords).norm());

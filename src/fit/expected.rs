@@ -95,7 +95,7 @@ fn errors(model: &Model, inputs: &Inputs, covariance: &DMatrix<f64>) -> Option<V
 }
 
 /// Poses over the limits of the joints, on the targets in turn.
-fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
+pub(crate) fn over_the_ranges(problem: &Problem) -> Inputs<'static> {
     let joints = &problem.session.robot.joints;
     let n = joints.len();
     // The positive root of x^(n+1) = x + 1.

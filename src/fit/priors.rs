@@ -48,6 +48,16 @@ pub(super) type Key = (&'static str, usize, u64, usize);
 const SIZE: f64 = 1e-6;
 
 impl Priors {
+    /// Of a robot that nobody has measured, by an instrument that nobody has aligned.
+    pub(crate) fn unmeasured(targets_mm: Option<f64>) -> Self {
+        Self {
+            weak: true,
+            targets_mm,
+            variance: 1.0,
+            ..Self::default()
+        }
+    }
+
     /// Standard deviation of a coefficient, inner units; `None` where nothing is known of it.
     pub fn sigma(&self, model: &Model, term: &Term, coefficient: usize) -> Option<f64> {
         if self.freed.contains(&key(term, coefficient)) {

@@ -18,6 +18,7 @@
 //! - [`gauge`]: what no kind at hand can show: where the base stands, how large everything is.
 //! - [`start`]: from where the fit begins.
 //! - [`figures`]: σ of each kind, outliers, errors by kind.
+//! - `held`: joint values that bring a target to where it is held.
 //!
 //! The orientation of the tool is found from four points of it that go through the same model as the
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves
@@ -25,6 +26,7 @@
 
 pub mod figures;
 pub mod gauge;
+pub(crate) mod held;
 pub mod layer;
 pub mod start;
 
@@ -91,6 +93,8 @@ pub struct AboutKind {
     /// Whether its residual shows how large things are: a length in mm that is not one between two
     /// unknown places.
     pub shows_length: bool,
+    /// Whether what is measured is that the target is at the place: a pose has to bring it there.
+    pub holds: bool,
 }
 
 /// What the model says of one sample.

@@ -11,7 +11,13 @@
 //!   "unlocks": [ { "effect": "backlash", "joint": 1, "because": "…", "do": ["…"] } ],
 //!   "cannot": [ { "effect": "joint-compliance", "joint": 1, "because": "…", "do": [] } ],
 //!   "will_be_seen_above": [ { "effect": "backlash", "joint": 1, "sizes": { "width_deg": 0.01 } } ],
-//!   "alike": [ { "effects": ["backlash", "lost-motion"], "joints": [1, 1], "correlation": 0.97 } ] }
+//!   "alike": [ { "effects": ["backlash", "lost-motion"], "joints": [1, 1], "correlation": 0.97 } ],
+//!   "geometry": { "parameters": 33, "before_is": "session | random poses",
+//!                 "observability_mm": { "before": 40.1, "after": 60.2 },
+//!                 "expected_error": { "before": { "rms_mm": 0.05, "p95_mm": 0.08 },
+//!                                     "after": { "rms_mm": 0.02, "p95_mm": 0.03 } },
+//!                 "enough": { "accuracy_mm": 0.05, "poses": 34 },
+//!                 "curve": [ { "poses": 20, "rms_mm": 0.06, "p95_mm": 0.09 } ] } }
 //! ```
 //!
 //! - `poses` in measuring order, with the keys of a diagnosis's `next_poses`; the values of a
@@ -23,12 +29,20 @@
 //!   difference. `cannot`: what stays untestable and why; `do` says what would help beside poses,
 //!   and is empty where nothing does.
 //! - `will_be_seen_above`: detection limits (95 %) once the poses are measured, for noise of
-//!   `sigma_mm` on every axis. `alike`: pairs that will be hard to tell apart.
+//!   `sigma_mm` on every axis. `alike`: pairs that will be hard to tell apart. Both are empty where the
+//!   session has no points.
+//! - `geometry` is null for a single joint and with `--separate`. `before` is with the session alone, for a
+//!   robot with random poses of the same number (the mean of several sets). The observability index is that of
+//!   Borm and Menq; an expected error is that of the model over the joint ranges, root mean square and 95th
+//!   percentile, from the noise and the number of poses alone. `enough` is null without `--accuracy`; `curve`
+//!   says the error with other numbers of poses, beside the session.
 
 use serde::Serialize;
 
 use super::diagnosis_v1::{Pose, poses};
+use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
+use crate::design::outlook::ExpectedError;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
 
@@ -47,6 +61,42 @@ pub struct Document {
     cannot: Vec<UntestableEntry>,
     will_be_seen_above: Vec<Seen>,
     alike: Vec<Alike>,
+    geometry: Option<OfGeometry>,
+}
+
+#[derive(Debug, Serialize)]
+struct OfGeometry {
+    parameters: usize,
+    before_is: &'static str,
+    observability_mm: BeforeAfter<f64>,
+    expected_error: BeforeAfter<Error>,
+    enough: Option<Enough>,
+    curve: Vec<AtPoses>,
+}
+
+#[derive(Debug, Serialize)]
+struct BeforeAfter<T> {
+    before: T,
+    after: T,
+}
+
+#[derive(Debug, Serialize)]
+struct Error {
+    rms_mm: f64,
+    p95_mm: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Enough {
+    accuracy_mm: f64,
+    poses: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct AtPoses {
+    poses: usize,
+    #[serde(flatten)]
+    error: Error,
 }
 
 #[derive(Debug, Serialize)]
@@ -129,7 +179,41 @@ impl Document {
                     correlation: a.correlation,
                 })
                 .collect(),
+            geometry: plan.geometry.as_ref().map(|g| of_geometry(g, plan.subject)),
         }
+    }
+}
+
+fn of_geometry(geometry: &Geometry, subject: Subject) -> OfGeometry {
+    let (before, after) = (&geometry.before, &geometry.after);
+    let error = |e: &ExpectedError| Error {
+        rms_mm: e.rms_mm,
+        p95_mm: e.p95_mm,
+    };
+    let curve = geometry.curve.iter();
+    OfGeometry {
+        parameters: geometry.parameters,
+        before_is: match subject {
+            Subject::Session => "session",
+            Subject::Robot => "random poses",
+        },
+        observability_mm: BeforeAfter {
+            before: before.observability,
+            after: after.observability,
+        },
+        expected_error: BeforeAfter {
+            before: error(&before.error),
+            after: error(&after.error),
+        },
+        enough: geometry
+            .enough
+            .map(|(accuracy_mm, poses)| Enough { accuracy_mm, poses }),
+        curve: curve
+            .map(|(poses, e)| AtPoses {
+                poses: *poses,
+                error: error(e),
+            })
+            .collect(),
     }
 }
 

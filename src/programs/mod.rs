@@ -2,7 +2,8 @@
 //!
 //! A reader finds the targets of a file, each number with its place, and leaves every other byte
 //! alone: comments and strings are no targets, and what a program computes at run time is listed.
-//! [`compensate()`] replaces the numbers by those of the corrected commands, in place.
+//! [`compensate()`] replaces the numbers by those of the corrected commands, in place. [`stops`] writes a
+//! program for measuring poses.
 //!
 //! # To add a language
 //! Write one file like its neighbours, a function from [`Text`] and [`Axes`] to a [`Program`], and add
@@ -31,6 +32,7 @@ mod target;
 mod text;
 mod tokens;
 mod urscript;
+mod write;
 
 pub use answer::{Answer, Left, Outcome, Reason, Written};
 pub use axes::{Axes, Slot};
@@ -39,6 +41,7 @@ pub use frames::ModelTool;
 pub use number::Number;
 pub use target::{Program, Remark, Shape, Target};
 pub use text::Text;
+pub use write::{Stop, WriteError, stops};
 
 use target::Problem;
 

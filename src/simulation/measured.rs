@@ -4,7 +4,7 @@
 //! to be in a socket or on a plane the stop is moved there by the shortest way of the joints (Newton's
 //! method on the real robot), off by the noise of the seat or of the touch.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::Vector3;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
@@ -12,19 +12,16 @@ use super::scenario::{Measure, Scenario};
 use super::{SimulateError, Stream, random};
 use crate::diagnostic::{Diagnostic, Place as FilePlace, Rejected};
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
-use crate::effects::{Inputs, JointValues, Term, joint_zero};
+use crate::effects::{Inputs, JointValues};
 use crate::lanes::dot;
 use crate::model::Model;
+use crate::observations::held::{Missing, bring};
 use crate::observations::layer::predictions;
 use crate::observations::{KINDS, Kind, Seen};
 use crate::sessions::{References, Session};
 
-/// Steps of Newton's method.
-const STEPS: usize = 60;
-/// The target is there where no more than this is missing, mm.
-const THERE_MM: f64 = 1e-9;
-/// The longest step of a joint, rad; of one that slides as many times a metre.
-const LONGEST: f64 = 0.3;
+/// The three directions in which a target in a socket is held.
+const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// The kinds that one way to measure has.
 fn kinds_of(measure: Measure) -> &'static [&'static str] {
@@ -183,60 +180,26 @@ fn brought(
     sample: usize,
     (Place { kind, index }, off): (Place, [f64; 3]),
 ) -> Result<(), SimulateError> {
-    let joints = session.robot.joints.len();
-    let zero = joint_zero();
-    // A joint moves the target as its zero offset does; the nominal robot's slopes are near enough.
-    let probed = (0..joints).fold(Model::nominal(model.robot.clone()), |m, joint| {
-        m.with_term(Term::absent(zero, joint, 0.0))
-    });
     let references = &scenario.instrument.references;
-    let inputs = Inputs::new(session, JointValues::Commanded);
-    let mut own = inputs.select(&[sample]);
-    for _ in 0..STEPS {
-        let at = model.predict(&own).get(0);
-        let (left, rows) = if kind == PlaceKind::Plane {
-            let Some((normal, distance)) = references.planes[index].known else {
-                return Ok(());
-            };
+    let mut own = Inputs::new(session, JointValues::Commanded).select(&[sample]);
+    let missing = |at: [f64; 3]| -> Option<Missing> {
+        if kind == PlaceKind::Plane {
+            let (normal, distance) = references.planes[index].known?;
             let n: [f64; 3] = normal.into_inner().into();
-            (vec![distance + off[0] - dot(n, at)], vec![n])
-        } else {
-            let Some(socket) = references.sockets[index].position_mm else {
-                return Ok(());
-            };
-            let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
-            (
-                left,
-                vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            )
-        };
-        if left.iter().all(|v: &f64| v.abs() < THERE_MM) {
-            for joint in 0..joints {
-                session.samples.q[joint][sample] = own.q[joint][0];
-            }
-            return Ok(());
+            return Some((vec![distance + off[0] - dot(n, at)], vec![n]));
         }
-        let mut slopes = DMatrix::zeros(rows.len(), joints);
-        probed.visit(&own, true, |_, block| {
-            for (joint, column) in block.columns.iter().enumerate() {
-                let moved = [column[0][0], column[1][0], column[2][0]];
-                for (row, by) in rows.iter().enumerate() {
-                    slopes[(row, joint)] = dot(*by, moved);
-                }
-            }
-        });
-        let svd = slopes.svd(true, true);
-        let Ok(step) = svd.solve(&DVector::from_vec(left), 1e-9) else {
-            break;
-        };
-        let longest = (0..joints).map(|j| {
-            let slides = session.robot.joints[j].kind == crate::kinematics::JointKind::Prismatic;
-            step[j].abs() / if slides { 1000.0 } else { 1.0 }
-        });
-        let shorten = (LONGEST / longest.fold(LONGEST, f64::max)).min(1.0);
-        for joint in 0..joints {
-            own.q[joint].to_mut()[0] += shorten * step[joint];
+        let socket = references.sockets[index].position_mm?;
+        let left = (0..3).map(|k| socket[k] + off[k] - at[k]).collect();
+        Some((left, UPRIGHT.to_vec()))
+    };
+    if missing([0.0; 3]).is_none() {
+        return Ok(());
+    }
+    if bring(model, &mut own, |at| missing(at).unwrap_or_default()) {
+        for (to, from) in session.samples.q.iter_mut().zip(&own.q) {
+            to[sample] = from[0];
         }
+        return Ok(());
     }
     let name = crate::effects::places::name(references, Place { kind, index });
     let found = format!("'{name}' is not reached from stop {}", sample + 1);

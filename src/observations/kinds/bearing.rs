@@ -21,6 +21,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Radian,
     usual_sigma: 5e-5,
     shows_length: false,
+    holds: false,
 };
 
 /// The station of a sample, and whether what it sees is the axis that points.

@@ -18,6 +18,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Millimetre,
     usual_sigma: 0.02,
     shows_length: true,
+    holds: false,
 };
 
 fn distance(session: &Session, sample: usize) -> f64 {

@@ -22,6 +22,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Radian,
     usual_sigma: 5e-4,
     shows_length: false,
+    holds: false,
 };
 
 /// The measured orientation of a sample.
@@ -73,6 +74,8 @@ impl Kind for Orientation {
         let predicted = Rotation3::from_matrix_unchecked(predicted);
         let measured = measured(session, sample).unwrap_or_default();
         let left = (measured.to_rotation_matrix() * predicted.inverse()).scaled_axis();
+        // Rounding may take a trace beyond 3, of which there is no angle: nothing is left then.
+        let left = left.map(|v| if v.is_nan() { 0.0 } else { v });
         let angle = left.norm();
         // (1/θ² − (1 + cos θ)/(2 θ sin θ)), by its series near zero; beyond a right angle nothing is
         // near, and a rough derivative is enough to get there.

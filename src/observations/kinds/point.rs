@@ -23,6 +23,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Millimetre,
     usual_sigma: 0.05,
     shows_length: true,
+    holds: false,
 };
 
 /// The coordinates of a sample; NaN where one is missing.

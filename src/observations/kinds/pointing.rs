@@ -20,6 +20,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Radian,
     usual_sigma: 5e-5,
     shows_length: false,
+    holds: false,
 };
 
 impl Kind for Pointing {

@@ -15,6 +15,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Millimetre,
     usual_sigma: 0.05,
     shows_length: false,
+    holds: true,
 };
 
 impl Kind for Socket {

@@ -19,6 +19,7 @@ static ABOUT: AboutKind = AboutKind {
     unit: Unit::Millimetre,
     usual_sigma: 0.02,
     shows_length: false,
+    holds: true,
 };
 
 impl Kind for Touch {

@@ -1,0 +1,349 @@
+//! Poses of a robot with several joints: those that show most of its geometry, whatever is measured.
+//!
+//! Candidates are spread over the joint limits, for every way of measuring that the session has: its
+//! targets, anchors, stations, planes, sockets. Where a target is held in a place a candidate is moved
+//! there; what the instrument does not see ([`super::sight`]) is none. They compete ([`super::bench`]) in the information
+//! about the whole base model ([`crate::fit::base_model`]) beside its weak priors and what was measured
+//! already; then what was chosen competes with poses around it. Which effects the poses show beside the
+//! geometry is a matter of conditions ([`super::conditions`]).
+
+use nalgebra::Point3;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::candidate_poses::{anywhere, ranges, typed};
+use super::imagined::{extend, extended, place_of, unmeasured};
+use super::sight;
+use crate::diagnosis::{DiagnoseError, NextPose, Options};
+use crate::effects::Inputs;
+use crate::effects::inputs::reflectors_at_home;
+use crate::effects::places::{Place, PlaceKind, stated};
+use crate::fit::base_model;
+use crate::fit::priors::Priors;
+use crate::fit::problem::Problem;
+use crate::kinematics::{Range, Robot};
+use crate::model::Model;
+use crate::observations::held::bring;
+use crate::observations::{KINDS, Seen};
+use crate::sessions::{Instrument, Session, Sigma, Target};
+
+/// Candidates around what was chosen.
+const AROUND: usize = 700;
+/// Each of so many candidates has joints at the ends of their ranges, every joint with this share.
+const ENDS_EVERY: usize = 3;
+const ENDS: f64 = 0.25;
+/// Ways of measuring that are tried at most.
+const MOST_WAYS: usize = 24;
+/// So many tries for each candidate that is wanted.
+const TRIES: usize = 12;
+
+/// Where the instrument stands, for robots that nobody has measured, and how targets are seen.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Sight {
+    /// In the robot's base frame, mm.
+    pub(crate) from: Option<Point3<f64>>,
+    /// A target is seen within this angle of where it faces, rad.
+    pub(crate) cone_rad: Option<f64>,
+}
+
+/// One way of measuring.
+struct Way {
+    /// The sample that was measured so; none: a point of a robot that nobody has measured.
+    like: Option<usize>,
+    target: u32,
+    /// Where the target has to be.
+    held: Option<(usize, Place)>,
+    /// From where it is seen, measuring frame.
+    from: Option<Point3<f64>>,
+}
+
+/// A pose, and in which of the ways it is measured.
+pub(crate) type Candidate = (NextPose, usize);
+
+/// What was measured of a sample: kinds, and the places that they refer to.
+type Measured = Vec<(usize, Option<Place>)>;
+
+/// See the module.
+pub(crate) struct Arm {
+    /// What was measured, and planned before.
+    pub(crate) session: Session,
+    /// All of the base model, where it is known to be.
+    pub(crate) base: Model,
+    pub(crate) priors: Priors,
+    pub(crate) ranges: Vec<Range>,
+    ways: Vec<Way>,
+    cone_rad: Option<f64>,
+    seed: u64,
+}
+
+impl Arm {
+    /// A session as it is fitted.
+    pub(crate) fn of_session(
+        session: &Session,
+        sigma_mm: Option<f64>,
+        options: &Options,
+        sight: &Sight,
+    ) -> Result<Self, DiagnoseError> {
+        let mut problem = Problem::observing(session, options.joint_values);
+        if problem.samples() == 0 {
+            return Err(DiagnoseError::NothingToFit);
+        }
+        let start = base_model::start(session, &problem, |id| options.allowed.exists(id));
+        let fitted = base_model::fit(&mut problem, &start, true).solution.model;
+        let priors = problem.priors.clone();
+        let ranges = ranges(&session.robot, Some(&problem.inputs));
+        let mut session = session.clone();
+        let from = session
+            .instrument
+            .tracker
+            .map(|t| t.position_mm)
+            .or(sight.from);
+        let per_axis = matches!(session.instrument.sigma_mm, Some(Sigma::PerAxis(_)));
+        if let Some(sigma_mm) = sigma_mm {
+            session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
+            session.instrument.tracker = None;
+        } else if session.has_plain_points() && !per_axis {
+            // The noise is what the fit leaves, in the mean of the axes that were measured.
+            let unit = problem.noise.as_ref().map_or(1.0, |noise| {
+                let of = noise.sigma_mm.iter().zip(&problem.axis_weights);
+                let squares = of.filter(|own| *own.1 > 0.0).map(|own| own.0 * own.0);
+                (squares.sum::<f64>() / problem.axes().max(1) as f64).sqrt()
+            });
+            session.instrument.sigma_mm = Some(Sigma::Overall(unit * priors.variance.sqrt()));
+        }
+        Ok(Self {
+            base: valued(&start, &fitted),
+            ways: ways(&session, from),
+            cone_rad: sight.cone_rad,
+            seed: options.seed,
+            session,
+            priors,
+            ranges,
+        })
+    }
+
+    /// A robot that nobody has measured, seen from a place in its base frame.
+    pub(crate) fn of_robot(
+        robot: &Robot,
+        targets: &[Target],
+        sigma_mm: f64,
+        seed: u64,
+        sight: &Sight,
+    ) -> Self {
+        let way = |target: usize| Way {
+            like: None,
+            target: u32::try_from(target).unwrap_or(0),
+            held: None,
+            from: sight.from,
+        };
+        let mut arm = Self {
+            session: unmeasured(robot, targets, Some(sigma_mm)),
+            base: Model::nominal(robot.clone()),
+            priors: Priors::unmeasured(Instrument::default().targets_sigma_mm),
+            ranges: ranges(robot, None),
+            ways: (0..targets.len()).map(way).collect(),
+            cone_rad: sight.cone_rad,
+            seed,
+        };
+        let some = arm.with(&arm.candidates(8 * targets.len(), false, &mut arm.random(0)));
+        let problem = Problem::observing(&some, crate::effects::JointValues::Commanded);
+        arm.base = base_model::start(&some, &problem, |_| true);
+        arm
+    }
+
+    /// The same once these poses are measured.
+    pub(crate) fn beside_planned(mut self, planned: &[NextPose]) -> Self {
+        let targets = self.session.targets.clone();
+        if !planned.is_empty() {
+            self.session = extended(&self.session, &self.base, planned, &targets);
+        }
+        self
+    }
+
+    pub(crate) fn random(&self, stream: u64) -> ChaCha8Rng {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed ^ 0x00a2_3d07);
+        random.set_stream(stream);
+        random
+    }
+
+    /// Poses over the joint ranges, in all ways of measuring in turn; with `ends` many have joints at the
+    /// ends of their ranges.
+    pub(crate) fn candidates(
+        &self,
+        count: usize,
+        ends: bool,
+        random: &mut ChaCha8Rng,
+    ) -> Vec<Candidate> {
+        let mut drawn = Vec::with_capacity(count * TRIES);
+        for k in 0..count * TRIES {
+            let mut q = anywhere(&self.ranges, random);
+            for (q, range) in q.iter_mut().zip(&self.ranges) {
+                let (at_end, low) = (random.random::<f64>() < ENDS, random.random::<bool>());
+                if ends && k % ENDS_EVERY == 0 && at_end {
+                    *q = if low { range.from } else { range.to };
+                }
+            }
+            drawn.push((q, k / ENDS_EVERY % self.ways.len().max(1)));
+        }
+        self.admitted(drawn, count)
+    }
+
+    /// Poses around these, each in the same way.
+    pub(crate) fn around(
+        &self,
+        chosen: &[Candidate],
+        near: f64,
+        random: &mut ChaCha8Rng,
+    ) -> Vec<Candidate> {
+        let each = AROUND.div_ceil(chosen.len().max(1)).max(2);
+        let mut drawn = Vec::with_capacity(each * chosen.len());
+        for (pose, way) in chosen {
+            for _ in 0..each {
+                let one = |(q, range): (&f64, &Range)| {
+                    let step =
+                        near * (range.to - range.from) * (2.0 * random.random::<f64>() - 1.0);
+                    (q + step).clamp(range.from, range.to)
+                };
+                drawn.push((pose.q.iter().zip(&self.ranges).map(one).collect(), *way));
+            }
+        }
+        let count = drawn.len();
+        self.admitted(drawn, count)
+    }
+
+    /// Of these the first that can be measured.
+    fn admitted(&self, drawn: Vec<(Vec<f64>, usize)>, count: usize) -> Vec<Candidate> {
+        let mut all = Vec::new();
+        let several = self.session.targets.len() > 1;
+        let mut drawn = drawn.into_iter();
+        while all.len() < count {
+            let some: Vec<(Vec<f64>, usize)> = drawn.by_ref().take(count).collect();
+            if some.is_empty() {
+                break;
+            }
+            let brought = some.into_iter();
+            let brought = brought.filter_map(|(q, way)| Some((self.brought(q, way)?, way)));
+            let some: Vec<(Vec<f64>, usize)> = brought.collect();
+            let posed = some.iter().map(|(q, w)| (&q[..], self.ways[*w].target));
+            let posed: Vec<(&[f64], u32)> = posed.collect();
+            let from: Vec<_> = some.iter().map(|(_, w)| self.ways[*w].from).collect();
+            let seen = sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
+            for ((q, way), _) in some.into_iter().zip(seen).filter(|own| own.1) {
+                let target = self.session.targets.get(self.ways[way].target as usize);
+                let pose = NextPose {
+                    dir: vec![0.0; q.len()],
+                    q,
+                    target: target.filter(|_| several).map(|t| t.name.clone()),
+                    target_mm: None,
+                    speed: None,
+                    load_kg: None,
+                    temperature_c: None,
+                    why: "joint values that tell most".to_owned(),
+                };
+                all.push((pose, way));
+            }
+        }
+        all.truncate(count);
+        all
+    }
+
+    /// The session with these poses measured too.
+    pub(crate) fn with(&self, candidates: &[Candidate]) -> Session {
+        let poses: Vec<NextPose> = candidates.iter().map(|c| c.0.clone()).collect();
+        let like: Vec<_> = candidates.iter().map(|c| self.ways[c.1].like).collect();
+        let mut whole = self.session.clone();
+        extend(&mut whole, &self.base, &poses, &like);
+        whole
+    }
+
+    /// Joint values as a technician types them, or where the target is held where it has to be; none
+    /// within the limits: `None`.
+    fn brought(&self, mut q: Vec<f64>, way: usize) -> Option<Vec<f64>> {
+        let way = &self.ways[way];
+        let joints = &self.session.robot.joints;
+        let Some((kind, place)) = way.held else {
+            for ((q, range), joint) in q.iter_mut().zip(&self.ranges).zip(joints) {
+                *q = typed(*q, joint.kind).clamp(range.from, range.to);
+            }
+            return Some(q);
+        };
+        let columns = q.iter().map(|q| vec![*q]).collect();
+        let mut own = Inputs::at_poses(columns, reflectors_at_home(&self.session));
+        own.target = Some(vec![way.target].into());
+        let setup = self
+            .session
+            .samples
+            .setups
+            .as_ref()
+            .and_then(|s| s.index.last());
+        own.setup = setup.map(|last| vec![f64::from(*last)]);
+        let at = place_of(&self.session, &self.base, place);
+        let there = bring(&self.base, &mut own, |point| {
+            let seen = Seen {
+                point,
+                attitude: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+                place: &at,
+            };
+            let left = KINDS[kind].residual(&self.session, way.like.unwrap_or(0), &seen);
+            (
+                left.left[..left.rows].to_vec(),
+                left.by_point[..left.rows].to_vec(),
+            )
+        });
+        let q: Vec<f64> = own.q.iter().map(|q| q[0]).collect();
+        let inside = |(q, range): (&f64, &Range)| *q >= range.from && *q <= range.to;
+        (there && q.iter().zip(&self.ranges).all(inside)).then_some(q)
+    }
+}
+
+/// Terms with the values of a fit, as far as it has them.
+fn valued(start: &Model, fitted: &Model) -> Model {
+    let terms = start.terms().iter().map(|term| {
+        let own = fitted.terms().iter().find(|t| t.same_column(term));
+        let mut term = term.clone();
+        if let Some(own) = own {
+            term.coefficients.clone_from(&own.coefficients);
+        }
+        term
+    });
+    Model::new(start.robot.clone(), terms.collect())
+}
+
+/// The different ways in which the samples were measured; `from` is where the instrument stands that is no
+/// station.
+fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Way> {
+    let mut known: Vec<(Measured, u32)> = Vec::new();
+    let mut ways = Vec::new();
+    for sample in 0..session.samples.len() {
+        let measured = KINDS
+            .iter()
+            .enumerate()
+            .filter(|(_, kind)| kind.measured(session, sample));
+        let kinds: Vec<_> = measured
+            .map(|(k, kind)| (k, kind.place(session, sample)))
+            .collect();
+        let target = session.samples.target.as_ref().map_or(0, |t| t[sample]);
+        let key = (kinds, target);
+        if key.0.is_empty() || known.contains(&key) || ways.len() >= MOST_WAYS {
+            continue;
+        }
+        let places = || {
+            key.0
+                .iter()
+                .filter_map(|(k, place)| place.map(|place| (*k, place)))
+        };
+        let station = places().find(|(_, place)| place.kind == PlaceKind::Station);
+        let position = station.and_then(|(_, place)| {
+            let at = stated(&session.instrument.references, place);
+            Some(Point3::new(at[3]?, at[4]?, at[5]?))
+        });
+        ways.push(Way {
+            like: Some(sample),
+            target,
+            held: places().find(|(k, _)| KINDS[*k].about().holds),
+            from: position.or(from),
+        });
+        known.push(key);
+    }
+    ways
+}

@@ -1,0 +1,192 @@
+//! What candidate poses of a robot with several joints show of its geometry beside what is known, and the
+//! best of them.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::arm::{Arm, Candidate};
+use super::comparison::inverse;
+use super::exchange::{Criterion, Information, choose, exchange};
+use super::imagined::{Shown, shown};
+use super::outlook::{ExpectedError, Prospect, Workspace};
+use crate::effects::JointValues;
+use crate::fit::base_model;
+use crate::fit::problem::Problem;
+use crate::model::Model;
+
+/// Candidates of the first round.
+const CANDIDATES: usize = 900;
+/// How far around, as shares of the joint ranges, round by round.
+const NEAR: [f64; 2] = [0.12, 0.04];
+/// Passes of the exchange.
+const PASSES: usize = 8;
+/// Nothing is known of what has no prior, within this: mm, or rad.
+const ANYTHING: [f64; 2] = [1e3, 1.0];
+
+/// Candidates and what they show.
+pub(crate) struct Bench {
+    pub(crate) candidates: Vec<Candidate>,
+    /// What nobody has measured of it yet.
+    pub(crate) information: Information,
+    /// The base model without what no candidate shows.
+    pub(crate) model: Model,
+    columns: Vec<usize>,
+    /// Rows of candidates and of what was measured before.
+    pub(crate) shown: Shown,
+    /// Samples that were measured before.
+    pub(crate) before: usize,
+    pub(crate) workspace: Workspace,
+}
+
+impl Arm {
+    /// Candidates beside what was measured. Without a model it is found what they can show.
+    fn bench(&self, candidates: Vec<Candidate>, model: Option<Model>) -> Bench {
+        let whole = self.with(&candidates);
+        let before = self.session.samples.len();
+        let mut problem = Problem::observing(&whole, JointValues::Commanded);
+        problem.priors = self.priors.clone();
+        let model = model.unwrap_or_else(|| base_model::gauged(&problem, &self.base));
+        let (columns, known) = self.known(&model);
+        let mut shown = shown(&whole, &model, &columns);
+        let mut precision = known + &shown.beside;
+        shown.beside += self.stated(&model, &columns);
+        let measured = shown.rows.rows(0, shown.first[before]);
+        precision.gemm_tr(1.0, &measured, &measured, 1.0);
+        let first = shown.first[before];
+        let rows = shown
+            .rows
+            .rows(first, shown.rows.nrows() - first)
+            .into_owned();
+        let starts = shown.first[before..].iter().map(|f| f - first).collect();
+        let mut workspace = Workspace::new(&problem, &model, &columns);
+        workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.beside));
+        Bench {
+            information: Information::new(rows, starts, inverse(&precision)),
+            workspace,
+            candidates,
+            model,
+            columns,
+            shown,
+            before,
+        }
+    }
+
+    /// The information about the targets' places that the session states.
+    fn stated(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
+        let mut without = self.priors.clone();
+        without.weak = false;
+        let each = model.terms().iter().flat_map(|term| {
+            let own = 0..term.coefficients.len();
+            own.map(|k| without.sigma(model, term, k).map_or(0.0, |s| s.powi(-2)))
+        });
+        let each: Vec<f64> = each.collect();
+        let of = columns.iter().map(|k| each[*k]);
+        DMatrix::from_diagonal(&DVector::from_iterator(columns.len(), of))
+    }
+
+    /// The coefficients that are not held, and what is known of them beforehand.
+    pub(crate) fn known(&self, model: &Model) -> (Vec<usize>, DMatrix<f64>) {
+        let (mut columns, mut precision) = (Vec::new(), Vec::new());
+        let mut first = 0;
+        for term in model.terms() {
+            let kind = model.robot.joints[term.joint].kind;
+            for k in (0..term.coefficients.len()).filter(|k| !term.held.contains(*k)) {
+                let turns = term.effect.about().form.turns(k, kind);
+                let sigma = self.priors.sigma(model, term, k);
+                columns.push(first + k);
+                precision.push(sigma.unwrap_or(ANYTHING[usize::from(turns)]).powi(-2));
+            }
+            first += term.coefficients.len();
+        }
+        let precision = DVector::from_vec(precision);
+        (columns, DMatrix::from_diagonal(&precision))
+    }
+
+    /// Candidates over the joint ranges beside what was measured; `None` where there are none.
+    pub(crate) fn spread(&self) -> Option<Bench> {
+        let candidates = self.candidates(CANDIDATES, true, &mut self.random(1));
+        (!candidates.is_empty()).then(|| self.bench(candidates, None))
+    }
+
+    /// Poses at random, that show what the candidates of a bench do.
+    pub(crate) fn at_random(&self, bench: &Bench, count: usize) -> Bench {
+        let candidates = self.candidates(count, false, &mut self.random(9));
+        self.bench(candidates, Some(bench.model.clone()))
+    }
+
+    /// So many poses, chosen of a bench and improved around what was chosen; the bench that they stand
+    /// on at the end, and which of it they are.
+    pub(crate) fn designed(&self, bench: &Bench, count: usize) -> (Bench, Vec<usize>) {
+        let chosen = bench.chosen(count);
+        let mut own: Vec<Candidate> = chosen
+            .iter()
+            .map(|k| bench.candidates[*k].clone())
+            .collect();
+        for (round, near) in NEAR.into_iter().enumerate() {
+            let next = self.beside(&own, near, round, bench);
+            let mut order: Vec<usize> = (0..own.len()).collect();
+            let mut information = next.information.clone();
+            for k in &order {
+                information.take(*k);
+            }
+            exchange(&mut information, &mut order, PASSES);
+            own = order.iter().map(|k| next.candidates[*k].clone()).collect();
+        }
+        let end = self.bench(own, Some(bench.model.clone()));
+        let all = (0..end.candidates.len()).collect();
+        (end, all)
+    }
+
+    /// What was chosen, and poses around it.
+    fn beside(&self, own: &[Candidate], near: f64, round: usize, bench: &Bench) -> Bench {
+        let around = self.around(own, near, &mut self.random(2 + round as u64));
+        let all = own.iter().cloned().chain(around).collect();
+        self.bench(all, Some(bench.model.clone()))
+    }
+}
+
+impl Bench {
+    /// So many candidates, greedily and then exchanged.
+    pub(crate) fn chosen(&self, count: usize) -> Vec<usize> {
+        let mut information = self.information.clone();
+        let mut order = choose(&mut information, count);
+        exchange(&mut information, &mut order, PASSES);
+        order
+    }
+
+    /// The expected error after each of so many candidates, greedily.
+    pub(crate) fn trace(&self, count: usize) -> Vec<ExpectedError> {
+        let mut information = self.information.clone();
+        let order = choose(&mut self.information.clone(), count);
+        let after = |k: &usize| {
+            information.take(*k);
+            self.workspace.error(&information.covariance)
+        };
+        order.iter().map(after).collect()
+    }
+
+    /// What is to be expected once these candidates are measured too.
+    pub(crate) fn prospect(&self, of: &[usize]) -> Prospect {
+        let mut information = self.information.clone();
+        for k in of {
+            information.take(*k);
+        }
+        let count = self.before + of.len();
+        let measured = self.shown.rows.rows(0, self.shown.first[self.before]);
+        let mut gram = measured.tr_mul(&measured) + &self.shown.beside;
+        for k in of {
+            let (from, to) = (
+                self.shown.first[self.before + k],
+                self.shown.first[self.before + k + 1],
+            );
+            let own = self.shown.rows.rows(from, to - from);
+            gram.gemm_tr(1.0, &own, &own, 1.0);
+        }
+        self.workspace
+            .prospect(&information.covariance, &gram, count)
+    }
+
+    /// Number of coefficients that candidates show.
+    pub(crate) fn parameters(&self) -> usize {
+        self.columns.len()
+    }
+}

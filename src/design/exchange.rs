@@ -1,0 +1,220 @@
+//! The planner: of candidate poses those that are worth most to a criterion.
+//!
+//! [`choose`] takes pose after pose, each time the one that is worth most. What poses are worth is a
+//! [`Criterion`]: how far they part rival models ([`super::comparison`], T-optimality), or how much
+//! they add to what is known of parameters ([`Information`], D-optimality):
+//!
+//! ```text
+//! worth = ln det(1 + J C Jᵀ),   C ← C − C Jᵀ (1 + J C Jᵀ)⁻¹ J C
+//! ```
+//!
+//! with J the columns of a pose in units of the noise and C the covariance so far. [`exchange`] then
+//! gives one pose after the other back and takes the best in its place until none is better
+//! (Fedorov 1972; Cook & Nachtsheim 1980). Both ways C and all J C Jᵀ change by as many ranks as a
+//! pose has rows, and nothing is inverted anew.
+
+use nalgebra::DMatrix;
+
+/// What poses are worth.
+pub(crate) trait Criterion {
+    /// What each candidate would be worth as the next pose; 0: nothing.
+    fn worths(&self) -> Vec<f64>;
+
+    /// Takes a candidate.
+    fn take(&mut self, candidate: usize);
+
+    /// Whether no more is wanted.
+    fn satisfied(&mut self) -> bool {
+        false
+    }
+}
+
+/// A pose that is worth less than this is worth nothing.
+const NOTHING: f64 = 1e-9;
+
+/// Candidates one after the other until the criterion is satisfied, `most` are taken, or nothing
+/// helps; of candidates that are worth the same the first.
+pub(crate) fn choose(criterion: &mut impl Criterion, most: usize) -> Vec<usize> {
+    let mut order = Vec::new();
+    while order.len() < most && !criterion.satisfied() {
+        let worths = criterion.worths();
+        let Some(best) = best(&worths).filter(|k| worths[*k] > NOTHING) else {
+            break;
+        };
+        criterion.take(best);
+        order.push(best);
+    }
+    order
+}
+
+fn best(worths: &[f64]) -> Option<usize> {
+    (0..worths.len()).max_by(|a, b| worths[*a].total_cmp(&worths[*b]).then(b.cmp(a)))
+}
+
+/// What is known of parameters, and what each candidate would add to it. A candidate is taken once.
+#[derive(Clone)]
+pub(crate) struct Information {
+    /// Rows of all candidates, in units of the noise.
+    rows: DMatrix<f64>,
+    /// First row of each candidate, and the end.
+    first: Vec<usize>,
+    pub(crate) covariance: DMatrix<f64>,
+    /// J C Jᵀ of every candidate: its rows stand where the candidate's stand.
+    spread: DMatrix<f64>,
+    taken: Vec<bool>,
+}
+
+impl Information {
+    /// Candidates with their rows (`first` says where each begins, and the end), beside what is known.
+    pub(crate) fn new(rows: DMatrix<f64>, first: Vec<usize>, covariance: DMatrix<f64>) -> Self {
+        let most = first.windows(2).map(|w| w[1] - w[0]).max().unwrap_or(0);
+        let mut new = Self {
+            spread: DMatrix::zeros(rows.nrows(), most),
+            taken: vec![false; first.len().saturating_sub(1)],
+            rows,
+            first,
+            covariance,
+        };
+        new.refresh();
+        new
+    }
+
+    /// Every J C Jᵀ from the covariance as it is now.
+    fn refresh(&mut self) {
+        let carried = &self.rows * &self.covariance;
+        for pair in self.first.windows(2) {
+            let size = pair[1] - pair[0];
+            let own = carried.rows(pair[0], size) * self.rows.rows(pair[0], size).transpose();
+            self.spread
+                .view_mut((pair[0], 0), (size, size))
+                .copy_from(&own);
+        }
+    }
+
+    /// 1 ± J C Jᵀ of a candidate.
+    fn innovation(&self, candidate: usize, sign: f64) -> DMatrix<f64> {
+        let first = self.first[candidate];
+        let size = self.first[candidate + 1] - first;
+        DMatrix::from_fn(size, size, |i, j| {
+            f64::from(u8::from(i == j)) + sign * self.spread[(first + i, j)]
+        })
+    }
+
+    /// What a candidate would add, whether it is taken or not.
+    pub(crate) fn gain(&self, candidate: usize) -> f64 {
+        let factor = self.innovation(candidate, 1.0).cholesky();
+        factor.map_or(0.0, |c| {
+            2.0 * c.l().diagonal().iter().map(|d| d.ln()).sum::<f64>()
+        })
+    }
+
+    /// Takes the rows of a candidate in (`sign` 1) or out (−1).
+    fn update(&mut self, candidate: usize, sign: f64) {
+        let first = self.first[candidate];
+        let size = self.first[candidate + 1] - first;
+        let own = self.rows.rows(first, size);
+        let carried = own * &self.covariance;
+        let factor = self.innovation(candidate, sign).cholesky();
+        let Some(root) = factor.and_then(|c| c.l().solve_lower_triangular(&carried)) else {
+            return;
+        };
+        self.taken[candidate] = sign > 0.0;
+        self.covariance.gemm_tr(-sign, &root, &root, 1.0);
+        let moved = &self.rows * root.transpose();
+        for pair in self.first.windows(2) {
+            for i in pair[0]..pair[1] {
+                for j in pair[0]..pair[1] {
+                    let change: f64 = (0..size).map(|k| moved[(i, k)] * moved[(j, k)]).sum();
+                    self.spread[(i, j - pair[0])] -= sign * change;
+                }
+            }
+        }
+    }
+}
+
+impl Criterion for Information {
+    fn worths(&self) -> Vec<f64> {
+        let of = |k: usize| if self.taken[k] { 0.0 } else { self.gain(k) };
+        (0..self.taken.len()).map(of).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.update(candidate, 1.0);
+    }
+}
+
+/// An exchange has to raise the logarithm of the determinant by this.
+const BETTER: f64 = 1e-4;
+
+/// Exchanges what was taken for what is better, at most so many times over.
+pub(crate) fn exchange(information: &mut Information, order: &mut [usize], rounds: usize) {
+    for _ in 0..rounds {
+        let mut changed = false;
+        for place in order.iter_mut() {
+            information.update(*place, -1.0);
+            let worths = information.worths();
+            if let Some(other) = best(&worths).filter(|k| worths[*k] > worths[*place] + BETTER) {
+                *place = other;
+                changed = true;
+            }
+            information.update(*place, 1.0);
+        }
+        information.refresh();
+        if !changed {
+            break;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows a candidate, nothing regular about them.
+    fn rows(candidates: usize, columns: usize) -> (DMatrix<f64>, Vec<usize>) {
+        let wild = |i: usize, j: usize| ((i * 7 + 3) as f64 * 1.7 + (j * 5 + 1) as f64 * 2.3).sin();
+        let rows = DMatrix::from_fn(2 * candidates, columns, |i, j| {
+            wild(i, j) + wild(j + 9, i * i)
+        });
+        (rows, (0..=candidates).map(|k| 2 * k).collect())
+    }
+
+    #[test]
+    fn updates_by_rank_are_the_inverse_of_the_whole_and_can_be_taken_back() {
+        let (all, first) = rows(12, 4);
+        let mut information = Information::new(all.clone(), first, DMatrix::identity(4, 4));
+        let before = information.covariance.clone();
+        let (gain_3, gain_7) = (information.gain(3), {
+            information.take(3);
+            information.gain(7)
+        });
+        information.take(7);
+        let mut whole = DMatrix::identity(4, 4);
+        for k in [3, 7] {
+            whole += all.rows(2 * k, 2).transpose() * all.rows(2 * k, 2);
+        }
+        assert!((gain_3 + gain_7 - whole.determinant().ln()).abs() < 1e-9);
+        let inverse = whole.try_inverse().expect("regular");
+        assert!((&information.covariance - inverse).norm() < 1e-9);
+        information.update(3, -1.0);
+        information.update(7, -1.0);
+        assert!((&information.covariance - before).norm() < 1e-9);
+    }
+
+    #[test]
+    fn an_exchange_never_loses_and_ends_where_no_single_exchange_helps() {
+        let (all, first) = rows(40, 5);
+        let start = DMatrix::identity(5, 5) * 100.0;
+        let mut information = Information::new(all, first, start);
+        let mut order = choose(&mut information, 6);
+        let greedy = information.covariance.determinant();
+        exchange(&mut information, &mut order, 50);
+        assert!(information.covariance.determinant() <= greedy * (1.0 + 1e-9));
+        for place in 0..order.len() {
+            let mut without = information.clone();
+            without.update(order[place], -1.0);
+            let own = without.gain(order[place]);
+            assert!(without.worths().iter().all(|w| *w <= own + BETTER + 1e-9));
+        }
+    }
+}

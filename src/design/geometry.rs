@@ -1,0 +1,115 @@
+//! How many poses show the geometry of a robot with several joints how well.
+
+use super::arm::{Arm, Candidate};
+use super::bench::Bench;
+use super::outlook::{ExpectedError, Prospect};
+
+/// The expected error is told for so many poses.
+const CURVE: [usize; 4] = [20, 30, 50, 100];
+/// A wanted accuracy is looked for up to so many poses.
+pub const MOST: usize = 400;
+/// Sets of random poses that a robot's plan is compared with.
+const RANDOM_SETS: usize = 20;
+
+/// What the poses of a plan do for the geometry.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Geometry {
+    /// Parameters that are identified.
+    pub parameters: usize,
+    /// With what was measured so far; of a robot that nobody has measured with random poses of the same
+    /// number, the mean of several sets.
+    pub before: Prospect,
+    /// With the poses of the plan.
+    pub after: Prospect,
+    /// The expected error with so many poses, those that were measured not counted.
+    pub curve: Vec<(usize, ExpectedError)>,
+    /// The 95th percentile that was asked for, mm, and how many poses reach it.
+    pub enough: Option<(f64, usize)>,
+}
+
+/// How many poses are wanted.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Wanted {
+    Poses(usize),
+    /// As many as bring the 95th percentile of the expected error below this, mm.
+    Accuracy(f64),
+}
+
+/// Why there are no poses.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum OutOfReach {
+    /// The accuracy is not reached: the error with [`MOST`] poses, mm.
+    By(f64),
+    /// No pose can be measured.
+    Unseen,
+}
+
+/// Poses that show the geometry best, in no order, and what they do.
+pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometry), OutOfReach> {
+    let bench = arm.spread().ok_or(OutOfReach::Unseen)?;
+    let count = match wanted {
+        Wanted::Poses(count) => count,
+        Wanted::Accuracy(mm) => enough(&bench, mm)?,
+    };
+    let (end, order) = arm.designed(&bench, count);
+    let chosen = order.iter().map(|k| end.candidates[*k].clone()).collect();
+    let curve = CURVE
+        .into_iter()
+        .map(|count| (count, bench.prospect(&bench.chosen(count)).error));
+    let geometry = Geometry {
+        parameters: bench.parameters(),
+        before: if bench.before > 0 {
+            bench.prospect(&[])
+        } else {
+            of_random(arm, &bench, count)
+        },
+        after: end.prospect(&order),
+        curve: curve.collect(),
+        enough: match wanted {
+            Wanted::Poses(_) => None,
+            Wanted::Accuracy(mm) => Some((mm, count)),
+        },
+    };
+    Ok((chosen, geometry))
+}
+
+/// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are
+/// exchanged.
+fn enough(bench: &Bench, mm: f64) -> Result<usize, OutOfReach> {
+    let reached = |error: &ExpectedError| error.p95_mm <= mm;
+    if reached(&bench.prospect(&[]).error) {
+        return Ok(0);
+    }
+    let trace = bench.trace(MOST);
+    let last = trace.last().map_or(f64::INFINITY, |e| e.p95_mm);
+    let at = trace.iter().position(reached).ok_or(OutOfReach::By(last))?;
+    let (mut few, mut enough) = (at.div_ceil(2), at + 1);
+    while few + 1 < enough {
+        let middle = few.midpoint(enough);
+        if reached(&bench.prospect(&bench.chosen(middle)).error) {
+            enough = middle;
+        } else {
+            few = middle;
+        }
+    }
+    Ok(enough)
+}
+
+/// What random poses of the same number do, in the mean of several sets.
+fn of_random(arm: &Arm, bench: &Bench, count: usize) -> Prospect {
+    let random = arm.at_random(bench, RANDOM_SETS * count);
+    let all: Vec<usize> = (0..random.candidates.len()).collect();
+    let sets: Vec<Prospect> = all
+        .chunks(count.max(1))
+        .map(|set| random.prospect(set))
+        .collect();
+    let n = sets.len().max(1) as f64;
+    let mean = |f: &dyn Fn(&Prospect) -> f64| sets.iter().map(f).sum::<f64>() / n;
+    Prospect {
+        error: ExpectedError {
+            rms_mm: mean(&|p| p.error.rms_mm),
+            p95_mm: mean(&|p| p.error.p95_mm),
+        },
+        observability: mean(&|p| p.observability),
+    }
+}

@@ -1,0 +1,336 @@
+//! Sessions as they would be, had poses been measured already, and what they would show.
+//!
+//! A new sample is measured as an earlier one was: the same kinds of measurement, of the same places,
+//! exactly as a model predicts them. Of a robot that nobody has measured all three coordinates of points
+//! are.
+
+use nalgebra::DMatrix;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use crate::diagnosis::NextPose;
+use crate::effects::JointValues;
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
+use crate::effects::places::{MOST, Place, PlaceKind, stated};
+use crate::kinematics::Robot;
+use crate::model::Model;
+use crate::observations::layer::predictions;
+use crate::observations::{KINDS, Layer, Seen};
+use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
+
+/// New poses are measured so long after the last one, s, and one takes so long.
+pub(crate) const LATER_S: f64 = 60.0;
+pub(crate) const SECONDS_PER_POSE: f64 = 10.0;
+
+/// A session of points without samples, in which every condition is written down.
+pub(crate) fn unmeasured(robot: &Robot, targets: &[Target], sigma_mm: Option<f64>) -> Session {
+    let joints = robot.joints.len();
+    let empty = || Some(Vec::new());
+    Session {
+        name: robot.name.clone(),
+        note: String::new(),
+        robot: robot.clone(),
+        targets: targets.to_vec(),
+        instrument: Instrument {
+            sigma_mm: sigma_mm.map(Sigma::Overall),
+            ..Instrument::default()
+        },
+        tolerance_mm: None,
+        regions: Vec::new(),
+        compensated_by: None,
+        samples: Samples {
+            q: vec![Vec::new(); joints],
+            q_read: vec![None; joints],
+            dir: vec![empty(); joints],
+            speed: vec![empty(); joints],
+            z_mm: empty(),
+            target: Some(Vec::new()),
+            load_kg: empty(),
+            temperature_c: empty(),
+            time_s: empty(),
+            ..Samples::default()
+        },
+        path: None,
+    }
+}
+
+/// A session with these poses measured too, each as the last sample of its target was.
+pub(crate) fn extended(
+    session: &Session,
+    model: &Model,
+    poses: &[NextPose],
+    targets: &[Target],
+) -> Session {
+    let place = |p: &NextPose| {
+        targets
+            .iter()
+            .position(|t| Some(&t.name) == p.target.as_ref())
+    };
+    let usable = |i: &usize| KINDS.iter().any(|kind| kind.measured(session, *i));
+    let samples: Vec<usize> = (0..session.samples.len()).filter(usable).collect();
+    let like = |p: &NextPose| {
+        let target = place(p).unwrap_or(0);
+        let of = |i: &&usize| {
+            session
+                .samples
+                .target
+                .as_ref()
+                .is_some_and(|t| t[**i] as usize == target)
+        };
+        samples.iter().rev().find(of).or(samples.last()).copied()
+    };
+    let like: Vec<Option<usize>> = poses.iter().map(like).collect();
+    let mut all = session.clone();
+    all.targets = targets.to_vec();
+    extend(&mut all, model, poses, &like);
+    all
+}
+
+/// Adds samples at these poses, each measured like that one; like none: a point.
+pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like: &[Option<usize>]) {
+    let n = all.samples.len();
+    let targets = &all.targets;
+    let place = |p: &NextPose| {
+        targets
+            .iter()
+            .position(|t| Some(&t.name) == p.target.as_ref())
+    };
+    let of: Vec<u32> = poses
+        .iter()
+        .map(|p| u32::try_from(place(p).unwrap_or(0)).unwrap_or(0))
+        .collect();
+    let several = targets.len() > 1;
+    let samples = &mut all.samples;
+    grow(samples, like);
+    // What a pose leaves open is as it was last.
+    let fill =
+        |column: &mut Option<Vec<f64>>, usual: f64, value: &dyn Fn(&NextPose) -> Option<f64>| {
+            if column.is_some() || poses.iter().any(|p| value(p).is_some()) {
+                let column = column.get_or_insert_with(|| vec![f64::NAN; n + poses.len()]);
+                let known = column[..n].iter().rev().copied().find(|v| v.is_finite());
+                let last = known.unwrap_or(if n == 0 { usual } else { f64::NAN });
+                for (to, pose) in column[n..].iter_mut().zip(poses) {
+                    *to = value(pose).unwrap_or(last);
+                }
+            }
+        };
+    for j in 0..samples.q.len() {
+        for (to, pose) in samples.q[j][n..].iter_mut().zip(poses) {
+            *to = pose.q[j];
+        }
+        fill(&mut samples.q_read[j], f64::NAN, &|_| None);
+        fill(&mut samples.dir[j], f64::NAN, &|p| p.dir.get(j).copied());
+        fill(&mut samples.speed[j], 0.0, &|p| {
+            p.speed.as_ref().map(|s| s[j])
+        });
+    }
+    fill(&mut samples.load_kg, 0.0, &|p| p.load_kg);
+    fill(&mut samples.temperature_c, REFERENCE_TEMPERATURE_C, &|p| {
+        p.temperature_c
+    });
+    if let Some(time_s) = &mut samples.time_s {
+        let last = time_s[..n]
+            .iter()
+            .copied()
+            .fold(f64::NEG_INFINITY, f64::max);
+        let start = if last.is_finite() {
+            last + LATER_S
+        } else {
+            0.0
+        };
+        for (k, to) in time_s[n..].iter_mut().enumerate() {
+            *to = start + SECONDS_PER_POSE * k as f64;
+        }
+    }
+    if several || samples.target.is_some() {
+        let column = samples
+            .target
+            .get_or_insert_with(|| vec![0; n + poses.len()]);
+        column[n..].copy_from_slice(&of);
+    }
+    show(all, model, n, like);
+}
+
+/// Writes down what is measured of the samples from `n` on.
+fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
+    let seen = predictions(all, JointValues::Commanded, model);
+    for (i, like) in (n..).zip(like) {
+        let Some(like) = *like else {
+            let samples = &mut all.samples;
+            (samples.x_mm[i], samples.y_mm[i]) = (seen[i].0[0], seen[i].0[1]);
+            if let Some(z) = &mut samples.z_mm {
+                z[i] = seen[i].0[2];
+            }
+            continue;
+        };
+        let missing = all.samples.coordinates(like).map(f64::is_nan);
+        for kind in KINDS
+            .iter()
+            .filter(|kind| kind.measured(all, like))
+            .collect::<Vec<_>>()
+        {
+            let place = kind.place(all, like);
+            let at = place.map_or([0.0; MOST], |place| place_of(all, model, place));
+            let seen = Seen {
+                point: seen[i].0,
+                attitude: seen[i].1,
+                place: &at,
+            };
+            kind.show(all, i, place.map(|p| p.index), &seen, [0.0; 3]);
+        }
+        let samples = &mut all.samples;
+        let z = samples.z_mm.as_mut().map(|z| &mut z[i]);
+        let own = [Some(&mut samples.x_mm[i]), Some(&mut samples.y_mm[i]), z];
+        for (value, missing) in own.into_iter().zip(missing) {
+            if let (Some(value), true) = (value, missing) {
+                *value = f64::NAN;
+            }
+        }
+    }
+}
+
+/// Where a place is as far as a model knows, in the coefficients of its kind.
+pub(crate) fn place_of(session: &Session, model: &Model, place: Place) -> [f64; MOST] {
+    let known = stated(&session.instrument.references, place);
+    let mut at = known.map(|v| v.unwrap_or(0.0));
+    let own = |t: &&crate::effects::Term| {
+        PlaceKind::of(t) == Some(place.kind) && t.setting == place.index as f64
+    };
+    if let Some(term) = model.terms().iter().find(own) {
+        at[..term.coefficients.len()].copy_from_slice(&term.coefficients);
+    }
+    at
+}
+
+/// Adds a copy of each of these samples, or an empty one.
+fn grow(samples: &mut Samples, like: &[Option<usize>]) {
+    fn copies<T: Clone>(column: &mut Vec<T>, like: &[Option<usize>], empty: &T) {
+        let new = like
+            .iter()
+            .map(|l| l.map_or_else(|| empty.clone(), |l| column[l].clone()));
+        let new: Vec<T> = new.collect();
+        column.extend(new);
+    }
+    let nothing = vec![None; like.len()];
+    let numbers = samples
+        .q
+        .iter_mut()
+        .chain([&mut samples.x_mm, &mut samples.y_mm]);
+    let observed = &mut samples.observed;
+    let each = [
+        &mut samples.q_read,
+        &mut samples.dir,
+        &mut samples.speed,
+        &mut samples.joint_temperature_c,
+    ];
+    let optional = each.into_iter().flat_map(|all| all.iter_mut().flatten());
+    let one = [
+        &mut samples.z_mm,
+        &mut samples.load_kg,
+        &mut samples.temperature_c,
+        &mut samples.time_s,
+        &mut observed.distance_mm,
+        &mut observed.azimuth,
+        &mut observed.elevation,
+    ];
+    let turned = samples.orientation_wxyz.iter_mut().flatten();
+    let numbers = numbers
+        .chain(optional)
+        .chain(one.into_iter().flatten())
+        .chain(turned);
+    for column in numbers {
+        copies(column, like, &f64::NAN);
+    }
+    // What a sensor would show nobody knows.
+    for column in samples.torque_nm.iter_mut().flatten() {
+        copies(column, &nothing, &f64::NAN);
+    }
+    let names = [
+        &mut observed.anchor,
+        &mut observed.station,
+        &mut observed.plane,
+        &mut observed.socket,
+    ];
+    for column in names.into_iter().flatten() {
+        copies(column, like, &None);
+    }
+    if let Some(column) = &mut samples.target {
+        copies(column, like, &0);
+    }
+    if let Some(setups) = &mut samples.setups {
+        let last = setups.index.last().copied().unwrap_or(0);
+        copies(&mut setups.index, &nothing, &last);
+    }
+    if let Some(column) = &mut samples.held_out {
+        copies(column, &nothing, &false);
+    }
+    samples.unknown.clear();
+    samples.line = crate::sessions::Lines::default();
+}
+
+/// The session with noise on its points.
+pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Session {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let samples = &mut session.samples;
+    for i in 0..samples.x_mm.len() {
+        let z = samples.z_mm.as_mut().map(|z| &mut z[i]);
+        for value in [Some(&mut samples.x_mm[i]), Some(&mut samples.y_mm[i]), z]
+            .into_iter()
+            .flatten()
+        {
+            let draw: f64 = StandardNormal.sample(&mut random);
+            *value += sigma_mm * draw;
+        }
+    }
+    session
+}
+
+/// What samples show of some coefficients of a model.
+pub(crate) struct Shown {
+    /// Rows in units of their noise, sample by sample.
+    pub(crate) rows: DMatrix<f64>,
+    /// The first row of each sample, and the end.
+    pub(crate) first: Vec<usize>,
+    /// The information of what is known beside the samples: distances between sockets.
+    pub(crate) beside: DMatrix<f64>,
+}
+
+/// What every sample shows that is there to be fitted.
+pub(crate) fn shown(session: &Session, model: &Model, columns: &[usize]) -> Shown {
+    let layer = Layer::new(session, JointValues::Commanded);
+    let mut first = vec![0; session.samples.len() + 1];
+    for (item, _) in layer.items.iter().zip(&layer.fit).filter(|own| *own.1) {
+        first[item.sample + 1] += item.rows;
+    }
+    for i in 1..first.len() {
+        first[i] += first[i - 1];
+    }
+    let mut next = first.clone();
+    let p = columns.len();
+    let mut all = Shown {
+        rows: DMatrix::zeros(first.last().copied().unwrap_or(0), p),
+        first,
+        beside: DMatrix::zeros(p, p),
+    };
+    layer.visit(model, true, |block| {
+        for (lane, item) in block.items.iter().enumerate() {
+            for axis in (0..3).filter(|axis| block.rows[*axis][lane]) {
+                let of = |k: usize| block.columns[columns[k]][axis][lane] / layer.unit_mm;
+                let Some(item) = *item else {
+                    let row = nalgebra::RowDVector::from_fn(p, |_, k| of(k));
+                    all.beside.gemm_tr(1.0, &row, &row, 1.0);
+                    continue;
+                };
+                let sample = layer.items[item].sample;
+                if layer.fit[item] && next[sample] < all.first[sample + 1] {
+                    for k in 0..p {
+                        all.rows[(next[sample], k)] = of(k);
+                    }
+                    next[sample] += 1;
+                }
+            }
+        }
+    });
+    all
+}

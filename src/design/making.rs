@@ -1,0 +1,448 @@
+//! How a plan is made.
+//!
+//! 1. Rivals of the diagnosis first (`next_poses`), or the two effects that the user names
+//!    (`pair_separation`).
+//! 2. Of a single joint then what is not testable (`enabling_poses`): which condition is missing, and
+//!    poses under that condition; and where more poses are asked for those that lower the detection
+//!    limits of every effect of the catalogue (`first_measurement`).
+//! 3. Of several joints poses that show the geometry best (`geometry`), whatever is measured, under
+//!    conditions that tell the effects (`conditions`).
+//!
+//! What the plan claims is checked on the session as it would be with the poses measured
+//! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
+
+use crate::diagnosis::base_alone::has_enough_points;
+use crate::diagnosis::candidates::NotTestable;
+use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::regression::Fit;
+use crate::diagnosis::search::mean_sigma_mm;
+use crate::diagnosis::testable::not_testable;
+use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
+use crate::effects::Inputs;
+use crate::effects::find;
+use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
+use crate::kinematics::Robot;
+use crate::model::Model;
+use crate::observations::KINDS;
+use crate::sessions::{Session, Target};
+
+use super::arm::{Arm, Sight};
+use super::comparison::{Axes, predictions};
+use super::conditions::{Offer, conditioned};
+use super::first_measurement::{self, Arrival, PlannedPose, Request};
+use super::geometry::{self, Geometry, OutOfReach, Wanted};
+use super::imagined::{extended, unmeasured, with_noise};
+use super::needs::{self, TEST_LOAD_KG, Untestable};
+use super::pair_separation::{self, Named, Separation};
+use super::plan::{Plan, PlanError, PlanOptions, Subject, USUAL_SIGMA_MM};
+use super::{enabling_poses, expected_information, next_poses};
+
+/// Poses of a first measurement of a single joint, where nobody says how many; of several joints, and
+/// beside a session of them.
+const POSES_OF_A_JOINT: usize = 60;
+const POSES_OF_AN_ARM: usize = 40;
+const POSES_PER_JOINT: usize = 10;
+const POSES_BESIDE: usize = 20;
+/// Poses that make effects testable, where no number is given.
+const MOST_ENABLING: usize = 24;
+
+/// A plan for a session: it is diagnosed, and what that leaves open is planned for. Where it has no
+/// points to be diagnosed it is planned for its geometry.
+///
+/// # Errors
+/// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
+pub fn plan_session(
+    session: &Session,
+    options: &PlanOptions,
+    watch: Watch,
+) -> Result<Plan, PlanError> {
+    options.check()?;
+    let between = options.between(&session.robot)?;
+    let arm = only_arms(&session.robot, options)?;
+    let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
+    let session: &Session = &mended.session;
+    let (robot, targets) = (&session.robot, &session.targets);
+    if arm && between.is_none() && !has_enough_points(session, &options.diagnosis) {
+        let sigma_mm = options
+            .sigma_mm
+            .or_else(|| KINDS[0].sigma(&session.instrument));
+        let sigma_mm = sigma_mm.unwrap_or(KINDS[0].about().usual_sigma);
+        let mut plan = Plan::empty(
+            Subject::Session,
+            session.name.clone(),
+            robot,
+            targets,
+            sigma_mm,
+        );
+        add_geometry(&mut plan, session, options)?;
+        return Ok(plan);
+    }
+    let (prepared, found) = searched(session, &options.diagnosis, watch)?;
+    let (regression, fit) = (&prepared.regression, &found.fit);
+    let sigma_mm = options
+        .sigma_mm
+        .unwrap_or_else(|| mean_sigma_mm(regression) * regression.scale(fit).max(1e-6));
+    let most = options.poses.unwrap_or(next_poses::MOST);
+    let base = regression.fit(&regression.base, Vec::new());
+    let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
+    let mut plan = Plan::empty(
+        Subject::Session,
+        session.name.clone(),
+        robot,
+        targets,
+        sigma_mm,
+    );
+    if let Some(between) = between {
+        let separation = two(&prepared, &found.fit, between, most);
+        plan.poses.clone_from(&separation.poses);
+        plan.separation = Some(separation);
+    } else {
+        let rivals = crate::diagnosis::aliases::open_rivals(regression, fit);
+        let rivals: Vec<_> = rivals.iter().collect();
+        let ids = |terms: &[crate::effects::Term]| {
+            terms.iter().map(|t| t.name_on(&session.robot)).collect()
+        };
+        plan.open = rivals
+            .iter()
+            .map(|r| [ids(&r.removed), ids(&r.instead)])
+            .collect();
+        plan.open.dedup();
+        plan.poses = next_poses::separate(&prepared, fit, &rivals, most);
+    }
+    plan.targets.extend(new_targets(&plan.poses, &plan.targets));
+    if between.is_none() && arm {
+        add_geometry(&mut plan, session, options)?;
+    } else if between.is_none() {
+        add_what_is_untestable(&mut plan, &prepared, fit, &untestable_now, options);
+    }
+    let with_poses = extended(session, &fit.model, &plan.poses, &plan.targets);
+    plan.expected = expected_information::expected(&with_poses, sigma_mm, &options.diagnosis)?;
+    let still = |l: &Untestable| {
+        let same = |n: &NotTestable| n.effect == l.effect && n.joint == l.joint;
+        plan.expected.not_testable.iter().any(same)
+    };
+    let (cannot, enables): (Vec<Untestable>, Vec<Untestable>) =
+        untestable_now.into_iter().partition(still);
+    (plan.cannot, plan.enables) = (cannot, enables);
+    Ok(plan)
+}
+
+/// Whether there are several joints; options that others have no use for are refused.
+fn only_arms(robot: &Robot, options: &PlanOptions) -> Result<bool, PlanError> {
+    let arm = robot.joints.len() > 1;
+    if arm && options.separate.is_none() {
+        return Ok(arm);
+    }
+    if options.accuracy_mm.is_some() {
+        return Err(PlanError::OnlyArms("--accuracy"));
+    }
+    if !arm && (options.instrument_mm.is_some() || options.cone_rad.is_some()) {
+        return Err(PlanError::OnlyArms("--instrument or --cone"));
+    }
+    Ok(arm)
+}
+
+/// Poses of a single joint that make testable what is not, and where more are asked for, others.
+fn add_what_is_untestable(
+    plan: &mut Plan,
+    prepared: &Prepared,
+    fit: &Fit,
+    untestable_now: &[Untestable],
+    options: &PlanOptions,
+) {
+    let room = |plan: &Plan| options.poses.map(|n| n - plan.poses.len());
+    let own_reflector = plan.poses.iter().find(|p| p.target_mm.is_some()).cloned();
+    let most = room(plan).unwrap_or(MOST_ENABLING);
+    let mut more = enabling_poses::enable(prepared, fit, untestable_now, true, most);
+    same_reflector(&mut more, own_reflector.as_ref());
+    plan.poses.extend(more);
+    plan.targets.extend(new_targets(&plan.poses, &plan.targets));
+    if let Some(room) = room(plan).filter(|n| *n > 0) {
+        let sharper = sharpen(prepared, plan, options, room);
+        plan.poses.extend(sharper);
+    }
+}
+
+/// Poses beside a session that show the geometry best.
+fn add_geometry(
+    plan: &mut Plan,
+    session: &Session,
+    options: &PlanOptions,
+) -> Result<(), PlanError> {
+    let room = options.poses.map(|n| n - plan.poses.len());
+    let wanted = match options.accuracy_mm {
+        Some(mm) => Wanted::Accuracy(mm),
+        None => Wanted::Poses(room.unwrap_or(POSES_BESIDE)),
+    };
+    let own = Arm::of_session(
+        session,
+        options.sigma_mm,
+        &options.diagnosis,
+        &sight(options),
+    )?;
+    let arm = own.beside_planned(&plan.poses);
+    let samples = &session.samples;
+    let points = session.has_plain_points();
+    let heaviest = samples
+        .load_kg
+        .iter()
+        .flatten()
+        .copied()
+        .fold(0.0, f64::max);
+    let load = options.load_kg.unwrap_or(if heaviest > 0.0 {
+        heaviest
+    } else {
+        TEST_LOAD_KG
+    });
+    let loads = samples.load_kg.is_some() || points && session.robot.gravity_m_s2.is_some();
+    let offer = Offer {
+        load_kg: loads.then_some(load),
+        warmth: samples.temperature_c.is_some() || points,
+        speeds: samples.speed.iter().any(Option::is_some),
+    };
+    let (poses, geometry) = of_arm(&arm, wanted, offer, options)?;
+    plan.poses.extend(poses);
+    plan.geometry = Some(geometry);
+    Ok(())
+}
+
+fn sight(options: &PlanOptions) -> Sight {
+    Sight {
+        from: options.instrument_mm,
+        cone_rad: options.cone_rad,
+    }
+}
+
+/// Poses of several joints with their conditions.
+fn of_arm(
+    arm: &Arm,
+    wanted: Wanted,
+    offer: Offer,
+    options: &PlanOptions,
+) -> Result<(Vec<NextPose>, Geometry), PlanError> {
+    let (chosen, geometry) = geometry::best(arm, wanted).map_err(|why| match (why, wanted) {
+        (OutOfReach::By(reached), Wanted::Accuracy(wanted)) => {
+            PlanError::OutOfReach { wanted, reached }
+        }
+        _ => PlanError::Unseen,
+    })?;
+    Ok((
+        conditioned(arm, &chosen, offer, options.diagnosis.seed),
+        geometry,
+    ))
+}
+
+/// A first measurement of a robot that nobody has measured.
+///
+/// # Errors
+/// If an option makes no sense.
+pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanError> {
+    options.check()?;
+    let between = options.between(robot)?;
+    only_arms(robot, options)?;
+    let sigma_mm = options.sigma_mm.unwrap_or(USUAL_SIGMA_MM);
+    let usual = match robot.joints.len() {
+        1 => POSES_OF_A_JOINT,
+        several => POSES_OF_AN_ARM + POSES_PER_JOINT * several,
+    };
+    let poses = options.poses.unwrap_or(usual);
+    let targets = first_measurement::reflectors(robot);
+    let mut plan = Plan::empty(
+        Subject::Robot,
+        robot.name.clone(),
+        robot,
+        &targets,
+        sigma_mm,
+    );
+    let nominal = Model::nominal(robot.clone());
+    let measured = |poses: &[NextPose], targets: &[Target]| {
+        let blank = unmeasured(robot, targets, Some(sigma_mm));
+        let seed = options.diagnosis.seed.wrapping_add(1);
+        with_noise(extended(&blank, &nominal, poses, targets), sigma_mm, seed)
+    };
+    let mut decisive = Vec::new();
+    let mut possible = true;
+    if let Some(between) = between {
+        // Half of the poses measure the robot, of the other half as many as it takes decide.
+        let (first, _) = first_poses(robot, &targets, poses.div_ceil(2), sigma_mm, options)?;
+        let session = measured(&first, &targets);
+        let prepared = Prepared::new(&session, &options.diagnosis)?;
+        let fit = prepared
+            .regression
+            .fit(&prepared.regression.base, Vec::new());
+        let separation = two(&prepared, &fit, between, poses - first.len());
+        decisive.clone_from(&separation.poses);
+        possible = separation.impossible.is_none();
+        plan.separation = Some(separation);
+    }
+    if possible {
+        let rest = poses - decisive.len();
+        (plan.poses, plan.geometry) = first_poses(robot, &targets, rest, sigma_mm, options)?;
+    }
+    plan.poses.extend(decisive);
+    plan.targets.extend(new_targets(&plan.poses, &targets));
+    if plan.poses.is_empty() {
+        return Ok(plan);
+    }
+    let session = measured(&plan.poses, &plan.targets);
+    plan.expected = expected_information::expected(&session, sigma_mm, &options.diagnosis)?;
+    let prepared = Prepared::new(&session, &options.diagnosis)?;
+    plan.cannot = enabling_poses::untestable(&prepared, &plan.expected.not_testable);
+    Ok(plan)
+}
+
+/// So many poses of a robot that nobody has measured; of several joints as many as an accuracy needs.
+fn first_poses(
+    robot: &Robot,
+    targets: &[Target],
+    count: usize,
+    sigma_mm: f64,
+    options: &PlanOptions,
+) -> Result<(Vec<NextPose>, Option<Geometry>), PlanError> {
+    let load_kg = options.load_kg.unwrap_or(TEST_LOAD_KG);
+    if robot.joints.len() > 1 {
+        let arm = Arm::of_robot(
+            robot,
+            targets,
+            sigma_mm,
+            options.diagnosis.seed,
+            &sight(options),
+        );
+        let offer = Offer {
+            load_kg: robot.gravity_m_s2.map(|_| load_kg),
+            warmth: true,
+            speeds: true,
+        };
+        let wanted = options
+            .accuracy_mm
+            .map_or(Wanted::Poses(count), Wanted::Accuracy);
+        let (mut poses, geometry) = of_arm(&arm, wanted, offer, options)?;
+        for pose in &mut poses {
+            // Beside the tool's origin a target has to be mounted first.
+            let own = |t: &&Target| Some(&t.name) == pose.target.as_ref();
+            let mounted = targets.iter().skip(1).find(own);
+            pose.target_mm = mounted.map(|t| t.position_mm.coords.into());
+        }
+        return Ok((poses, Some(geometry)));
+    }
+    let request = Request {
+        poses: count,
+        load_kg,
+        seed: options.diagnosis.seed,
+    };
+    let planned = first_measurement::design(robot, targets, &request);
+    Ok((poses_of_planned(&planned, targets), None))
+}
+
+/// Two effects, unless one of them cannot be seen by any measurement.
+fn two(prepared: &Prepared, fit: &Fit, between: [Named; 2], most: usize) -> Separation {
+    let met = needs::all_met(&prepared.survey);
+    for named in between {
+        let obstacle = find(named.id).and_then(|effect| effect.obstacle(&met, named.joint));
+        if let Some(because) = obstacle {
+            let because = format!("{} cannot be seen: {because}", named.id);
+            return pair_separation::nothing(between, &because);
+        }
+    }
+    pair_separation::separate_two(prepared, fit, between, most)
+}
+
+/// New reflectors of two lists of poses become one: a technician mounts one bar.
+fn same_reflector(poses: &mut [NextPose], like: Option<&NextPose>) {
+    let Some(like) = like else { return };
+    for pose in poses.iter_mut().filter(|p| p.target_mm.is_some()) {
+        pose.target.clone_from(&like.target);
+        pose.target_mm = like.target_mm;
+    }
+}
+
+/// Reflectors that poses use and that are not there yet.
+fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
+    let mut new: Vec<Target> = Vec::new();
+    for pose in poses {
+        if let (Some(name), Some(mm)) = (&pose.target, pose.target_mm) {
+            let known = |t: &Target| t.name == *name;
+            if !there.iter().any(known) && !new.iter().any(known) {
+                new.push(Target {
+                    name: name.clone(),
+                    position_mm: mm.into(),
+                });
+            }
+        }
+    }
+    new
+}
+
+/// More poses for a session, where they lower the detection limits most.
+fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize) -> Vec<NextPose> {
+    let session = prepared.problem.session;
+    let heaviest = prepared.survey.largest_load_kg;
+    let load = if heaviest > 0.0 {
+        heaviest
+    } else {
+        TEST_LOAD_KG
+    };
+    let request = Request {
+        poses: count,
+        load_kg: options.load_kg.unwrap_or(load),
+        seed: options.diagnosis.seed,
+    };
+    let axes = Axes {
+        axes: prepared.regression.rows.axes.clone(),
+        sigma_mm: [1.0; 3],
+    };
+    let extended = extended(
+        session,
+        &prepared.regression.base,
+        &plan.poses,
+        &plan.targets,
+    );
+    let inputs = Inputs::new(&extended, prepared.options().joint_values);
+    let ranges = super::candidate_poses::ranges(&session.robot, Some(&prepared.problem.inputs));
+    let known = |model: &Model| predictions(model, model, &inputs, &axes);
+    let planned =
+        first_measurement::extension(&session.robot, &plan.targets, &ranges, &request, &known);
+    let mut poses = poses_of_planned(&planned, &plan.targets);
+    for pose in &mut poses {
+        let is_new = |t: &&Target| Some(&t.name) == pose.target.as_ref();
+        let own = session.targets.iter().any(|t| is_new(&t));
+        let place = plan.targets.iter().find(is_new).filter(|_| !own);
+        pose.target_mm = place.map(|t| t.position_mm.coords.into());
+    }
+    poses
+}
+
+/// The planned poses of a design, with the reason for each.
+fn poses_of_planned(planned: &[PlannedPose], targets: &[Target]) -> Vec<NextPose> {
+    let loads = planned.iter().any(|s| s.choice.load_kg != 0.0);
+    let one = |planned_pose: &PlannedPose| {
+        let choice = &planned_pose.choice;
+        let target = targets.get(choice.target as usize);
+        NextPose {
+            q: choice.q.clone(),
+            dir: choice.dir.clone(),
+            target: target.filter(|_| targets.len() > 1).map(|t| t.name.clone()),
+            target_mm: target
+                .filter(|_| choice.target > 0)
+                .map(|t| t.position_mm.coords.into()),
+            speed: Some(choice.speed.clone()),
+            load_kg: loads.then_some(choice.load_kg),
+            temperature_c: Some(choice.warmth_c + REFERENCE_TEMPERATURE_C),
+            why: why(planned_pose),
+        }
+    };
+    planned.iter().map(one).collect()
+}
+
+fn why(planned_pose: &PlannedPose) -> String {
+    match planned_pose.arrival {
+        Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
+        Arrival::Short(_) => {
+            "a short approach after a reversal: lost motion against backlash".to_owned()
+        }
+        Arrival::Long if planned_pose.choice.speed.iter().any(|s| *s != 0.0) => {
+            "measure while moving: tracking lag against backlash".to_owned()
+        }
+        Arrival::Long => "a place that tells most, unequal steps".to_owned(),
+    }
+}

@@ -1,0 +1,149 @@
+//! What is to be expected of a measurement: the error of the model over the joint ranges, and how well
+//! the poses show its parameters.
+//!
+//! ```text
+//! error(q) = √ tr J(q) C J(q)ᵀ,   index = (∏ σ_i)^(1/L) / √n
+//! ```
+//!
+//! σ are the singular values of the Jacobian of n poses, mm for a step of a parameter of 1 mm, or of an
+//! angle that moves the far end of the robot by 1 mm (Borm & Menq 1991); L of them are not zero where
+//! everything is measured that can be. What is stated of the targets' places is a measurement; the weak
+//! priors are none.
+
+use nalgebra::DMatrix;
+
+use crate::fit::base_model::reach_mm;
+use crate::fit::expected::over_the_ranges;
+use crate::fit::problem::Problem;
+use crate::model::Model;
+use crate::observations::KINDS;
+
+/// A singular value that is so small beside the largest is none (squared).
+const NONE: f64 = 1e-13;
+
+/// The expected error of the model over the joint ranges.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExpectedError {
+    /// Root mean square, mm.
+    pub rms_mm: f64,
+    /// 95th percentile, mm.
+    pub p95_mm: f64,
+}
+
+/// What is to be expected of poses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prospect {
+    /// The error.
+    pub error: ExpectedError,
+    /// The observability index, mm; 0 where a parameter is not shown at all.
+    pub observability: f64,
+}
+
+/// What a model does over the joint ranges.
+pub(crate) struct Workspace {
+    /// Derivatives of the target's place, mm; three rows a pose.
+    columns: DMatrix<f64>,
+    /// A step of each parameter that moves things by 1 mm.
+    steps: Vec<f64>,
+    /// Noise of a point, mm.
+    unit_mm: f64,
+    /// Combinations of parameters that are shown at all.
+    shown: usize,
+}
+
+impl Workspace {
+    pub(crate) fn new(problem: &Problem, model: &Model, columns: &[usize]) -> Self {
+        let inputs = over_the_ranges(problem);
+        let mut all = DMatrix::zeros(3 * inputs.len(), columns.len());
+        model.visit(&inputs, true, |start, block| {
+            for (to, k) in columns.iter().enumerate() {
+                for axis in 0..3 {
+                    for i in 0..block.len {
+                        all[(3 * (start + i) + axis, to)] = block.columns[*k][axis][i];
+                    }
+                }
+            }
+        });
+        let reach = reach_mm(&model.robot);
+        let each = model.terms().iter().flat_map(|term| {
+            let kind = model.robot.joints[term.joint].kind;
+            let form = term.effect.about().form;
+            (0..term.coefficients.len()).map(move |k| {
+                if form.turns(k, kind) {
+                    1.0 / reach
+                } else {
+                    1.0
+                }
+            })
+        });
+        let steps: Vec<f64> = each.collect();
+        let instrument = &problem.session.instrument;
+        Self {
+            columns: all,
+            steps: columns.iter().map(|k| steps[*k]).collect(),
+            unit_mm: KINDS[0]
+                .sigma(instrument)
+                .unwrap_or(KINDS[0].about().usual_sigma),
+            shown: columns.len(),
+        }
+    }
+
+    /// Takes what everything together shows for what can be shown.
+    pub(crate) fn can_show(&mut self, gram: &DMatrix<f64>) {
+        let squares = self.squares(gram);
+        let least = NONE * squares.first().unwrap_or(&0.0);
+        self.shown = squares.iter().filter(|s| **s > least).count();
+    }
+
+    /// Squared singular values in mm², the largest first, of an information matrix.
+    fn squares(&self, gram: &DMatrix<f64>) -> Vec<f64> {
+        let p = self.steps.len();
+        if p == 0 {
+            return Vec::new();
+        }
+        let mm = self.unit_mm * self.unit_mm;
+        let scaled = DMatrix::from_fn(p, p, |i, j| {
+            gram[(i, j)] * self.steps[i] * self.steps[j] * mm
+        });
+        let mut squares: Vec<f64> = scaled.symmetric_eigenvalues().iter().copied().collect();
+        squares.sort_by(|a, b| b.total_cmp(a));
+        squares
+    }
+
+    pub(crate) fn error(&self, covariance: &DMatrix<f64>) -> ExpectedError {
+        let carried = &self.columns * covariance;
+        let of = |pose: usize| {
+            let rows = 3 * pose..3 * pose + 3;
+            let trace: f64 = rows.map(|r| carried.row(r).dot(&self.columns.row(r))).sum();
+            trace.max(0.0).sqrt()
+        };
+        let mut all: Vec<f64> = (0..self.columns.nrows() / 3).map(of).collect();
+        all.sort_by(f64::total_cmp);
+        let square: f64 = all.iter().map(|e| e * e).sum();
+        ExpectedError {
+            rms_mm: (square / all.len().max(1) as f64).sqrt(),
+            p95_mm: all.get(all.len() * 95 / 100).copied().unwrap_or(0.0),
+        }
+    }
+
+    /// `gram`: the information of `count` poses.
+    pub(crate) fn prospect(
+        &self,
+        covariance: &DMatrix<f64>,
+        gram: &DMatrix<f64>,
+        count: usize,
+    ) -> Prospect {
+        let squares = self.squares(gram);
+        let own = &squares[..self.shown];
+        let all_shown = own.iter().all(|s| *s > NONE * own[0]) && self.shown > 0;
+        let mean = own.iter().map(|s| 0.5 * s.max(1e-300).ln()).sum::<f64>() / own.len() as f64;
+        Prospect {
+            error: self.error(covariance),
+            observability: if all_shown {
+                mean.exp() / (count.max(1) as f64).sqrt()
+            } else {
+                0.0
+            },
+        }
+    }
+}

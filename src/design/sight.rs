@@ -1,0 +1,176 @@
+//! Whether an instrument sees a target in a pose.
+//!
+//! The rule is simple on purpose, for nobody knows the robot's shape: the robot is taken for straight
+//! rods between points of its joint axes. A target is in the shadow where the line of sight passes one
+//! of the rods nearer than [`THICK_MM`]; the last [`AT_TARGET_MM`] before the target do not count, nor does
+//! the rod that carries the tool. With a cone the line of sight has to come from within that angle
+//! about the direction in which the target faces: away from the tool's origin, and along the tool's z
+//! where the target is at the origin.
+
+use nalgebra::{Point3, Vector3};
+
+use crate::effects::Inputs;
+use crate::model::Model;
+use crate::sessions::Session;
+
+/// A rod takes the sight within this distance, mm.
+pub(crate) const THICK_MM: f64 = 80.0;
+/// So near to the target nothing hides it, mm.
+pub(crate) const AT_TARGET_MM: f64 = 150.0;
+
+/// A pose as the rule takes it, everything in the measuring frame, mm.
+struct Posed {
+    joints: Vec<Point3<f64>>,
+    target: Point3<f64>,
+    faces: Vector3<f64>,
+}
+
+/// Which poses are seen from an instrument; `from` is where it stands, in the measuring frame, mm.
+pub(crate) fn seen(
+    session: &Session,
+    model: &Model,
+    poses: &[(&[f64], u32)],
+    from: &[Option<Point3<f64>>],
+    cone_rad: Option<f64>,
+) -> Vec<bool> {
+    let posed = posed(session, model, poses);
+    let visible = |(pose, from): (&Posed, &Option<Point3<f64>>)| {
+        from.is_none_or(|from| pose.lit(&from) && cone_rad.is_none_or(|c| pose.faces(&from, c)))
+    };
+    posed.iter().zip(from).map(visible).collect()
+}
+
+/// Where joints and targets are, as the model has them: a point of a joint's axis moves with the joints
+/// before it alone.
+fn posed(session: &Session, model: &Model, poses: &[(&[f64], u32)]) -> Vec<Posed> {
+    let robot = &session.robot;
+    let n = robot.joints.len();
+    let home = |p: &Point3<f64>| <[f64; 3]>::from((robot.base_from_tool * p).coords);
+    let mut at_home: Vec<[f64; 3]> = robot
+        .joints
+        .iter()
+        .map(|j| j.axis.point_mm.coords.into())
+        .collect();
+    at_home.extend([home(&Point3::origin()), home(&Point3::new(0.0, 0.0, 1.0))]);
+    at_home.extend(session.targets.iter().map(|t| home(&t.position_mm)));
+    // For each pose its joints one by one, the tool's origin, a point along its z, and the target.
+    let per = n + 3;
+    let column = |j: usize| {
+        let rows = poses.iter().flat_map(|(q, _)| {
+            (0..per).map(move |row| if row > j || row >= n { q[j] } else { 0.0 })
+        });
+        rows.collect::<Vec<f64>>()
+    };
+    let mut inputs = Inputs::at_poses((0..n).map(column).collect(), at_home);
+    let point = |row: usize, target: u32| {
+        u32::try_from(row).unwrap_or(0) + if row == per - 1 { target } else { 0 }
+    };
+    let points = poses
+        .iter()
+        .flat_map(|(_, target)| (0..per).map(move |row| point(row, *target)));
+    inputs.target = Some(points.collect());
+    let setup = session.samples.setups.as_ref().and_then(|s| s.index.last());
+    inputs.setup = setup.map(|last| vec![f64::from(*last); per * poses.len()]);
+    let all = model.predict(&inputs);
+    let at = |row: usize| Point3::from(all.get(row));
+    let one = |k: usize| {
+        let first = k * per;
+        let (origin, target) = (at(first + n), at(first + n + 2));
+        let out = target - origin;
+        Posed {
+            joints: (first..first + n).map(at).collect(),
+            target,
+            faces: if out.norm() > 1.0 {
+                out
+            } else {
+                at(first + n + 1) - origin
+            },
+        }
+    };
+    (0..poses.len()).map(one).collect()
+}
+
+impl Posed {
+    /// Whether no rod is in the line of sight.
+    fn lit(&self, from: &Point3<f64>) -> bool {
+        let sight = self.target - from;
+        let far = sight.norm();
+        if far <= AT_TARGET_MM {
+            return true;
+        }
+        let end = from + sight * ((far - AT_TARGET_MM) / far);
+        let mut rods = self.joints.windows(2);
+        rods.all(|rod| apart([from, &end], [&rod[0], &rod[1]]) > THICK_MM)
+    }
+
+    fn faces(&self, from: &Point3<f64>, cone_rad: f64) -> bool {
+        self.faces.angle(&(from - self.target)) <= cone_rad
+    }
+}
+
+/// The smallest distance between two segments, mm (Ericson, *Real-Time Collision Detection*, 2005,
+/// section 5.1.9).
+fn apart(one: [&Point3<f64>; 2], other: [&Point3<f64>; 2]) -> f64 {
+    let (u, v, w) = (one[1] - one[0], other[1] - other[0], one[0] - other[0]);
+    let (a, e, b) = (u.norm_squared(), v.norm_squared(), u.dot(&v));
+    let (c, f) = (u.dot(&w), v.dot(&w));
+    let within = |x: f64| x.clamp(0.0, 1.0);
+    let tiny = 1e-12;
+    let across = a * e - b * b;
+    let mut s = if a > tiny && across > tiny * a * e {
+        within((b * f - c * e) / across)
+    } else {
+        0.0
+    };
+    let mut t = if e > tiny { (b * s + f) / e } else { 0.0 };
+    if !(0.0..=1.0).contains(&t) {
+        t = within(t);
+        s = if a > tiny {
+            within((b * t - c) / a)
+        } else {
+            0.0
+        };
+    }
+    ((one[0] + u * s) - (other[0] + v * t)).norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_are_as_far_apart_as_a_search_says() {
+        let p = |x, y, z| Point3::new(x, y, z);
+        let pairs = [
+            (
+                [p(0.0, 0.0, 0.0), p(10.0, 0.0, 0.0)],
+                [p(3.0, 4.0, -5.0), p(3.0, 4.0, 5.0)],
+            ),
+            (
+                [p(0.0, 0.0, 0.0), p(10.0, 1.0, 0.0)],
+                [p(12.0, 4.0, 2.0), p(20.0, 4.0, 5.0)],
+            ),
+            (
+                [p(0.0, 0.0, 0.0), p(10.0, 0.0, 0.0)],
+                [p(2.0, 3.0, 0.0), p(7.0, 3.0, 0.0)],
+            ),
+            (
+                [p(1.0, 1.0, 1.0), p(1.0, 1.0, 1.0)],
+                [p(2.0, 3.0, 0.0), p(7.0, 3.0, 0.0)],
+            ),
+        ];
+        for (a, b) in pairs {
+            let mut least = f64::INFINITY;
+            for i in 0..=1000 {
+                for j in 0..=1000 {
+                    let along = |s: &[Point3<f64>; 2], k: i32| {
+                        s[0] + (s[1] - s[0]) * (f64::from(k) / 1000.0)
+                    };
+                    least = least.min((along(&a, i) - along(&b, j)).norm());
+                }
+            }
+            let found = apart([&a[0], &a[1]], [&b[0], &b[1]]);
+            assert!((found - least).abs() < 1e-2, "{found} {least}");
+        }
+    }
+}

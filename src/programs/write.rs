@@ -1,0 +1,173 @@
+//! Robot programs that go to joint values and stop there: what a measurement needs of a controller.
+//!
+//! Every number is written so that the readers beside this file read it back; comments say what a stop is
+//! for. Velocities are slow and the tool is the flange: whoever loads a program sets both as the cell
+//! needs them.
+
+use std::fmt::Write as _;
+
+use crate::kinematics::{JointKind, Robot};
+
+use super::axes::{Axes, MOST_OWN, Slot};
+
+/// Time at a stop before and while an instrument measures, s.
+const WAIT_S: f64 = 3.0;
+
+/// One stop.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// Joint values from which it is approached, rad or mm.
+    pub from: Option<Vec<f64>>,
+    /// Joint values, rad or mm.
+    pub q: Vec<f64>,
+    /// What stands in the comment before it; one line.
+    pub says: String,
+}
+
+/// Why there is no program.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum WriteError {
+    /// No program of stops is written in this language.
+    #[error("no program of joint moves is written as {0}; expected csv, rapid, krl or urscript")]
+    Language(String),
+    /// The controller has fewer axes.
+    #[error(
+        "{0} axes of the robot's own; expected at most 6 for {1}, external ones are called E1 to E6 (eax_a to \
+         eax_f) in the robot's file"
+    )]
+    Axes(usize, &'static str),
+    /// It gives all joints in rad.
+    #[error("a sliding joint; expected turning joints, which URScript gives in rad")]
+    Slide,
+}
+
+/// A program that goes from stop to stop. `title` stands in its first comment.
+///
+/// # Errors
+/// A language that is not written, or that the robot's joints do not fit.
+pub fn stops(
+    language: &str,
+    robot: &Robot,
+    title: &str,
+    stops: &[Stop],
+) -> Result<String, WriteError> {
+    let axes = Axes::new(robot);
+    let own = |name| match axes.own() {
+        many if many > MOST_OWN => Err(WriteError::Axes(many, name)),
+        _ => Ok(()),
+    };
+    let program = match language {
+        "rapid" => {
+            own("RAPID")?;
+            Words {
+                head: "MODULE Measuring\n",
+                comment: "  ! ",
+                start: "  PROC measure()\n",
+                go: |axes, q| {
+                    format!(
+                        "    MoveAbsJ {}\\NoEOffs, v100, fine, tool0;\n",
+                        jointtarget(axes, q)
+                    )
+                },
+                wait: format!("    WaitTime {WAIT_S};\n"),
+                end: "  ENDPROC\nENDMODULE\n",
+            }
+        }
+        "krl" => {
+            own("KRL")?;
+            Words {
+                head: "&ACCESS RVP\nDEF measuring( )\n",
+                comment: "; ",
+                start: "BAS(#INITMOV,0)\n",
+                go: |axes, q| format!("PTP {}\n", e6axis(axes, q)),
+                wait: format!("WAIT SEC {WAIT_S}\n"),
+                end: "END\n",
+            }
+        }
+        "urscript" => {
+            if robot.joints.iter().any(|j| j.kind == JointKind::Prismatic) {
+                return Err(WriteError::Slide);
+            }
+            Words {
+                head: "def measuring():\n",
+                comment: "  # ",
+                start: "",
+                go: |_, q| format!("  movej({}, a=0.5, v=0.3)\n", list(q)),
+                wait: format!("  sleep({WAIT_S})\n"),
+                end: "end\n",
+            }
+        }
+        other => return Err(WriteError::Language(other.to_owned())),
+    };
+    Ok(program.written(&axes, title, stops))
+}
+
+/// The words of a language.
+struct Words {
+    head: &'static str,
+    comment: &'static str,
+    start: &'static str,
+    go: fn(&Axes, &[f64]) -> String,
+    wait: String,
+    end: &'static str,
+}
+
+impl Words {
+    fn written(&self, axes: &Axes, title: &str, stops: &[Stop]) -> String {
+        let mut text = self.head.to_owned();
+        // Comments end with their line, and what is not ASCII is not every controller's.
+        let comment = |text: &mut String, says: &str| {
+            let plain: String = says
+                .chars()
+                .map(|c| if c.is_ascii_graphic() { c } else { ' ' })
+                .collect();
+            let _ = writeln!(text, "{}{}", self.comment, plain.trim_end());
+        };
+        comment(&mut text, title);
+        text.push_str(self.start);
+        for (k, stop) in stops.iter().enumerate() {
+            comment(&mut text, &format!("pose {}: {}", k + 1, stop.says));
+            if let Some(from) = &stop.from {
+                text.push_str(&(self.go)(axes, from));
+            }
+            text.push_str(&(self.go)(axes, &stop.q));
+            text.push_str(&self.wait);
+        }
+        text.push_str(self.end);
+        text
+    }
+}
+
+/// A joint's value in degrees or mm.
+fn outer(axes: &Axes, joint: usize, q: &[f64]) -> String {
+    // Not minus zero.
+    format!("{:.5}", axes.kind(joint).outer(q[joint]) + 0.0)
+}
+
+fn jointtarget(axes: &Axes, q: &[f64]) -> String {
+    let at = |slot: Slot| axes.joint(slot).map(|joint| outer(axes, joint, q));
+    let own = (0..6).map(|k| at(Slot::Own(k)).unwrap_or_else(|| "0".to_owned()));
+    let external = (0..6).map(|k| at(Slot::External(k)).unwrap_or_else(|| "9E9".to_owned()));
+    let joined = |all: Vec<String>| all.join(",");
+    format!(
+        "[[{}],[{}]]",
+        joined(own.collect()),
+        joined(external.collect())
+    )
+}
+
+fn e6axis(axes: &Axes, q: &[f64]) -> String {
+    let named = (0..axes.joints()).map(|joint| {
+        let name = match axes.slot(joint) {
+            Slot::Own(k) => format!("A{}", k + 1),
+            Slot::External(k) => format!("E{}", k + 1),
+        };
+        format!("{name} {}", outer(axes, joint, q))
+    });
+    format!("{{E6AXIS: {}}}", named.collect::<Vec<_>>().join(","))
+}
+
+fn list(q: &[f64]) -> String {
+    let each = q.iter().map(|v| format!("{:.7}", v + 0.0));
+    format!("[{}]", each.collect::<Vec<_>>().join(", "))
+}
