@@ -27,7 +27,7 @@ pub struct Axes {
 }
 
 /// Axes of one kind that a controller has.
-const MOST_OWN: usize = 6;
+pub(super) const MOST_OWN: usize = 6;
 
 impl Axes {
     /// The axes of a robot.
