@@ -8,7 +8,9 @@ use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
-use crate::model::{GapStep, Model};
+use crate::model::GapStep;
+use crate::observations::figures::apart_beside;
+use crate::sessions::Session;
 
 use super::aliases;
 use super::answer::{Diagnosis, Equivalent, Gaps};
@@ -83,7 +85,7 @@ pub(crate) fn answer(
     } else {
         &names
     };
-    let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
+    let nominal = deviations(problem, &prepared.nominal);
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
@@ -113,12 +115,17 @@ pub(crate) fn answer(
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);
-    let proposal = planner(&Undecided {
+    let undecided = Undecided {
         prepared,
         fit: with_shapes,
         rivals: &equivalent,
         not_testable: &not_testable,
-    });
+    };
+    let proposal = match &problem.observed {
+        // Poses are chosen for what points would show.
+        Some(_) => without_poses(session, equivalent.len()),
+        None => planner(&undecided),
+    };
     let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
     let verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
@@ -138,7 +145,8 @@ pub(crate) fn answer(
         gap_mm: step.gap_mm[1],
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
-    let identification = values.identification(prepared.not_identifiable.clone());
+    let held = prepared.not_identifiable.clone();
+    let identification = values.identification(&prepared.nominal, held);
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
@@ -178,11 +186,25 @@ fn values<'a>(
     // then predicts nothing without it.
     let several = prepared.regression.base.robot.joints.len() > 1;
     let corrected = prepared.options().correct_unexplained;
-    let without = corrected || several && !with_shapes.shapes.is_empty();
+    let of_kinds = problem.observed.is_some();
+    let without = corrected || (several || of_kinds) && !with_shapes.shapes.is_empty();
     let own = if without { alone } else { with_shapes };
     let mut values = Values::of(prepared, problem, own, capped || without);
     correct_for_selection(prepared, with_shapes, &mut values);
     values
+}
+
+/// What would tell rivals apart where no poses are proposed.
+fn without_poses(session: &Session, rivals: usize) -> Proposal {
+    let measured = session.kinds_in_words().unwrap_or_default();
+    let says = format!(
+        "this session has {measured}, and poses are proposed for points: measure these joints at \
+         more values, or points beside"
+    );
+    Proposal {
+        poses: Vec::new(),
+        separate_by: vec![says; rivals],
+    }
 }
 
 /// What belongs to every calibration of a robot.
@@ -201,13 +223,10 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
     }
     let model = &Values::of(prepared, &prepared.problem, fit, false).model;
     let mut all = (*prepared.problem).clone();
-    for (fit, locked) in all.fit.iter_mut().zip(&prepared.locked) {
-        *fit |= locked;
-    }
-    let suspected = suspects(&all, &deviations(&all, model));
-    for i in 0..all.used.len() {
-        all.used[i] |= prepared.locked[i] && !suspected[i];
-    }
+    all.take_in(&prepared.locked, |all| match &all.observed {
+        Some(layer) => apart_beside(layer, model),
+        None => suspects(all, &deviations(all, model)),
+    });
     Cow::Owned(all)
 }
 

@@ -77,6 +77,15 @@ impl Folds {
     fn over_the_workspace(regression: &Regression) -> Self {
         let points = regression.rows.points(&regression.base);
         let n = points.len();
+        if let Some(rows) = regression.rows.observed() {
+            return Self {
+                fold: by_reference(&rows.references(), &points),
+                count: FOLDS,
+                how: "each fifth of the measurements, of every reference its own, predicted by a fit \
+                      that has not seen it"
+                    .to_owned(),
+            };
+        }
         let few = n < FEW;
         let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
         let cell = cells(&points, wanted);
@@ -101,12 +110,22 @@ impl Folds {
         self.fold.len() >= FEWEST
     }
 
-    /// Root mean square length of the deviations of samples that the fit has not seen, mm.
+    /// Root mean square length of the deviations of samples that the fit has not seen, mm; of other
+    /// measurements than plain points in units of their noise, each by its own.
     pub(crate) fn rms(&self, regression: &Regression, fit: &Fit) -> f64 {
+        self.unseen(regression, fit)[0]
+    }
+
+    /// The same in mm whatever was measured.
+    pub(crate) fn rms_mm(&self, regression: &Regression, fit: &Fit) -> f64 {
+        self.unseen(regression, fit)[1]
+    }
+
+    fn unseen(&self, regression: &Regression, fit: &Fit) -> [f64; 2] {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
-            return fit.rss.sqrt();
+            return [fit.rss.sqrt(); 2];
         }
         let (raw_residual, raw_columns) = regression.raw(&fit.model);
         let (residual, own_white) = regression.whitened(&fit.model, &raw_residual, &raw_columns);
@@ -130,7 +149,7 @@ impl Folds {
         }
         let scanned = scanned_terms(regression, fit);
         let n = self.fold.len();
-        let mut sum = 0.0;
+        let (mut sum, mut sum_mm) = (0.0, 0.0);
         for fold in 0..self.count {
             let rows = regression.rows.len();
             let seen: Vec<usize> = (0..regression.height())
@@ -154,11 +173,34 @@ impl Folds {
             let unseen = (0..regression.rows.len()).filter(|row| self.fold[row % n] == fold);
             for row in unseen {
                 let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
+                let mm = regression.rows.mm(row) * e;
                 sum += e * e;
+                sum_mm += mm * mm;
             }
         }
-        (sum / n as f64).sqrt()
+        let lengths = regression.rows.lengths();
+        [(sum / n as f64).sqrt(), (sum_mm / lengths as f64).sqrt()]
     }
+}
+
+/// The fold of each observation: those of every kind and place are cut into cells of the workspace by
+/// themselves, as a place that is not known is known from its own only.
+fn by_reference(references: &[usize], points: &[[f64; 3]]) -> Vec<usize> {
+    let mut fold = vec![0; points.len()];
+    let mut known: Vec<usize> = references.to_vec();
+    known.sort_unstable();
+    known.dedup();
+    for (k, reference) in known.into_iter().enumerate() {
+        let own: Vec<usize> = (0..points.len())
+            .filter(|i| references[*i] == reference)
+            .collect();
+        let at: Vec<[f64; 3]> = own.iter().map(|i| points[*i]).collect();
+        let wanted = (own.len() / 2).clamp(FOLDS, 4 * FOLDS);
+        for (i, cell) in own.into_iter().zip(cells(&at, wanted)) {
+            fold[i] = (cell + k) % FOLDS;
+        }
+    }
+    fold
 }
 
 /// A term whose setting is scanned afresh in every fold.

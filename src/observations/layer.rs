@@ -177,6 +177,13 @@ impl<'a> Layer<'a> {
         !self.attitudes.items.is_empty()
     }
 
+    /// Whether the session states the noise of everything that was measured.
+    pub fn is_stated(&self) -> bool {
+        let instrument = &self.session.instrument;
+        let mut items = self.items.iter();
+        items.all(|item| KINDS[item.kind].sigma(instrument).is_some())
+    }
+
     /// Number of rows of the items that `counts` picks.
     pub fn rows(&self, counts: &[bool]) -> usize {
         let counting = self.items.iter().zip(counts).filter(|(_, counts)| **counts);
@@ -279,22 +286,13 @@ impl<'a> Layer<'a> {
         (point, attitude): ([f64; 3], [[f64; 3]; 3]),
         moves: &dyn Fn(usize) -> [f64; 3],
     ) {
-        const NOWHERE: [f64; MOST] = [0.0; MOST];
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
-        let at = own.place(self.session, sample);
-        let at = at.and_then(|place| placing.get(place));
-        let seen = Seen {
-            point,
-            attitude,
-            place: at.map_or(&NOWHERE, |at| at.0),
-        };
-        let raw = own.residual(self.session, sample, &seen);
-        let weighed = own.weighed(self.session, sample, self.sigma[kind], &raw);
+        let (raw, weighed, lever_mm) = self.beside(item, placing, point, attitude);
         let lane = rows.items.len();
         rows.items.push(Some(item));
         rows.length[lane] = raw.length();
-        rows.length_mm[lane] = raw.length() * own.lever_mm(&seen);
+        rows.length_mm[lane] = raw.length() * lever_mm;
         let whole = kind == 0 && raw.rows == self.session.samples.axes();
         for axis in 0..3 {
             let zero_beyond = if axis < raw.rows { raw.left[axis] } else { 0.0 };
@@ -314,8 +312,92 @@ impl<'a> Layer<'a> {
                 rows.columns[k][row][lane] = dot(by_moves[row], moved) * self.unit_mm;
             }
         }
-        if let Some((_, Some(first), held)) = at {
+        let at = own.place(self.session, sample);
+        if let Some((_, Some(first), held)) = at.and_then(|place| placing.get(place)) {
             rows.add_place(lane, first, held, &weighed, self.unit_mm);
+        }
+    }
+
+    /// How the rows of every observation follow its target, per mm along x, y, z.
+    pub(super) fn by_point(&self, model: &Model) -> Vec<[[f64; 3]; 3]> {
+        let placing = Placing::of(model, self.session, &self.items);
+        let mut all = vec![[[0.0; 3]; 3]; self.items.len()];
+        model.visit(&self.points.inputs, false, |start, block| {
+            for lane in 0..block.len {
+                let item = self.points.items[start + lane];
+                let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
+                let (_, weighed, _) = self.beside(item, &placing, point, UPRIGHT);
+                all[item] = weighed.by_point.map(|row| scaled(row, self.unit_mm));
+            }
+        });
+        all
+    }
+
+    /// mm of an inner unit of every item.
+    pub(super) fn levers_mm(&self, model: &Model) -> Vec<f64> {
+        let placing = Placing::of(model, self.session, &self.items);
+        let seen = self.seen(model).into_iter().enumerate();
+        let lever = |(item, (point, attitude))| self.beside(item, &placing, point, attitude).2;
+        seen.map(lever).collect()
+    }
+
+    /// What is left of one item, the same in units of its noise, and mm of an inner unit.
+    fn beside(
+        &self,
+        item: usize,
+        placing: &Placing,
+        point: [f64; 3],
+        attitude: [[f64; 3]; 3],
+    ) -> (Residual, Residual, f64) {
+        const NOWHERE: [f64; MOST] = [0.0; MOST];
+        let Item { kind, sample, .. } = self.items[item];
+        let own = KINDS[kind];
+        let at = own.place(self.session, sample);
+        let place = at.and_then(|place| placing.get(place));
+        let seen = Seen {
+            point,
+            attitude,
+            place: place.map_or(&NOWHERE, |own| own.0),
+        };
+        let raw = own.residual(self.session, sample, &seen);
+        let weighed = own.weighed(self.session, sample, self.sigma[kind], &raw);
+        (raw, weighed, own.lever_mm(&seen))
+    }
+
+    /// What is known of the distances between sockets, in rows of their own.
+    pub(super) fn distances(&self, model: &Model) -> RowBlock {
+        let mut rows = RowBlock::new(model.coefficient_count());
+        let placing = Placing::of(model, self.session, &self.items);
+        self.known_distances(&placing, &mut rows);
+        rows
+    }
+
+    /// The same with some of its items only, all of which count.
+    pub(super) fn only(&self, kept: &[bool]) -> Self {
+        let chosen: Vec<usize> = (0..self.items.len()).filter(|i| kept[*i]).collect();
+        let mut place = vec![usize::MAX; self.items.len()];
+        for (new, old) in chosen.iter().enumerate() {
+            place[*old] = new;
+        }
+        let part = |stream: &Stream, points: usize| {
+            let lanes = (0..stream.items.len()).filter(|k| kept[stream.items[*k]]);
+            let lanes: Vec<usize> = lanes.collect();
+            let inputs = lanes.iter().flat_map(|k| k * points..(k + 1) * points);
+            Stream {
+                items: lanes.iter().map(|k| place[stream.items[*k]]).collect(),
+                inputs: stream.inputs.select(&inputs.collect::<Vec<_>>()),
+            }
+        };
+        Self {
+            points: part(&self.points, 1),
+            attitudes: part(&self.attitudes, POINTS),
+            items: chosen.iter().map(|i| self.items[*i]).collect(),
+            fit: vec![true; chosen.len()],
+            used: vec![true; chosen.len()],
+            suspected: vec![false; chosen.len()],
+            sigma: self.sigma.clone(),
+            session: self.session,
+            unit_mm: self.unit_mm,
         }
     }
 

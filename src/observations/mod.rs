@@ -15,6 +15,7 @@
 //! - [`crate::effects::places`]: anchors, stations, planes and sockets that nobody knows are fitted beside the
 //!   robot, and reported like everything that is fitted.
 //! - [`layer`]: the observations of a session, block by block, as rows for the normal equations.
+//! - [`rows`]: the same as rows of a regression, for the search of names.
 //! - [`gauge`]: what no kind at hand can show: where the base stands, how large everything is.
 //! - [`start`]: from where the fit begins.
 //! - [`figures`]: σ of each kind, outliers, errors by kind.
@@ -26,6 +27,7 @@
 pub mod figures;
 pub mod gauge;
 pub mod layer;
+pub mod rows;
 pub mod start;
 
 pub(crate) mod kinds;
