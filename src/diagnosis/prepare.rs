@@ -356,11 +356,13 @@ fn estimated<'m>(
     model: &Model,
     beside: impl Iterator<Item = &'m DMatrix<f64>>,
 ) -> Noise {
-    let (residual, mut columns) = regression.rows.extract(model);
+    let priors = &regression.problem.priors;
+    let (residual, mut columns) = regression.rows.extract_with_known(model, priors);
     for more in beside {
         let at = columns.ncols();
         columns = columns.resize_horizontally(at + more.ncols(), 0.0);
-        columns.columns_mut(at, more.ncols()).copy_from(more);
+        let (m, width) = more.shape();
+        columns.view_mut((0, at), (m, width)).copy_from(more);
     }
     if regression.rows.observed().is_some() {
         // Every row is in units of the noise of its kind: one number is left.

@@ -44,10 +44,11 @@ pub(crate) fn suspected_beside_many(
     } else {
         regression.table.rich_on(&rows, &regression.base)
     };
-    let (residual, columns) = rows.extract(&regression.base);
+    let (residual, columns) = rows.extract_with_known(&regression.base, &problem.priors);
     let own = columns.ncols();
     let mut design = columns.resize_horizontally(own + rich.ncols(), 0.0);
-    design.columns_mut(own, rich.ncols()).copy_from(&rich);
+    let (m, width) = rich.shape();
+    design.view_mut((0, own), (m, width)).copy_from(&rich);
     let q = Basis::new(&design).q;
     let axes = rows.axes.len();
     let mut weights = vec![1.0; n];

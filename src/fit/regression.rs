@@ -143,6 +143,27 @@ impl<'a> Rows<'a> {
         (residual, columns)
     }
 
+    /// The same as [`extract`](Self::extract), with what is known besides in rows behind: of sockets
+    /// and touches a robot that shrinks would always fit better.
+    pub fn extract_with_known(
+        &self,
+        model: &Model,
+        priors: &Priors,
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let (residual, columns) = self.extract(model);
+        let Some(rows) = &self.observed else {
+            return (residual, columns);
+        };
+        let unit = rows.layer().unit_mm;
+        let (left, known) = self.known(model, priors);
+        let (m, more) = (self.len(), left.len());
+        let mut residual = residual.resize_vertically(m + more, 0.0);
+        let mut columns = columns.resize_vertically(m + more, 0.0);
+        residual.rows_mut(m, more).copy_from(&(left * unit));
+        columns.rows_mut(m, more).copy_from(&(known * unit));
+        (residual, columns)
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.samples.len() * self.axes.len()
