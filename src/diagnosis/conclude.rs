@@ -9,6 +9,7 @@ use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::GapStep;
+use crate::observations::KINDS;
 use crate::observations::figures::apart_beside;
 use crate::sessions::Session;
 
@@ -146,7 +147,21 @@ pub(crate) fn answer(
         held_out_mm: step.held_out_mm.map(|h| h[1]),
     }));
     let held = prepared.not_identifiable.clone();
-    let identification = values.identification(&prepared.nominal, held);
+    let mut identification = values.identification(&prepared.nominal, held);
+    if let Some(rows) = regression
+        .rows
+        .observed()
+        .filter(|_| prepared.folds.say_something())
+    {
+        let unseen = rows.by_kind(&prepared.folds.unseen(regression, fit).rows);
+        for (kind, unseen) in KINDS.iter().zip(unseen) {
+            let name = kind.about().name;
+            let own = identification.kinds.iter_mut().find(|own| own.kind == name);
+            if let (Some(own), Some(unseen)) = (own, unseen) {
+                own.unseen_rms = Some(unseen * kind.about().unit.read().1);
+            }
+        }
+    }
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),

@@ -96,7 +96,7 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
     };
     let mut keys: Vec<Vec<u64>> = (0..rows.samples.len()).map(key).collect();
     if let Some(observed) = rows.observed() {
-        for (key, reference) in keys.iter_mut().zip(observed.references()) {
+        for (key, reference) in keys.iter_mut().zip(observed.layer().references()) {
             key.push(reference as u64);
         }
     }

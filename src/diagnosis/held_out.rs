@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
-use crate::fit::cells::cells;
+use crate::fit::cells::{cells, folds_of_groups};
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
 
 /// Which fold each sample of the rows is in.
@@ -19,6 +19,16 @@ pub(crate) struct Folds {
     count: usize,
     /// In words.
     pub(crate) how: String,
+}
+
+/// What a fit leaves of samples that it has not seen.
+pub(crate) struct Unseen {
+    /// Root mean square length, in the unit of the rows.
+    pub(crate) rms: f64,
+    /// The same in mm.
+    pub(crate) rms_mm: f64,
+    /// Row by row.
+    pub(crate) rows: DVector<f64>,
 }
 
 const FOLDS: usize = 5;
@@ -79,7 +89,7 @@ impl Folds {
         let n = points.len();
         if let Some(rows) = regression.rows.observed() {
             return Self {
-                fold: by_reference(&rows.references(), &points),
+                fold: folds_of_groups(&points, &rows.layer().references(), FOLDS),
                 count: FOLDS,
                 how: "each fifth of the measurements, of every reference its own, predicted by a fit \
                       that has not seen it"
@@ -113,19 +123,24 @@ impl Folds {
     /// Root mean square length of the deviations of samples that the fit has not seen, mm; of other
     /// measurements than plain points in units of their noise, each by its own.
     pub(crate) fn rms(&self, regression: &Regression, fit: &Fit) -> f64 {
-        self.unseen(regression, fit)[0]
+        self.unseen(regression, fit).rms
     }
 
     /// The same in mm whatever was measured.
     pub(crate) fn rms_mm(&self, regression: &Regression, fit: &Fit) -> f64 {
-        self.unseen(regression, fit)[1]
+        self.unseen(regression, fit).rms_mm
     }
 
-    fn unseen(&self, regression: &Regression, fit: &Fit) -> [f64; 2] {
+    /// What is left of samples that the fit has not seen.
+    pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> Unseen {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
-            return [fit.rss.sqrt(); 2];
+            return Unseen {
+                rms: fit.rss.sqrt(),
+                rms_mm: fit.rss.sqrt(),
+                rows: DVector::zeros(regression.rows.len()),
+            };
         }
         let (raw_residual, raw_columns) = regression.raw(&fit.model);
         let (residual, own_white) = regression.whitened(&fit.model, &raw_residual, &raw_columns);
@@ -150,6 +165,7 @@ impl Folds {
         let scanned = scanned_terms(regression, fit);
         let n = self.fold.len();
         let (mut sum, mut sum_mm) = (0.0, 0.0);
+        let mut left = DVector::zeros(regression.rows.len());
         for fold in 0..self.count {
             let rows = regression.rows.len();
             let seen: Vec<usize> = (0..regression.height())
@@ -174,33 +190,18 @@ impl Folds {
             for row in unseen {
                 let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
                 let mm = regression.rows.mm(row) * e;
+                left[row] = e;
                 sum += e * e;
                 sum_mm += mm * mm;
             }
         }
         let lengths = regression.rows.lengths();
-        [(sum / n as f64).sqrt(), (sum_mm / lengths as f64).sqrt()]
-    }
-}
-
-/// The fold of each observation: those of every kind and place are cut into cells of the workspace by
-/// themselves, as a place that is not known is known from its own only.
-fn by_reference(references: &[usize], points: &[[f64; 3]]) -> Vec<usize> {
-    let mut fold = vec![0; points.len()];
-    let mut known: Vec<usize> = references.to_vec();
-    known.sort_unstable();
-    known.dedup();
-    for (k, reference) in known.into_iter().enumerate() {
-        let own: Vec<usize> = (0..points.len())
-            .filter(|i| references[*i] == reference)
-            .collect();
-        let at: Vec<[f64; 3]> = own.iter().map(|i| points[*i]).collect();
-        let wanted = (own.len() / 2).clamp(FOLDS, 4 * FOLDS);
-        for (i, cell) in own.into_iter().zip(cells(&at, wanted)) {
-            fold[i] = (cell + k) % FOLDS;
+        Unseen {
+            rms: (sum / n as f64).sqrt(),
+            rms_mm: (sum_mm / lengths as f64).sqrt(),
+            rows: left,
         }
     }
-    fold
 }
 
 /// A term whose setting is scanned afresh in every fold.

@@ -33,6 +33,9 @@ pub struct KindFigures {
     pub fitted: Option<Errors>,
     /// Of what the session holds out.
     pub held_out: Option<Errors>,
+    /// Root mean square of measurements that no fit has seen, each fifth predicted by the others; where
+    /// a diagnosis has looked.
+    pub unseen_rms: Option<f64>,
     /// Number of suspected outliers.
     pub outliers: usize,
     /// Number of rows that were fitted.
@@ -259,6 +262,7 @@ pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures>
             unit,
             fitted: errors(true),
             held_out: errors(false),
+            unseen_rms: None,
             outliers: items.iter().filter(|i| layer.suspected[**i]).count(),
             rows: items
                 .iter()

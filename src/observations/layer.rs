@@ -184,6 +184,18 @@ impl<'a> Layer<'a> {
         items.all(|item| KINDS[item.kind].sigma(instrument).is_some())
     }
 
+    /// One number for each item: the same for those of a kind that refer to the same place.
+    pub fn references(&self) -> Vec<usize> {
+        let of = |item: &Item| (item.kind, KINDS[item.kind].place(self.session, item.sample));
+        let mut all: Vec<_> = self.items.iter().map(of).collect();
+        all.sort_unstable();
+        all.dedup();
+        let items = self.items.iter();
+        items
+            .map(|item| all.partition_point(|one| *one < of(item)))
+            .collect()
+    }
+
     /// Number of rows of the items that `counts` picks.
     pub fn rows(&self, counts: &[bool]) -> usize {
         let counting = self.items.iter().zip(counts).filter(|(_, counts)| **counts);

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::model::Model;
 
-use super::{Item, KINDS, Kind, Layer, Looks, Residual};
+use super::{KINDS, Kind, Layer, Looks, Residual};
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -17,6 +17,8 @@ pub struct ObservedRows<'a> {
     layer: Layer<'a>,
     /// Rows of the observation that has most.
     pub width: usize,
+    /// Inner units of the kind of one unit of each row.
+    inner: Vec<f64>,
     /// mm of one unit of each row; zero where another observation of the sample is its length.
     mm: Vec<f64>,
     /// Number of samples.
@@ -29,6 +31,7 @@ impl<'a> ObservedRows<'a> {
         let layer = layer.only(counted);
         let width = layer.items.iter().map(|item| item.rows).max().unwrap_or(1);
         Self {
+            inner: vec![0.0; layer.items.len() * width],
             mm: vec![0.0; layer.items.len() * width],
             samples: 0,
             width,
@@ -49,37 +52,22 @@ impl<'a> ObservedRows<'a> {
             }
         }
         let levers = layer.levers_mm(model);
-        let lengths: Vec<usize> = length.into_iter().flatten().collect();
-        for k in &lengths {
-            let item = layer.items[*k];
+        for (k, item) in layer.items.iter().enumerate() {
             let kind = KINDS[item.kind];
             let sigma = layer.sigma[item.kind];
             for (row, unit) in units(kind, layer, item.sample, sigma, item.rows) {
-                self.mm[row * n + *k] = levers[*k] * unit / layer.unit_mm;
+                self.inner[row * n + k] = unit / layer.unit_mm;
+                if length[item.sample] == Some(k) {
+                    self.mm[row * n + k] = levers[k] * unit / layer.unit_mm;
+                }
             }
         }
-        self.samples = lengths.len();
+        self.samples = length.into_iter().flatten().count();
     }
 
     /// The observations.
     pub fn layer(&self) -> &Layer<'a> {
         &self.layer
-    }
-
-    /// One number for each observation: the same for those of a kind that refer to the same place.
-    pub fn references(&self) -> Vec<usize> {
-        let of = |item: &Item| {
-            let kind = KINDS[item.kind];
-            let place = kind.place(self.layer.session, item.sample);
-            (item.kind, place.map(|place| (place.kind, place.index)))
-        };
-        let mut all: Vec<_> = self.layer.items.iter().map(of).collect();
-        all.sort_unstable();
-        all.dedup();
-        let items = self.layer.items.iter();
-        items
-            .map(|item| all.partition_point(|one| *one < of(item)))
-            .collect()
     }
 
     /// Number of rows that there are.
@@ -96,6 +84,24 @@ impl<'a> ObservedRows<'a> {
     /// mm of one unit of a row.
     pub fn mm(&self, row: usize) -> f64 {
         self.mm[row]
+    }
+
+    /// Root mean square lengths of the observations of every kind, inner units; `None` of a kind that
+    /// is not among them.
+    pub fn by_kind(&self, e: &DVector<f64>) -> Vec<Option<f64>> {
+        let n = self.layer.items.len();
+        let of = |kind: usize| {
+            let own = (0..n).filter(|k| self.layer.items[*k].kind == kind);
+            let squares: Vec<f64> = own
+                .map(|k| {
+                    let rows = (0..self.width).map(|row| row * n + k);
+                    rows.map(|row| (self.inner[row] * e[row]).powi(2)).sum()
+                })
+                .collect();
+            let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+            (!squares.is_empty()).then(|| mean.sqrt())
+        };
+        (0..KINDS.len()).map(of).collect()
     }
 
     /// Number of samples that have a length.

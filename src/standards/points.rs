@@ -37,7 +37,10 @@ impl<'a> Points<'a> {
         let problem = Problem::new(session, JointValues::Commanded);
         let nominal = Model::nominal(robot.clone()).predict(&problem.inputs);
         if !problem.usable.contains(&true) {
-            return Err(VerifyError::NothingToVerify);
+            return Err(match session.kinds_in_words() {
+                Some(measured) => VerifyError::NoPoints { measured },
+                None => VerifyError::NothingToVerify,
+            });
         }
         Ok(Self {
             session,
