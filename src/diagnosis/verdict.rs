@@ -110,9 +110,6 @@ pub(crate) fn judge(
 /// same (it does not predict unseen samples, or matters little) is said to be there.
 const CHANCE_OF_STRUCTURE: f64 = 0.0005;
 
-/// Share of the rows that a fit of the others sees.
-const SEEN: f64 = 0.8;
-
 fn flag(
     prepared: &Prepared,
     values: &Values,
@@ -256,24 +253,17 @@ fn unseen(
     held_out: &HeldOut,
 ) -> Option<Excess> {
     let gaps = held_out.gaps?;
-    if floor.from == FloorFrom::Estimated || values.noise_is_slow() {
+    // One row of an observation tells little beside the coefficients that it carries: their error is
+    // not the same everywhere, and what is left of every kind decides alone.
+    let of_kinds = values.problem.observed.is_some();
+    if of_kinds || floor.from == FloorFrom::Estimated || values.noise_is_slow() {
         return None;
     }
     let axes = prepared.regression.rows.axes.len() as f64;
     let (_, freedom, kurtosis) = values.white();
     let m = freedom + values.rank();
-    let carried = match &values.problem.observed {
-        // Where coefficients are a good part of the rows, four fifths of those know them worse
-        // (Stein 1960: p/(m − p − 1) for columns at random).
-        Some(_) => 1.0 + values.rank() / (SEEN * m - values.rank() - 1.0).max(1.0),
-        None => (m + values.rank()) / m.max(1.0),
-    };
+    let carried = (m + values.rank()) / m.max(1.0);
     let ratio2 = (gaps.end_mm / floor.mm).powi(2) / carried;
-    let axes = match &values.problem.observed {
-        // Lengths of samples that have so many rows.
-        Some(_) => m / values.problem.samples().max(1) as f64,
-        None => axes,
-    };
     let count = (held_out.samples as f64 * axes).min(m);
     let known_from = match floor.from {
         FloorFrom::Repeats => pure_error(prepared)?.freedom,

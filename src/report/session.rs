@@ -390,9 +390,14 @@ impl Told<'_> {
         }
         let mut blocks = vec![
             Block::Text(
-                "The gap is the root mean square of the distance between measured and simulated \
-                 points. Noise alone leaves the floor"
-                    .to_owned(),
+                if self.session.samples.observed.is_empty() {
+                    "The gap is the root mean square of the distance between measured and simulated \
+                     points. Noise alone leaves the floor"
+                } else {
+                    "The gap is the root mean square of what measurements are off by. Noise alone \
+                     leaves the floor"
+                }
+                .to_owned(),
             ),
             Block::Table(table),
         ];

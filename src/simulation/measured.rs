@@ -15,7 +15,7 @@ use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use crate::effects::{Inputs, JointValues, Term, joint_zero};
 use crate::lanes::dot;
 use crate::model::Model;
-use crate::observations::layer::predictions;
+use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Kind, Seen};
 use crate::sessions::{References, Session};
 

@@ -3,6 +3,7 @@ the equations in observations.py, which shares nothing with src/.
 
     python tests/reference/observation_rates.py BINARY [--count N] [--kinds pose,socket,...]
         [--tasks none,eccentricity,coupling,backlash] [--poses 160] [--seed S] [--keep FOLDER]
+    python tests/reference/observation_rates.py --write tests/data/observations/hidden
 
 A six-joint arm with errors everywhere (as in observations.py), directions of approach at random; one
 effect of lambda = |effect beside all geometry and places|^2 / sigma^2 = 400: encoder-eccentricity of
@@ -127,7 +128,7 @@ def session(case, task, poses, rng, folder):
     text += "".join(",".join("" if v is None else str(v) for v in row) + "\n" for row in rows)
     (folder / f"{case.name}.csv").write_text(text)
     (folder / f"{case.name}.json").write_text(json.dumps(o.document(case)) + "\n")
-    return effect
+    return effect, float(size)
 
 
 def judged(answer, task, effect):
@@ -145,9 +146,35 @@ def judged(answer, task, effect):
     return " + ".join(f"{e} {j}" for e, j in found)
 
 
+# Sessions of the tests: kind and what is hidden.
+WRITTEN = [
+    ("partial", "coupling"),
+    ("tracker", "backlash"),
+    ("pose", "eccentricity"),
+    ("distance-unknown", "backlash"),
+    ("bearing", "coupling"),
+    ("pointing", "eccentricity"),
+    ("socket-unknown", "backlash"),
+    ("touch-unknown", "coupling"),
+    ("mix", "eccentricity"),
+]
+
+
+def write(folder):
+    """The sessions of the tests, and what is hidden in each."""
+    folder.mkdir(parents=True, exist_ok=True)
+    hidden = {}
+    for kind, task in WRITTEN:
+        rng = np.random.default_rng([7, list(CASES).index(kind), len(task), 0])
+        effect, size = session(CASES[kind], task, 120, rng, folder)
+        hidden[kind] = {"effect": IDS[task], "joint": effect["joint"], "size": size}
+    (folder / "hidden.json").write_text(json.dumps(hidden, indent=1) + "\n")
+
+
 def main():
     options = argparse.ArgumentParser()
-    options.add_argument("binary")
+    options.add_argument("binary", nargs="?")
+    options.add_argument("--write", type=Path)
     options.add_argument("--count", type=int, default=5)
     options.add_argument("--poses", type=int, default=160)
     options.add_argument("--kinds", default=",".join(CASES))
@@ -155,6 +182,8 @@ def main():
     options.add_argument("--seed", type=int, default=0)
     options.add_argument("--keep")
     own = options.parse_args()
+    if own.write:
+        return write(own.write)
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(own.keep or folder)
         folder.mkdir(parents=True, exist_ok=True)
@@ -164,7 +193,7 @@ def main():
                 for k in range(own.count):
                     rng = np.random.default_rng([own.seed, list(CASES).index(kind), len(task), k])
                     case = CASES[kind]
-                    effect = session(case, task, own.poses, rng, folder)
+                    effect, _ = session(case, task, own.poses, rng, folder)
                     path = str(folder / f"{case.name}.json")
                     run = subprocess.run([own.binary, "diagnose", path, "--json"], capture_output=True)
                     if run.returncode:
