@@ -658,7 +658,8 @@ fn what_is_hidden_is_named_with_its_joint_whatever_was_measured() {
         assert_eq!(found, [(effect.as_str(), wanted)], "{kind}");
         assert_eq!(answer.verdict, Verdict::Explained, "{kind}");
         // Its size lies in its interval: degrees, or a ratio.
-        let first = &answer.found[0].parameters[0];
+        let mut parameters = answer.found[0].parameters.iter();
+        let first = parameters.find(|own| own.ci95.is_some()).unwrap();
         let wanted = if first.name == "ratio" {
             size
         } else {
