@@ -10,11 +10,11 @@ use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::GapStep;
 use crate::observations::KINDS;
-use crate::observations::figures::apart_beside;
+use crate::observations::figures::{KindFigures, apart_beside};
 use crate::sessions::Session;
 
 use super::aliases;
-use super::answer::{Diagnosis, Equivalent, Gaps};
+use super::answer::{Diagnosis, Equivalent, Gaps, HeldOut};
 use super::candidates::NotTestable;
 use super::final_set::worth;
 use super::floor::floor;
@@ -28,7 +28,7 @@ use super::search::Found as SearchEnd;
 use super::selection::Selection;
 use super::significance::Significance;
 use super::smooth;
-use super::steps::{found, steps};
+use super::steps::{Step, found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::Values;
@@ -131,37 +131,10 @@ pub(crate) fn answer(
     let mut unexplained = unexplained(prepared, end, session);
     let verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
     unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
-    let mut history = vec![GapStep {
-        what: "nominal robot".to_owned(),
-        gap_mm: gap.start_mm,
-        held_out_mm: held_out.gaps.map(|g| g.start_mm),
-    }];
-    history.push(GapStep {
-        what: base_in_words(&session.robot).to_owned(),
-        gap_mm: gap.identified_mm,
-        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
-    });
-    history.extend(steps.iter().map(|step| GapStep {
-        what: format!("with {}", step.term.name_on(&session.robot)),
-        gap_mm: step.gap_mm[1],
-        held_out_mm: step.held_out_mm.map(|h| h[1]),
-    }));
+    let history = history(session, &gap, &held_out, &steps);
     let held = prepared.not_identifiable.clone();
     let mut identification = values.identification(&prepared.nominal, held);
-    if let Some(rows) = regression
-        .rows
-        .observed()
-        .filter(|_| prepared.folds.say_something())
-    {
-        let unseen = rows.by_kind(&prepared.folds.unseen(regression, fit).rows);
-        for (kind, unseen) in KINDS.iter().zip(unseen) {
-            let name = kind.about().name;
-            let own = identification.kinds.iter_mut().find(|own| own.kind == name);
-            if let (Some(own), Some(unseen)) = (own, unseen) {
-                own.unseen_rms = Some(unseen * kind.about().unit.read().1);
-            }
-        }
-    }
+    tell_unseen(prepared, fit, &mut identification.kinds);
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
@@ -207,6 +180,45 @@ fn values<'a>(
     let mut values = Values::of(prepared, problem, own, capped || without);
     correct_for_selection(prepared, with_shapes, &mut values);
     values
+}
+
+/// The gap step by step.
+fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<GapStep> {
+    let mut history = vec![GapStep {
+        what: "nominal robot".to_owned(),
+        gap_mm: gap.start_mm,
+        held_out_mm: held_out.gaps.map(|g| g.start_mm),
+    }];
+    history.push(GapStep {
+        what: base_in_words(&session.robot).to_owned(),
+        gap_mm: gap.identified_mm,
+        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
+    });
+    history.extend(steps.iter().map(|step| GapStep {
+        what: format!("with {}", step.term.name_on(&session.robot)),
+        gap_mm: step.gap_mm[1],
+        held_out_mm: step.held_out_mm.map(|h| h[1]),
+    }));
+    history
+}
+
+/// Puts beside the errors of every kind those that no fit has seen.
+fn tell_unseen(prepared: &Prepared, fit: &Fit, kinds: &mut [KindFigures]) {
+    let regression = &prepared.regression;
+    let Some(rows) = regression.rows.observed() else {
+        return;
+    };
+    if !prepared.folds.say_something() {
+        return;
+    }
+    let unseen = rows.by_kind(&prepared.folds.unseen(regression, fit).rows);
+    for (kind, unseen) in KINDS.iter().zip(unseen) {
+        let about = kind.about();
+        let own = kinds.iter_mut().find(|own| own.kind == about.name);
+        if let (Some(own), Some(unseen)) = (own, unseen) {
+            own.unseen_rms = Some(unseen * about.unit.read().1);
+        }
+    }
 }
 
 /// What would tell rivals apart where no poses are proposed.

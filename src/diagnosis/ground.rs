@@ -247,7 +247,7 @@ fn across_the_axis(
     };
     let outward: Vec<[f64; 3]> = points.iter().map(outward).collect();
     let radial = rows.displaced(base, |sample| outward[sample]);
-    let axial = rows.displaced(base, |_| along.into());
+    let axial = rows.displaced(base, |_| along);
     let seen = |v: DVector<f64>| (v.norm() > 1e-9).then_some(v);
     (seen(radial), seen(axial))
 }

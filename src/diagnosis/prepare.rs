@@ -73,20 +73,19 @@ impl<'a> Prepared<'a> {
             return Err(DiagnoseError::NothingToFit);
         }
         let survey = Survey::new(session, &problem.inputs);
-        let mut nominal = Model::nominal(session.robot.clone());
-        let (base, not_identifiable) = if base_model::is_arm(session) {
-            let start = base_model::start(session, &problem, |id| options.allowed.exists(id));
-            nominal = observed::places_alone(&start);
-            let fitted = base_model::fit(&mut problem, &start, true);
-            (fitted.solution.model, fitted.held)
-        } else if problem.observed.is_some() {
-            let start = single_joint(session, &problem, &survey, options);
-            nominal = observed::places_alone(&start);
+        let start = if base_model::is_arm(session) {
+            base_model::start(session, &problem, |id| options.allowed.exists(id))
+        } else {
+            single_joint(session, &problem, &survey, options)
+        };
+        let nominal = observed::places_alone(&start);
+        let (base, not_identifiable) = if base_model::is_arm(session) || problem.observed.is_some()
+        {
             let fitted = base_model::fit(&mut problem, &start, true);
             (fitted.solution.model, fitted.held)
         } else {
-            let start = single_joint(session, &problem, &survey, options);
-            (fit_without_outliers(&mut problem, &start).model, Vec::new())
+            let fitted = fit_without_outliers(&mut problem, &start);
+            (fitted.model, Vec::new())
         };
         let regression = regression(&mut problem, &base, &survey, options);
         let folds = Folds::new(&regression);

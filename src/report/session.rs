@@ -389,16 +389,10 @@ impl Told<'_> {
             );
         }
         let mut blocks = vec![
-            Block::Text(
-                if self.session.samples.observed.is_empty() {
-                    "The gap is the root mean square of the distance between measured and simulated \
-                     points. Noise alone leaves the floor"
-                } else {
-                    "The gap is the root mean square of what measurements are off by. Noise alone \
-                     leaves the floor"
-                }
-                .to_owned(),
-            ),
+            Block::Text(format!(
+                "{}. Noise alone leaves the floor",
+                self.what_the_gap_is()
+            )),
             Block::Table(table),
         ];
         blocks.extend(self.by_kind());
@@ -433,6 +427,14 @@ impl Told<'_> {
         Section {
             title: "Result".to_owned(),
             blocks,
+        }
+    }
+
+    fn what_the_gap_is(&self) -> &'static str {
+        if self.session.samples.observed.is_empty() {
+            "The gap is the root mean square of the distance between measured and simulated points"
+        } else {
+            "The gap is the root mean square of what measurements are off by"
         }
     }
 
