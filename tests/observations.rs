@@ -627,28 +627,120 @@ fn a_scenario_that_reaches_nowhere_is_refused_in_words() {
     assert!(refused.to_string().contains("measure[0]"), "{refused}");
 }
 
+/// What `tests/reference/observation_rates.py` hid in a session: effect, joint and size.
+fn hidden() -> Vec<(String, String, u64, f64)> {
+    let text = std::fs::read_to_string(folder().join("hidden/hidden.json")).unwrap();
+    let all: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let of = |(kind, own): (&String, &serde_json::Value)| {
+        (
+            kind.clone(),
+            own["effect"].as_str().unwrap().to_owned(),
+            own["joint"].as_u64().unwrap(),
+            own["size"].as_f64().unwrap(),
+        )
+    };
+    all.as_object().unwrap().iter().map(of).collect()
+}
+
+fn diagnosed(session: &Session) -> truepose::diagnosis::Diagnosis {
+    let options = truepose::diagnosis::Options::default();
+    truepose::pipeline::diagnose(session, &options, &|_| true).unwrap()
+}
+
 #[test]
-fn a_diagnosis_without_points_says_what_it_can() {
-    use truepose::diagnosis::{Options, Verdict};
-    let mut session = session("six-bearing-unknown");
-    let options = Options::default();
-    let answer = truepose::pipeline::diagnose(&session, &options, &|_| true).unwrap();
-    assert_eq!(answer.verdict, Verdict::Noise, "{:?}", answer.unexplained);
-    assert!(answer.found.is_empty() && !answer.not_testable.is_empty());
-    assert_eq!(answer.identification.kinds.len(), 1);
-    assert!(answer.held_out.gaps.is_some());
-    // A joint that swings at every pose is no noise, whatever it is called.
-    for (k, q) in session.samples.q[1].iter_mut().enumerate() {
-        *q += 2e-4 * f64::sin(k as f64);
+fn what_is_hidden_is_named_with_its_joint_whatever_was_measured() {
+    use truepose::diagnosis::Verdict;
+    for (kind, effect, joint, size) in hidden() {
+        let session = session(&format!("hidden/{kind}"));
+        let answer = diagnosed(&session);
+        let found: Vec<_> = answer.found.iter().map(|f| (f.effect, f.joint)).collect();
+        let wanted = Some(usize::try_from(joint).unwrap());
+        assert_eq!(found, [(effect.as_str(), wanted)], "{kind}");
+        assert_eq!(answer.verdict, Verdict::Explained, "{kind}");
+        // Its size lies in its interval: degrees, or a ratio.
+        let mut parameters = answer.found[0].parameters.iter();
+        let first = parameters.find(|own| own.ci95.is_some()).unwrap();
+        let wanted = if first.name == "ratio" {
+            size
+        } else {
+            size.to_degrees()
+        };
+        let [low, high] = first.ci95.unwrap();
+        let room = 0.5 * (high - low);
+        assert!(
+            wanted > low - room && wanted < high + room,
+            "{kind}: {wanted} in {low} … {high}"
+        );
+        // It predicts what no fit has seen, of every kind.
+        let gaps = answer.held_out.gaps.unwrap();
+        assert!(gaps.end_mm < 0.95 * gaps.identified_mm, "{kind}: {gaps:?}");
+        assert!(gaps.end_mm < 1.6 * answer.floor.mm, "{kind}: {gaps:?}");
+        for own in &answer.identification.kinds {
+            let (unseen, after) = (own.unseen_rms.unwrap(), own.fitted.unwrap().after_rms);
+            assert!(
+                unseen > 0.8 * after && unseen < 3.0 * after,
+                "{kind}: {own:?}"
+            );
+        }
     }
-    let answer = truepose::pipeline::diagnose(&session, &options, &|_| true).unwrap();
-    assert_eq!(answer.verdict, Verdict::Unexplained);
-    assert!(answer.unexplained.present && answer.unexplained.p < 1e-3);
-    // Where points are at hand names are searched in them.
-    let answer = truepose::pipeline::diagnose(&self::session("six-pose"), &options, &|_| true);
-    let answer = answer.unwrap();
-    assert!(!answer.not_found.is_empty());
-    assert_eq!(answer.identification.kinds.len(), 2);
+}
+
+#[test]
+fn nothing_is_named_where_nothing_is_hidden() {
+    use truepose::diagnosis::Verdict;
+    for name in CASES {
+        let answer = diagnosed(&session(name));
+        assert!(answer.found.is_empty(), "{name}: {:?}", answer.found);
+        assert_eq!(answer.verdict, Verdict::Noise, "{name}");
+        assert!(!answer.not_found.is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn what_has_no_name_is_flagged_in_every_kind() {
+    use truepose::diagnosis::Verdict;
+    for name in ["six-bearing-unknown", "six-distance", "six-touch"] {
+        let mut session = session(name);
+        // A joint that swings from pose to pose is no noise, whatever it is called.
+        for (k, q) in session.samples.q[1].iter_mut().enumerate() {
+            *q += 2e-4 * f64::sin(k as f64);
+        }
+        let answer = diagnosed(&session);
+        assert_eq!(answer.verdict, Verdict::Unexplained, "{name}");
+        assert!(answer.unexplained.present && answer.unexplained.p < 1e-3);
+    }
+}
+
+#[test]
+fn a_wild_measurement_is_no_effect_and_hides_none() {
+    let mut session = session("hidden/distance-unknown");
+    let distances = session.samples.observed.distance_mm.as_mut().unwrap();
+    for k in [11, 47, 83] {
+        distances[k] += 1.5;
+    }
+    let answer = diagnosed(&session);
+    let outliers: Vec<usize> = answer.outliers.iter().map(|o| o.sample).collect();
+    assert_eq!(outliers, [11, 47, 83]);
+    assert_eq!(answer.found.len(), 1, "{:?}", answer.found);
+    assert_eq!(answer.identification.kinds[0].outliers, 3);
+}
+
+#[test]
+fn levels_of_correction_are_those_of_every_kind() {
+    for name in ["six-pose", "six-distance", "six-socket-unknown", "six-mix"] {
+        let session = session(name);
+        let answer = identified(&session);
+        assert!(answer.levels.len() >= 4, "{name}");
+        let unseen = |k: usize| answer.levels[k].cross_validated.unwrap().rms_mm;
+        assert!(unseen(3) < 0.3 * unseen(2), "{name}");
+        // The last is the identification, held out as cells of what each reference shows.
+        let after = answer.gap.after.rms_mm;
+        assert!(
+            (answer.levels[3].rms_mm / after - 1.0).abs() < 0.02,
+            "{name}"
+        );
+        assert!(unseen(3) > after && unseen(3) < 1.6 * after, "{name}");
+    }
 }
 
 #[test]

@@ -47,6 +47,7 @@ pub(super) fn verify(
             of: samples,
         }),
         compensated: None,
+        before,
         after,
         outliers: Vec::new(),
         notes,

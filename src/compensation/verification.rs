@@ -70,6 +70,8 @@ pub struct Verification {
     pub within_tolerance: Option<WithinTolerance>,
     /// `None` for a session that was compensated already.
     pub compensated: Option<Compensated>,
+    /// Measured − nominal robot, sample by sample.
+    pub before: Deviations,
     /// Measured − model, sample by sample.
     pub after: Deviations,
     /// Suspected outliers, counted from 0.
@@ -88,6 +90,14 @@ pub enum VerifyError {
         session: String,
         /// Joints of the model's robot.
         model: String,
+    },
+    /// Points are wanted, and others were measured.
+    #[error(
+        "positions are compared, and this session has {measured}: what is wanted is measured points (x_mm, y_mm)"
+    )]
+    NoPoints {
+        /// What was measured instead.
+        measured: String,
     },
     /// No sample is complete.
     #[error(
@@ -155,6 +165,7 @@ pub fn verify(calibration: &Calibration, session: &Session) -> Result<Verificati
             of: samples,
         }),
         compensated: compensated.flatten(),
+        before,
         after,
         outliers: (0..outlier.len()).filter(|i| outlier[*i]).collect(),
         notes,

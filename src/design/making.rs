@@ -11,7 +11,6 @@
 //! What the plan claims is checked on the session as it would be with the poses measured
 //! (`expected_information`): an effect counts as enabled only if nothing stands against it there.
 
-use crate::diagnosis::base_alone::has_enough_points;
 use crate::diagnosis::candidates::NotTestable;
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Fit;
@@ -46,8 +45,8 @@ const POSES_BESIDE: usize = 20;
 /// Poses that make effects testable, where no number is given.
 const MOST_ENABLING: usize = 24;
 
-/// A plan for a session: it is diagnosed, and what that leaves open is planned for. Where it has no
-/// points to be diagnosed it is planned for its geometry.
+/// A plan for a session: it is diagnosed, and what that leaves open is planned for. Where it has
+/// other measurements than points it is planned for its geometry.
 ///
 /// # Errors
 /// If an option makes no sense, if there is no sample to fit, or if the watcher stops it.
@@ -62,7 +61,7 @@ pub fn plan_session(
     let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
     let session: &Session = &mended.session;
     let (robot, targets) = (&session.robot, &session.targets);
-    if arm && between.is_none() && !has_enough_points(session, &options.diagnosis) {
+    if arm && between.is_none() && !session.has_plain_points() {
         let sigma_mm = options
             .sigma_mm
             .or_else(|| KINDS[0].sigma(&session.instrument));

@@ -66,6 +66,9 @@ fn without_less_likely(prepared: &Prepared, mut fit: Fit) -> Fit {
 /// Root mean square length of what a fit leaves, mm.
 pub(crate) fn left_mm(prepared: &Prepared, fit: &Fit) -> f64 {
     let regression = &prepared.regression;
+    if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
+        return regression.scale(fit) * noise_mm;
+    }
     let axes = regression.rows.axes.len() as f64;
     regression.scale(fit) * mean_sigma_mm(regression) * axes.sqrt()
 }

@@ -170,7 +170,7 @@ impl Table {
             not_testable,
             ground,
         };
-        table.rich = rich(&table, rows.len());
+        table.rich = rich(&table, rows.count());
         table
     }
 }

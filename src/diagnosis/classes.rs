@@ -7,7 +7,8 @@ use crate::fit::problem::Problem;
 /// Fewer suspects than this may be accidents.
 const FEWEST: usize = 3;
 
-/// Puts suspects back that are more than half of their condition.
+/// Puts suspects back that are more than half of their condition; `suspected` says it of what the
+/// problem counts.
 pub(crate) fn keep(problem: &mut Problem, suspected: &[bool]) {
     let inputs = &problem.inputs;
     let n = suspected.len();
@@ -19,21 +20,21 @@ pub(crate) fn keep(problem: &mut Problem, suspected: &[bool]) {
         .collect();
     let targets = inputs.target.iter();
     keys.extend(targets.map(|t| t.iter().map(|t| u64::from(*t)).collect()));
-    let mut back = vec![false; n];
+    let mut back = problem.counted().to_vec();
+    let fit = problem.to_fit();
     for key in &keys {
-        let mut order: Vec<usize> = (0..n).filter(|i| problem.fit[*i]).collect();
+        let of = |i: usize| key[problem.sample_of(i)];
+        let mut order: Vec<usize> = (0..n).filter(|i| fit[*i]).collect();
         let all = order.len();
-        order.sort_by_key(|i| key[*i]);
-        for class in order.chunk_by(|a, b| key[*a] == key[*b]) {
+        order.sort_by_key(|i| of(*i));
+        for class in order.chunk_by(|a, b| of(*a) == of(*b)) {
             let count = class.iter().filter(|i| suspected[**i]).count();
             if class.len() < all && count >= FEWEST && 2 * count > class.len() {
                 for i in class {
-                    back[*i] = suspected[*i];
+                    back[*i] |= suspected[*i];
                 }
             }
         }
     }
-    for (used, back) in problem.used.iter_mut().zip(back) {
-        *used |= back;
-    }
+    problem.set_counted(back);
 }

@@ -8,10 +8,13 @@ use crate::fit::gap::{Deviations, Spread, deviations};
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
-use crate::model::{GapStep, Model};
+use crate::model::GapStep;
+use crate::observations::KINDS;
+use crate::observations::figures::{KindFigures, apart_beside};
+use crate::sessions::Session;
 
 use super::aliases;
-use super::answer::{Diagnosis, Equivalent, Gaps};
+use super::answer::{Diagnosis, Equivalent, Gaps, HeldOut};
 use super::candidates::NotTestable;
 use super::final_set::worth;
 use super::floor::floor;
@@ -25,7 +28,7 @@ use super::search::Found as SearchEnd;
 use super::selection::Selection;
 use super::significance::Significance;
 use super::smooth;
-use super::steps::{found, steps};
+use super::steps::{Step, found, steps};
 use super::testable::not_testable;
 use super::unseen::held_out;
 use super::values::Values;
@@ -83,7 +86,7 @@ pub(crate) fn answer(
     } else {
         &names
     };
-    let nominal = deviations(problem, &Model::nominal(session.robot.clone()));
+    let nominal = deviations(problem, &prepared.nominal);
     let held_out = held_out(prepared, &base, fit, &nominal);
     // Unseen samples have done their part: values come from all samples that may be fitted.
     let problem = &with_unlocked(prepared, with_shapes);
@@ -113,32 +116,25 @@ pub(crate) fn answer(
     let equivalent: Vec<_> = rivals.iter().collect();
     go_on(Progress::Planning)?;
     let not_testable = not_testable(regression, &base);
-    let proposal = planner(&Undecided {
+    let undecided = Undecided {
         prepared,
         fit: with_shapes,
         rivals: &equivalent,
         not_testable: &not_testable,
-    });
+    };
+    let proposal = match &problem.observed {
+        // Poses are chosen for what points would show.
+        Some(_) => without_poses(session, equivalent.len()),
+        None => planner(&undecided),
+    };
     let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
     let verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
     unexplained.correction = smooth::asked(prepared, &unexplained, &values.model.settled());
-    let mut history = vec![GapStep {
-        what: "nominal robot".to_owned(),
-        gap_mm: gap.start_mm,
-        held_out_mm: held_out.gaps.map(|g| g.start_mm),
-    }];
-    history.push(GapStep {
-        what: base_in_words(&session.robot).to_owned(),
-        gap_mm: gap.identified_mm,
-        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
-    });
-    history.extend(steps.iter().map(|step| GapStep {
-        what: format!("with {}", step.term.name_on(&session.robot)),
-        gap_mm: step.gap_mm[1],
-        held_out_mm: step.held_out_mm.map(|h| h[1]),
-    }));
-    let identification = values.identification(prepared.not_identifiable.clone());
+    let history = history(session, &gap, &held_out, &steps);
+    let held = prepared.not_identifiable.clone();
+    let mut identification = values.identification(&prepared.nominal, held);
+    tell_unseen(prepared, fit, &mut identification.kinds);
     Ok(Diagnosis {
         session: session.name.clone(),
         samples: session.samples.len(),
@@ -178,11 +174,64 @@ fn values<'a>(
     // then predicts nothing without it.
     let several = prepared.regression.base.robot.joints.len() > 1;
     let corrected = prepared.options().correct_unexplained;
-    let without = corrected || several && !with_shapes.shapes.is_empty();
+    let of_kinds = problem.observed.is_some();
+    let without = corrected || (several || of_kinds) && !with_shapes.shapes.is_empty();
     let own = if without { alone } else { with_shapes };
     let mut values = Values::of(prepared, problem, own, capped || without);
     correct_for_selection(prepared, with_shapes, &mut values);
     values
+}
+
+/// The gap step by step.
+fn history(session: &Session, gap: &Gaps, held_out: &HeldOut, steps: &[Step]) -> Vec<GapStep> {
+    let mut history = vec![GapStep {
+        what: "nominal robot".to_owned(),
+        gap_mm: gap.start_mm,
+        held_out_mm: held_out.gaps.map(|g| g.start_mm),
+    }];
+    history.push(GapStep {
+        what: base_in_words(&session.robot).to_owned(),
+        gap_mm: gap.identified_mm,
+        held_out_mm: held_out.gaps.map(|g| g.identified_mm),
+    });
+    history.extend(steps.iter().map(|step| GapStep {
+        what: format!("with {}", step.term.name_on(&session.robot)),
+        gap_mm: step.gap_mm[1],
+        held_out_mm: step.held_out_mm.map(|h| h[1]),
+    }));
+    history
+}
+
+/// Puts beside the errors of every kind those that no fit has seen.
+fn tell_unseen(prepared: &Prepared, fit: &Fit, kinds: &mut [KindFigures]) {
+    let regression = &prepared.regression;
+    let Some(rows) = regression.rows.observed() else {
+        return;
+    };
+    if !prepared.folds.say_something() {
+        return;
+    }
+    let unseen = rows.by_kind(&prepared.folds.unseen(regression, fit).rows);
+    for (kind, unseen) in KINDS.iter().zip(unseen) {
+        let about = kind.about();
+        let own = kinds.iter_mut().find(|own| own.kind == about.name);
+        if let (Some(own), Some(unseen)) = (own, unseen) {
+            own.unseen_rms = Some(unseen * about.unit.read().1);
+        }
+    }
+}
+
+/// What would tell rivals apart where no poses are proposed.
+fn without_poses(session: &Session, rivals: usize) -> Proposal {
+    let measured = session.kinds_in_words().unwrap_or_default();
+    let says = format!(
+        "this session has {measured}, and poses are proposed for points: measure these joints at \
+         more values, or points beside"
+    );
+    Proposal {
+        poses: Vec::new(),
+        separate_by: vec![says; rivals],
+    }
 }
 
 /// What belongs to every calibration of a robot.
@@ -201,13 +250,10 @@ fn with_unlocked<'p, 'a>(prepared: &'p Prepared<'a>, fit: &Fit) -> Cow<'p, Probl
     }
     let model = &Values::of(prepared, &prepared.problem, fit, false).model;
     let mut all = (*prepared.problem).clone();
-    for (fit, locked) in all.fit.iter_mut().zip(&prepared.locked) {
-        *fit |= locked;
-    }
-    let suspected = suspects(&all, &deviations(&all, model));
-    for i in 0..all.used.len() {
-        all.used[i] |= prepared.locked[i] && !suspected[i];
-    }
+    all.take_in(&prepared.locked, |all| match &all.observed {
+        Some(layer) => apart_beside(layer, model),
+        None => suspects(all, &deviations(all, model)),
+    });
     Cow::Owned(all)
 }
 

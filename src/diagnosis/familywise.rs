@@ -179,7 +179,9 @@ impl Regression<'_> {
             return at;
         }
         let m = self.height();
-        let flip = m <= ROWS_TO_FLIP || kurtosis(&fit.residual) > MOST_KURTOSIS;
+        // A row that an observation does not have stays zero when it is flipped.
+        let gaps = self.rows.count() < self.rows.len();
+        let flip = gaps || m <= ROWS_TO_FLIP || kurtosis(&fit.residual) > MOST_KURTOSIS;
         // A residual is smaller than the noise where the fit follows it.
         let noise = DVector::from_fn(m, |row, _| {
             let kept = (1.0 - fit.basis.leverage(row)).max(0.05);

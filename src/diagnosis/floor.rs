@@ -10,6 +10,9 @@ use super::regression::Fit;
 /// From returns to the same pose, else the instrument, else the residuals of the final fit.
 pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
     let regression = &prepared.regression;
+    if let Some(noise_mm) = regression.rows.noise_mm(&regression.noise) {
+        return of_observations(prepared, fit, noise_mm);
+    }
     if let Some(pure) = pure_error(prepared) {
         return Floor {
             mm: pure.mm,
@@ -36,6 +39,28 @@ pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {
             mm: regression.noise.total_mm(&regression.rows.axes)
                 * axes.sqrt()
                 * regression.scale(fit),
+            from: FloorFrom::Estimated,
+        },
+    }
+}
+
+/// The same where other things than plain points were measured; `noise_mm` is what the noise of the
+/// regression leaves.
+fn of_observations(prepared: &Prepared, fit: &Fit, noise_mm: f64) -> Floor {
+    let regression = &prepared.regression;
+    let stated = prepared.problem.observed.as_ref();
+    let stated = stated.filter(|layer| layer.is_stated());
+    match (pure_error(prepared), stated) {
+        (Some(pure), _) => Floor {
+            mm: noise_mm * pure.variance.sqrt(),
+            from: FloorFrom::Repeats,
+        },
+        (None, Some(layer)) => Floor {
+            mm: noise_mm * layer.unit_mm / regression.noise.sigma_mm[0],
+            from: FloorFrom::Instrument,
+        },
+        (None, None) => Floor {
+            mm: noise_mm * regression.scale(fit),
             from: FloorFrom::Estimated,
         },
     }
@@ -69,13 +94,18 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
         key.extend(inputs.setup.iter().map(|s| s[i].to_bits()));
         key
     };
-    let keys: Vec<Vec<u64>> = (0..rows.samples.len()).map(key).collect();
+    let mut keys: Vec<Vec<u64>> = (0..rows.samples.len()).map(key).collect();
+    if let Some(observed) = rows.observed() {
+        for (key, reference) in keys.iter_mut().zip(observed.layer().references()) {
+            key.push(reference as u64);
+        }
+    }
     let mut order: Vec<usize> = (0..keys.len()).collect();
     order.sort_by(|a, b| keys[*a].cmp(&keys[*b]).then(a.cmp(b)));
     let (raw, _) = rows.extract(&prepared.regression.base);
     let n = rows.samples.len();
     let sigma = prepared.regression.noise.sigma_mm;
-    let (mut sum, mut weighted, mut freedom) = (0.0, 0.0, 0_usize);
+    let (mut sum, mut weighted, mut freedom, mut all) = (0.0, 0.0, 0_usize, 0_usize);
     let mut start = 0;
     while start < n {
         let end = (start..n)
@@ -90,7 +120,8 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
             .collect();
         if group.len() > 1 {
             freedom += group.len() - 1;
-            for axis in 0..rows.axes.len() {
+            for axis in (0..rows.axes.len()).filter(|a| rows.has(a * n + group[0])) {
+                all += group.len() - 1;
                 let values = group.iter().map(|i| raw[axis * n + i]);
                 let mean = values.clone().sum::<f64>() / group.len() as f64;
                 let square = values.map(|v| (v - mean).powi(2)).sum::<f64>();
@@ -100,7 +131,7 @@ pub(crate) fn pure_error(prepared: &Prepared) -> Option<PureError> {
         }
         start = end;
     }
-    let all = (freedom * rows.axes.len()) as f64;
+    let all = all as f64;
     (freedom >= FEWEST_REPEATS).then(|| PureError {
         mm: (sum / freedom as f64).sqrt(),
         variance: weighted / all,

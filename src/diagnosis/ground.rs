@@ -16,6 +16,8 @@ use crate::fit::regression::Rows;
 pub struct Ground {
     samples: usize,
     axes: Vec<usize>,
+    /// What the rows show of a move along x, y, z, where they are not those.
+    frame: Vec<DVector<f64>>,
     pub(crate) variables: Vec<(Variable, Vec<f64>)>,
     pub(crate) tangential: Vec<DVector<f64>>,
     pub(crate) radial: Option<DVector<f64>>,
@@ -48,7 +50,7 @@ impl Ground {
             Direction::Tangential(_) => 1,
             Direction::Radial => across[0],
             Direction::Axial => across[1],
-            Direction::Frame => self.axes.len(),
+            Direction::Frame => self.frame_axes(),
             Direction::Body => usize::from(!self.tangential.is_empty()) + across[0] + across[1],
         };
         shape.profile.count() * directions
@@ -65,7 +67,7 @@ impl Ground {
             Direction::Tangential(j) => vec![self.tangential[j].clone()],
             Direction::Radial => self.radial.iter().cloned().collect(),
             Direction::Axial => self.axial.iter().cloned().collect(),
-            Direction::Frame => (0..self.axes.len()).map(|a| self.frame_axis(a)).collect(),
+            Direction::Frame => (0..self.frame_axes()).map(|a| self.frame_axis(a)).collect(),
             Direction::Body => {
                 let across = [self.radial.as_ref(), self.axial.as_ref()];
                 let mut all: Vec<DVector<f64>> =
@@ -106,7 +108,8 @@ impl Ground {
     /// The columns of placed shapes for every sample of a problem, as a fit takes them beside the
     /// model.
     pub(crate) fn on_all(&self, problem: &Problem, shapes: &[Placed]) -> Vec<[Vec<f64>; 3]> {
-        if shapes.is_empty() {
+        // Along x, y, z: observations have other rows.
+        if shapes.is_empty() || problem.observed.is_some() {
             return Vec::new();
         }
         let mut all = problem.clone();
@@ -131,7 +134,18 @@ impl Ground {
         columns
     }
 
+    fn frame_axes(&self) -> usize {
+        if self.frame.is_empty() {
+            self.axes.len()
+        } else {
+            self.frame.len()
+        }
+    }
+
     fn frame_axis(&self, axis: usize) -> DVector<f64> {
+        if let Some(own) = self.frame.get(axis) {
+            return own.clone();
+        }
         let rows = self.samples * self.axes.len();
         let own = axis * self.samples..(axis + 1) * self.samples;
         DVector::from_fn(rows, |row, _| f64::from(u8::from(own.contains(&row))))
@@ -175,6 +189,7 @@ pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
     Ground {
         samples: rows.samples.len(),
         axes: rows.axes.clone(),
+        frame: frame(rows, base),
         angle: pick(&inputs.q[0]),
         variables,
         tangential: Vec::new(),
@@ -183,6 +198,17 @@ pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
         radial,
         axial,
     }
+}
+
+/// What observations show of a target that is elsewhere along x, y, z; nothing of plain points, whose
+/// rows are just that.
+fn frame(rows: &Rows, base: &Model) -> Vec<DVector<f64>> {
+    if rows.observed().is_none() {
+        return Vec::new();
+    }
+    let along = |axis: usize| [0, 1, 2].map(|k| f64::from(u8::from(k == axis)));
+    let columns = (0..3).map(|axis| rows.displaced(base, |_| along(axis)));
+    columns.filter(|column| column.norm() > 0.0).collect()
 }
 
 /// Derivatives of the rows by each joint's angle.
@@ -220,8 +246,8 @@ fn across_the_axis(
         across.map(|v| v / radius.max(1e-9))
     };
     let outward: Vec<[f64; 3]> = points.iter().map(outward).collect();
-    let radial = rows.column(|sample, axis| outward[sample][axis]);
-    let axial = rows.column(|_, axis| along[axis]);
+    let radial = rows.displaced(base, |sample| outward[sample]);
+    let axial = rows.displaced(base, |_| along);
     let seen = |v: DVector<f64>| (v.norm() > 1e-9).then_some(v);
     (seen(radial), seen(axial))
 }

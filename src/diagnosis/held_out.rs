@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
-use crate::fit::cells::cells;
+use crate::fit::cells::{cells, folds_of_groups};
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
 
 /// Which fold each sample of the rows is in.
@@ -19,6 +19,16 @@ pub(crate) struct Folds {
     count: usize,
     /// In words.
     pub(crate) how: String,
+}
+
+/// What a fit leaves of samples that it has not seen.
+pub(crate) struct Unseen {
+    /// Root mean square length, in the unit of the rows.
+    pub(crate) rms: f64,
+    /// The same in mm.
+    pub(crate) rms_mm: f64,
+    /// Row by row.
+    pub(crate) rows: DVector<f64>,
 }
 
 const FOLDS: usize = 5;
@@ -77,6 +87,15 @@ impl Folds {
     fn over_the_workspace(regression: &Regression) -> Self {
         let points = regression.rows.points(&regression.base);
         let n = points.len();
+        if let Some(rows) = regression.rows.observed() {
+            return Self {
+                fold: folds_of_groups(&points, &rows.layer().references(), FOLDS),
+                count: FOLDS,
+                how: "each fifth of the measurements, of every reference its own, predicted by a fit \
+                      that has not seen it"
+                    .to_owned(),
+            };
+        }
         let few = n < FEW;
         let wanted = if few { (n / 3).clamp(2, 10) } else { 4 * FOLDS };
         let cell = cells(&points, wanted);
@@ -101,12 +120,27 @@ impl Folds {
         self.fold.len() >= FEWEST
     }
 
-    /// Root mean square length of the deviations of samples that the fit has not seen, mm.
+    /// Root mean square length of the deviations of samples that the fit has not seen, mm; of other
+    /// measurements than plain points in units of their noise, each by its own.
     pub(crate) fn rms(&self, regression: &Regression, fit: &Fit) -> f64 {
+        self.unseen(regression, fit).rms
+    }
+
+    /// The same in mm whatever was measured.
+    pub(crate) fn rms_mm(&self, regression: &Regression, fit: &Fit) -> f64 {
+        self.unseen(regression, fit).rms_mm
+    }
+
+    /// What is left of samples that the fit has not seen.
+    pub(crate) fn unseen(&self, regression: &Regression, fit: &Fit) -> Unseen {
         if !self.say_something() {
             // Too few samples to hold any out: the fit's own residual, so that it never stands
             // in the way.
-            return fit.rss.sqrt();
+            return Unseen {
+                rms: fit.rss.sqrt(),
+                rms_mm: fit.rss.sqrt(),
+                rows: DVector::zeros(regression.rows.len()),
+            };
         }
         let (raw_residual, raw_columns) = regression.raw(&fit.model);
         let (residual, own_white) = regression.whitened(&fit.model, &raw_residual, &raw_columns);
@@ -130,7 +164,8 @@ impl Folds {
         }
         let scanned = scanned_terms(regression, fit);
         let n = self.fold.len();
-        let mut sum = 0.0;
+        let (mut sum, mut sum_mm) = (0.0, 0.0);
+        let mut left = DVector::zeros(regression.rows.len());
         for fold in 0..self.count {
             let rows = regression.rows.len();
             let seen: Vec<usize> = (0..regression.height())
@@ -154,10 +189,18 @@ impl Folds {
             let unseen = (0..regression.rows.len()).filter(|row| self.fold[row % n] == fold);
             for row in unseen {
                 let e = fold_raw_residual[row] - fold_raw.row(row).tr_dot(&step);
+                let mm = regression.rows.mm(row) * e;
+                left[row] = e;
                 sum += e * e;
+                sum_mm += mm * mm;
             }
         }
-        (sum / n as f64).sqrt()
+        let lengths = regression.rows.lengths();
+        Unseen {
+            rms: (sum / n as f64).sqrt(),
+            rms_mm: (sum_mm / lengths as f64).sqrt(),
+            rows: left,
+        }
     }
 }
 

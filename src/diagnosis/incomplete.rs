@@ -28,10 +28,10 @@ pub(crate) fn leave_out(problem: &mut Problem) -> Option<DataProblem> {
         .filter(|c| lacking.iter().any(|i| c.lacks(*i)))
         .map(|c| c.name.as_str())
         .collect();
-    for sample in &lacking {
-        problem.fit[*sample] = false;
-        problem.used[*sample] = false;
-    }
+    let left_out: Vec<bool> = (0..problem.fit.len())
+        .map(|i| lacking.contains(&i))
+        .collect();
+    problem.leave_out(&left_out);
     let shown: Vec<String> = lacking
         .iter()
         .take(8)

@@ -30,7 +30,6 @@ pub mod familywise;
 pub mod limits;
 pub mod smooth;
 
-pub(crate) mod base_alone;
 mod base_misfit;
 pub(crate) mod classes;
 pub(crate) mod conclude;
@@ -152,14 +151,9 @@ pub(crate) fn diagnose(
     watch: Watch,
 ) -> Result<Diagnosis, DiagnoseError> {
     options.check()?;
-    if !base_alone::has_enough_points(session, options) {
-        return base_alone::diagnose(session, options, watch);
-    }
     let mended = checked(session, options, watch)?;
     let (prepared, found) = searched(&mended.session, options, watch)?;
-    let mut answer = conclude::answer(&mended, &prepared, &found, planner, watch)?;
-    answer.identification.kinds = base_alone::kinds(session, options, watch)?;
-    Ok(answer)
+    conclude::answer(&mended, &prepared, &found, planner, watch)
 }
 
 fn tell(watch: Watch, progress: &Progress) -> Result<(), Cancelled> {

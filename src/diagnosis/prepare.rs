@@ -11,10 +11,13 @@ use nalgebra::DMatrix;
 
 use crate::fit::cells::cells;
 use crate::fit::gap::{Deviations, deviations};
+use crate::fit::linear::Basis;
+use crate::fit::observed;
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames};
 use crate::model::Model;
+use crate::observations::figures::judge;
 use crate::sessions::Session;
 
 use super::candidates::Table;
@@ -23,7 +26,7 @@ use super::incomplete;
 use super::regression::{Fit, Placed, Regression};
 use super::search::{Found, Search};
 use super::{DiagnoseError, Options, Watch};
-use crate::fit::noise::Noise;
+use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::regression::Rows;
 use crate::set_up_errors::DataProblem;
 
@@ -42,6 +45,8 @@ pub(crate) struct Prepared<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
     /// The base model as `identify` fits it.
     pub(crate) base: Model,
+    /// The robot as it is drawn, beside the places that its measurements refer to.
+    pub(crate) nominal: Model,
     pub(crate) survey: Survey,
     pub(crate) regression: Regression<'a>,
     pub(crate) folds: Folds,
@@ -56,31 +61,38 @@ pub(crate) struct Prepared<'a> {
 
 impl<'a> Prepared<'a> {
     pub(crate) fn new(session: &'a Session, options: &Options) -> Result<Self, DiagnoseError> {
-        let mut problem = Problem::new(session, options.joint_values);
+        let mut problem = Problem::observing(session, options.joint_values);
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
         }
         let incomplete = incomplete::leave_out(&mut problem);
         let locked = locked(&problem, options.held_out);
-        for (fit, locked) in problem.fit.iter_mut().zip(&locked) {
-            *fit &= !locked;
-        }
-        problem.used.clone_from(&problem.fit);
+        problem.leave_out(&locked);
+        problem.set_counted(problem.to_fit().to_vec());
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
         }
         let survey = Survey::new(session, &problem.inputs);
-        let (base, not_identifiable) = if base_model::is_arm(session) {
-            arm(session, &mut problem, options)
+        let start = if base_model::is_arm(session) {
+            base_model::start(session, &problem, |id| options.allowed.exists(id))
         } else {
-            let start = single_joint(session, &problem, &survey, options);
-            (fit_without_outliers(&mut problem, &start).model, Vec::new())
+            single_joint(session, &problem, &survey, options)
+        };
+        let nominal = observed::places_alone(&start);
+        let (base, not_identifiable) = if base_model::is_arm(session) || problem.observed.is_some()
+        {
+            let fitted = base_model::fit(&mut problem, &start, true);
+            (fitted.solution.model, fitted.held)
+        } else {
+            let fitted = fit_without_outliers(&mut problem, &start);
+            (fitted.model, Vec::new())
         };
         let regression = regression(&mut problem, &base, &survey, options);
         let folds = Folds::new(&regression);
         Ok(Self {
             problem: Rc::new(problem),
             base: base.clone(),
+            nominal,
             survey,
             regression,
             folds,
@@ -119,16 +131,27 @@ impl<'a> Prepared<'a> {
 
     /// Looks again at outliers with what was found; whether the search has to be done again.
     pub(crate) fn reconsider(&mut self, found: &Found) -> bool {
-        let columns = self.table().ground.on_all(&self.problem, &found.fit.shapes);
-        let left = deviations_beside(&self.problem, &columns, &found.fit);
-        let suspected = suspects(&self.problem, &left);
-        let kept = self.problem.fit.iter().zip(suspected);
         let mut now = (*self.problem).clone();
-        now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
+        let mut weighed = false;
+        if let Some(layer) = &mut now.observed {
+            // Beside a shape the observations stay as they were found.
+            if found.fit.shapes.is_empty() {
+                let before = layer.sigma.clone();
+                judge(layer, &found.fit.model, found.fit.basis.rank());
+                weighed = layer.sigma != before;
+                now.set_counted(now.counted().to_vec());
+            }
+        } else {
+            let columns = self.table().ground.on_all(&self.problem, &found.fit.shapes);
+            let left = deviations_beside(&self.problem, &columns, &found.fit);
+            let suspected = suspects(&self.problem, &left);
+            let kept = self.problem.fit.iter().zip(suspected);
+            now.used = kept.map(|(fit, suspected)| *fit && !suspected).collect();
+        }
         if found.fit.shapes.is_empty() {
             keep_clusters(&mut now);
         }
-        let same = now.used == self.problem.used;
+        let same = !weighed && now.counted() == self.problem.counted();
         if !same {
             self.problem = Rc::new(now);
         }
@@ -212,6 +235,7 @@ impl<'a> Prepared<'a> {
         Self {
             problem: Rc::clone(&self.problem),
             base: self.base.clone(),
+            nominal: self.nominal.clone(),
             survey: self.survey.clone(),
             regression: self.regression.with_noise(noise),
             folds: self.folds.clone(),
@@ -250,17 +274,6 @@ fn deviations_beside(problem: &Problem, beside: &[[Vec<f64>; 3]], fit: &Fit) -> 
     left
 }
 
-/// The base of several joints, fitted; the search takes its priors as rows.
-fn arm(
-    session: &Session,
-    problem: &mut Problem,
-    options: &Options,
-) -> (Model, Vec<NotIdentifiable>) {
-    let start = base_model::start(session, problem, |id| options.allowed.exists(id));
-    let fitted = base_model::fit(problem, &start, true);
-    (fitted.solution.model, fitted.held)
-}
-
 /// Terms that belong to every calibration: zero offset and link length, and free frames.
 fn single_joint(session: &Session, problem: &Problem, survey: &Survey, options: &Options) -> Model {
     let mut terms = Vec::new();
@@ -280,7 +293,10 @@ fn single_joint(session: &Session, problem: &Problem, survey: &Survey, options: 
             }
         }
     }
-    terms.extend(free_frames(session, problem));
+    terms.extend(match &problem.observed {
+        Some(layer) => observed::terms_beside(session, layer),
+        None => free_frames(session, problem),
+    });
     Model::new(session.robot.clone(), terms)
 }
 
@@ -296,12 +312,14 @@ fn regression<'a>(
     let mut regression = bare_regression(problem, base, survey, options);
     for _ in 0..2 {
         let suspected = super::robust::suspected_beside_many(problem, &regression, MOST_SAMPLES);
-        let before = problem.used.clone();
-        for (sample, suspected) in suspected {
-            problem.used[sample] = problem.fit[sample] && !suspected;
+        let before = problem.counted().to_vec();
+        let mut now = before.clone();
+        for (index, suspected) in suspected {
+            now[index] = problem.to_fit()[index] && !suspected;
         }
+        problem.set_counted(now);
         keep_clusters(problem);
-        if problem.used == before {
+        if problem.counted() == before {
             break;
         }
         regression = bare_regression(problem, base, survey, options);
@@ -318,7 +336,7 @@ fn bare_regression<'a>(
     options: &Options,
 ) -> Regression<'a> {
     let problem = thinned(problem, MOST_SAMPLES);
-    let rows = Rows::of(&problem);
+    let rows = Rows::of(&problem).seen_by(base);
     let table = Table::new(&problem, &rows, base, survey, &options.allowed);
     Regression::new(
         Rc::new(problem),
@@ -349,11 +367,20 @@ fn estimated<'m>(
     model: &Model,
     beside: impl Iterator<Item = &'m DMatrix<f64>>,
 ) -> Noise {
-    let (residual, mut columns) = regression.rows.extract(model);
+    let priors = &regression.problem.priors;
+    let (residual, mut columns) = regression.rows.extract_with_known(model, priors);
     for more in beside {
         let at = columns.ncols();
         columns = columns.resize_horizontally(at + more.ncols(), 0.0);
-        columns.columns_mut(at, more.ncols()).copy_from(more);
+        let (m, width) = more.shape();
+        columns.view_mut((0, at), (m, width)).copy_from(more);
+    }
+    if regression.rows.observed().is_some() {
+        // Every row is in units of the noise of its kind: one number is left.
+        let basis = Basis::new(&columns);
+        let freedom = regression.m() - basis.rank() as f64;
+        let square = basis.reject(&residual).norm_squared() / freedom.max(1.0);
+        return Noise::white(square.sqrt().max(SMALLEST_SIGMA_MM));
     }
     let stated = regression.problem.session.instrument.sigma_mm;
     let noise = Noise::estimate(stated, &regression.rows, &residual, &columns);
@@ -367,20 +394,20 @@ fn estimated<'m>(
 /// The same problem with at most so many samples that count, spread evenly.
 pub(crate) fn thinned<'a>(problem: &Problem<'a>, most: usize) -> Problem<'a> {
     let mut thinned = problem.clone();
-    let used: Vec<usize> = (0..problem.used.len())
-        .filter(|i| problem.used[*i])
-        .collect();
+    let counted = problem.counted();
+    let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
     if used.len() <= LONG {
         return thinned;
     }
-    thinned.used.fill(false);
+    let mut kept = vec![false; counted.len()];
     // A step of the golden ratio inside each stretch, so that no rhythm of the poses is hit.
     for k in 0..most {
         let (from, to) = (k * used.len() / most, (k + 1) * used.len() / most);
         let inside = (k as f64 * 0.618_033_988_749_894_9).fract();
         let at = from + ((to - from) as f64 * inside) as usize;
-        thinned.used[used[at.min(to - 1)]] = true;
+        kept[used[at.min(to - 1)]] = true;
     }
+    thinned.set_counted(kept);
     thinned
 }
 
@@ -416,20 +443,22 @@ fn locked(problem: &Problem, share: Option<f64>) -> Vec<bool> {
 /// Suspects that stand together over a joint's angle are evidence of something local, not
 /// accidents: they are put back.
 fn keep_clusters(problem: &mut Problem) {
-    let suspected: Vec<bool> = (0..problem.fit.len())
-        .map(|i| problem.fit[i] && !problem.used[i])
-        .collect();
+    let fit = problem.to_fit().to_vec();
+    let counted = problem.counted().iter();
+    let suspected: Vec<bool> = fit.iter().zip(counted).map(|(f, c)| *f && !c).collect();
     let count = suspected.iter().filter(|s| **s).count();
-    let fitted = problem.fit.iter().filter(|f| **f).count();
+    let fitted = fit.iter().filter(|f| **f).count();
     if count < RUN {
         return;
     }
     super::classes::keep(problem, &suspected);
     let share = count as f64 / fitted.max(1) as f64;
+    let mut back = problem.counted().to_vec();
     for joint in 0..problem.inputs.q.len() {
         let q = &problem.inputs.q[joint];
-        let mut order: Vec<usize> = (0..q.len()).filter(|i| problem.fit[*i]).collect();
-        order.sort_by(|a, b| q[*a].total_cmp(&q[*b]).then(a.cmp(b)));
+        let of = |i: usize| q[problem.sample_of(i)];
+        let mut order: Vec<usize> = (0..fit.len()).filter(|i| fit[*i]).collect();
+        order.sort_by(|a, b| of(*a).total_cmp(&of(*b)).then(a.cmp(b)));
         let mut run: Vec<usize> = Vec::new();
         for k in 0..=order.len() {
             if let Some(sample) = order.get(k).filter(|s| suspected[**s]) {
@@ -439,13 +468,14 @@ fn keep_clusters(problem: &mut Problem) {
             // So many in a row by accident: n·share^run.
             let accident = fitted as f64 * share.powi(i32::try_from(run.len()).unwrap_or(64));
             if run.len() >= RUN && accident < 0.01 {
-                for sample in &run {
-                    problem.used[*sample] = true;
+                for index in &run {
+                    back[*index] = true;
                 }
             }
             run.clear();
         }
     }
+    problem.set_counted(back);
 }
 
 const RUN: usize = 3;

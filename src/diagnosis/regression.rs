@@ -75,13 +75,15 @@ pub(crate) struct Score {
 
 pub(crate) struct Regression<'a> {
     pub(crate) problem: Rc<Problem<'a>>,
-    pub(crate) rows: Rc<Rows>,
+    pub(crate) rows: Rc<Rows<'a>>,
     pub(crate) noise: Noise,
     pub(crate) table: Rc<Table>,
     pub(crate) white: DMatrix<f64>,
     pub(crate) grams: Grams,
     pub(crate) base: Model,
     priors: Vec<PriorRow>,
+    /// Number of rows beside those of the samples.
+    beside: usize,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
@@ -107,14 +109,15 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
 impl<'a> Regression<'a> {
     pub(crate) fn new(
         problem: Rc<Problem<'a>>,
-        rows: Rc<Rows>,
+        rows: Rc<Rows<'a>>,
         noise: Noise,
         table: Rc<Table>,
         base: Model,
         seed: u64,
     ) -> Self {
         let priors = prior_rows(&problem, &base);
-        let white = lengthened(noise.whitened(&rows, &table.raw), priors.len());
+        let beside = priors.len() + rows.known(&base, &problem.priors).0.len();
+        let white = lengthened(noise.whitened(&rows, &table.raw), beside);
         let grams = Grams::new(&white, &table.candidates);
         let numbers = noise.slow.map_or(0.0, |slow| {
             1.0 + slow.rms_mm.iter().filter(|s| **s > 0.0).count() as f64
@@ -134,6 +137,7 @@ impl<'a> Regression<'a> {
             grams,
             base,
             priors,
+            beside,
             seed,
             familywise: RefCell::new(Familywise::default()),
         }
@@ -153,13 +157,13 @@ impl<'a> Regression<'a> {
 
     /// Number of measured rows.
     pub(crate) fn m(&self) -> f64 {
-        self.rows.len() as f64
+        self.rows.count() as f64
     }
 
     /// Number of all rows: those of the samples, and one for each coefficient of the base of which
-    /// something is known beforehand.
+    /// something is known beforehand, and for what is known of places.
     pub(crate) fn height(&self) -> usize {
-        self.rows.len() + self.priors.len()
+        self.rows.len() + self.beside
     }
 
     /// Raw residuals and columns of a model on the samples.
@@ -174,7 +178,7 @@ impl<'a> Regression<'a> {
         raw: &DVector<f64>,
         columns: &DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
-        let (m, more) = (self.rows.len(), self.priors.len());
+        let (m, more) = (self.rows.len(), self.beside);
         let residual = self.noise.whitened_vector(&self.rows, raw);
         let mut residual = residual.resize_vertically(m + more, 0.0);
         let mut jacobian = lengthened(self.noise.whitened(&self.rows, columns), more);
@@ -188,6 +192,12 @@ impl<'a> Regression<'a> {
                 }
             }
             first += term.coefficients.len();
+        }
+        if more > self.priors.len() {
+            let (left, columns) = self.rows.known(model, &self.problem.priors);
+            let from = m + self.priors.len();
+            residual.rows_mut(from, left.len()).copy_from(&left);
+            jacobian.rows_mut(from, left.len()).copy_from(&columns);
         }
         (residual, jacobian)
     }
@@ -332,7 +342,7 @@ impl<'a> Regression<'a> {
         let own = columns
             .columns(first, absent.coefficients.len())
             .into_owned();
-        let white = lengthened(self.noise.whitened(&self.rows, &own), self.priors.len());
+        let white = lengthened(self.noise.whitened(&self.rows, &own), self.beside);
         let along = fit.basis.q.tr_mul(&white);
         let mut free = white;
         free.gemm(-1.0, &fit.basis.q, &along, 1.0);
@@ -457,7 +467,7 @@ impl<'a> Regression<'a> {
     /// A shape ready to be fitted.
     pub(crate) fn placed(&self, shape: Shape) -> Placed {
         let raw = self.table.ground.columns(&shape);
-        let white = lengthened(self.noise.whitened(&self.rows, &raw), self.priors.len());
+        let white = lengthened(self.noise.whitened(&self.rows, &raw), self.beside);
         Placed {
             coefficients: DVector::zeros(raw.ncols()),
             credit: 0.0,

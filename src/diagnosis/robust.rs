@@ -10,6 +10,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::fit::linear::Basis;
 use crate::fit::outliers::suspected;
 use crate::fit::problem::Problem;
+use crate::fit::regression::Rows;
+use crate::observations::figures::apart;
 
 use super::prepare::thinned;
 use super::regression::Regression;
@@ -28,9 +30,9 @@ pub(crate) fn suspected_beside_many(
     most: usize,
 ) -> Vec<(usize, bool)> {
     let mut all = problem.clone();
-    all.used.clone_from(&all.fit);
+    all.set_counted(all.to_fit().to_vec());
     let all = thinned(&all, most);
-    let rows = crate::fit::regression::Rows::of(&all);
+    let rows = Rows::of(&all);
     let n = rows.samples.len();
     if n < FEWEST {
         return Vec::new();
@@ -42,10 +44,11 @@ pub(crate) fn suspected_beside_many(
     } else {
         regression.table.rich_on(&rows, &regression.base)
     };
-    let (residual, columns) = rows.extract(&regression.base);
+    let (residual, columns) = rows.extract_with_known(&regression.base, &problem.priors);
     let own = columns.ncols();
     let mut design = columns.resize_horizontally(own + rich.ncols(), 0.0);
-    design.columns_mut(own, rich.ncols()).copy_from(&rich);
+    let (m, width) = rich.shape();
+    design.view_mut((0, own), (m, width)).copy_from(&rich);
     let q = Basis::new(&design).q;
     let axes = rows.axes.len();
     let mut weights = vec![1.0; n];
@@ -62,7 +65,7 @@ pub(crate) fn suspected_beside_many(
                         let row = a * n + i;
                         left[row] * left[row] / kept[row]
                     });
-                    squares.sum::<f64>().sqrt()
+                    squares.sum::<f64>().sqrt() * as_of_three(&rows, i)
                 })
                 .collect();
             let mut sorted = lengths.clone();
@@ -89,6 +92,13 @@ pub(crate) fn suspected_beside_many(
                 .collect()
         })
         .collect();
+    if let Some(observed) = rows.observed() {
+        let unit = observed.layer().unit_mm;
+        let of = |i: usize| [0, 1, 2].map(|a| deviations.get(a).map_or(0.0, |d| d[i] / unit));
+        let white: Vec<[f64; 3]> = (0..n).map(of).collect();
+        let marked = apart(observed.layer(), &white);
+        return rows.samples.iter().copied().zip(marked).collect();
+    }
     let columns: Vec<&[f64]> = deviations.iter().map(|d| &d[..]).collect();
     let sigma: Vec<f64> = rows
         .axes
@@ -97,6 +107,18 @@ pub(crate) fn suspected_beside_many(
         .collect();
     let marked = suspected(&columns, &vec![true; n], &sigma, true);
     rows.samples.iter().copied().zip(marked).collect()
+}
+
+/// The median length of so many coordinates, in standard deviations.
+const MEDIANS: [f64; 3] = [0.674_5, 1.177, 1.54];
+
+/// By how much the length of an observation with fewer rows than three is as rare as that of three.
+fn as_of_three(rows: &Rows, observation: usize) -> f64 {
+    let Some(observed) = rows.observed() else {
+        return 1.0;
+    };
+    let own = observed.layer().items[observation].rows;
+    MEDIANS[2] / MEDIANS[own.clamp(1, 3) - 1]
 }
 
 /// What a weighted fit leaves, and of each row the variance that it leaves of the noise.

@@ -426,7 +426,12 @@ pub(crate) fn compatible(there: &[&Term], term: &Term) -> bool {
 
 /// Root mean square of σ over the measured axes, mm.
 pub(crate) fn mean_sigma_mm(regression: &Regression) -> f64 {
-    let axes = &regression.rows.axes;
+    let rows = &regression.rows;
+    if let Some(length) = rows.noise_mm(&regression.noise) {
+        // A sample has so many rows.
+        return length / (regression.m() / rows.samples.len().max(1) as f64).sqrt();
+    }
+    let axes = &rows.axes;
     let sum: f64 = axes
         .iter()
         .map(|a| regression.noise.sigma_mm[*a].powi(2))

@@ -23,14 +23,14 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
     let regression = &prepared.regression;
     let mut left: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut now = regression.fit(&base.model, fit.shapes.clone());
-    let mut unseen = prepared.folds.rms(regression, &now);
+    let mut unseen = prepared.folds.rms_mm(regression, &now);
     let gap = |fit: &Fit| {
         let (raw, _) = regression.rows.extract(&fit.model);
         let mut e = raw;
         for shape in &fit.shapes {
             e -= &shape.raw * &shape.coefficients;
         }
-        (e.norm_squared() / regression.rows.samples.len().max(1) as f64).sqrt()
+        regression.rows.rms_mm(&e)
     };
     let mut steps = Vec::new();
     while !left.is_empty() {
@@ -42,7 +42,7 @@ pub(crate) fn steps(prepared: &Prepared, base: &Fit, fit: &Fit) -> Vec<Step> {
             .enumerate()
             .max_by(|a, b| a.1.ln_evidence.total_cmp(&b.1.ln_evidence));
         let Some((index, next)) = best else { break };
-        let seen = prepared.folds.rms(regression, &next);
+        let seen = prepared.folds.rms_mm(regression, &next);
         steps.push(Step {
             term: left.remove(index),
             gap_mm: [gap(&now), gap(&next)],

@@ -3,7 +3,6 @@
 
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
-use crate::model::Model;
 
 use super::answer::{Gaps, HeldOut};
 use super::prepare::Prepared;
@@ -62,16 +61,15 @@ pub(crate) fn held_out(
         };
     }
     let rows = &regression.rows;
-    let start = Model::nominal(base.model.robot.clone());
-    let (raw, _) = rows.extract(&start);
+    let (raw, _) = rows.extract(&prepared.nominal);
     // What a fit of names alone predicts; a shape beside them is not part of the model.
     HeldOut {
         how: prepared.folds.how.clone(),
-        samples: rows.samples.len(),
+        samples: rows.lengths(),
         gaps: Some(Gaps {
-            start_mm: (raw.norm_squared() / rows.samples.len() as f64).sqrt(),
-            identified_mm: prepared.folds.rms(regression, base),
-            end_mm: prepared.folds.rms(regression, fit),
+            start_mm: rows.rms_mm(&raw),
+            identified_mm: prepared.folds.rms_mm(regression, base),
+            end_mm: prepared.folds.rms_mm(regression, fit),
         }),
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::DMatrix;
 use crate::effects::Term;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::linear::Basis;
+use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::fit::solver::{Solution, solve};
@@ -17,6 +18,7 @@ use crate::fit::{
     noise_beside, outliers, parameters_of, report,
 };
 use crate::model::Model;
+use crate::observations::figures::whitened;
 
 use super::prepare::{Prepared, thinned};
 use super::regression::Fit;
@@ -55,9 +57,12 @@ impl<'a> Values<'a> {
                 .ground
                 .on_all(&problem, &fit.shapes);
         }
-        problem.set_noise(&prepared.regression.noise);
+        let of_kinds = problem.observed.is_some();
+        if !of_kinds {
+            problem.set_noise(&prepared.regression.noise);
+        }
         let mut solution = solve(&problem, &fit.model);
-        let rounds = if stopped { 0 } else { 2 };
+        let rounds = if stopped || of_kinds { 0 } else { 2 };
         for _ in 0..rounds {
             let noise = noise_beside(&problem, &solution.model, &solution.beside);
             let known = problem.noise.as_ref();
@@ -89,7 +94,8 @@ impl<'a> Values<'a> {
 
     /// White noise along each axis, mm.
     pub(crate) fn sigma_mm(&self) -> [f64; 3] {
-        let scale = self.white().0.sqrt();
+        let unit = self.problem.observed.as_ref().map_or(1.0, |l| l.unit_mm);
+        let scale = self.white().0.sqrt() * unit;
         let noise = self.problem.noise.as_ref();
         noise.map_or([scale; 3], |n| n.sigma_mm.map(|s| s * scale))
     }
@@ -97,9 +103,11 @@ impl<'a> Values<'a> {
     /// Mean square of a whitened coordinate that is left, its degrees of freedom, and the kurtosis
     /// of what is left.
     pub(crate) fn white(&self) -> (f64, f64, f64) {
-        let m = (self.problem.samples() * self.problem.axes()) as f64;
+        let m = self.problem.rows() as f64;
         let freedom = (m - self.rank()).max(1.0);
-        (self.solution.cost / freedom, freedom, self.tails.0)
+        let unit = self.problem.observed.as_ref().map_or(1.0, |l| l.unit_mm);
+        let cost = self.solution.cost / (unit * unit);
+        (cost / freedom, freedom, self.tails.0)
     }
 
     /// Size of the bulk of what is left, from the median, in units of the noise.
@@ -185,27 +193,34 @@ impl<'a> Values<'a> {
 
     /// This fit as `identify` would answer it. The samples that are suspected are those that it left
     /// out: what no name explains is in the residuals again, and could accuse others.
-    pub(crate) fn identification(&self, not_identifiable: Vec<NotIdentifiable>) -> Identification {
+    pub(crate) fn identification(
+        &self,
+        nominal: &Model,
+        not_identifiable: Vec<NotIdentifiable>,
+    ) -> Identification {
         let session = self.problem.session;
-        let nominal = Model::nominal(session.robot.clone());
         let mut answer = report(
             session,
             &self.problem,
             self.solution.clone(),
-            &nominal,
+            nominal,
             not_identifiable,
         );
         answer.parameters = self.estimates.concat();
         answer.covariance.clone_from(&self.covariance);
         answer.model = self.model.settled();
         let problem = &self.problem;
+        if problem.observed.is_some() {
+            // Observations were judged one by one: of a sample one may be far off.
+            return answer;
+        }
         let apart = |i: usize| problem.fit[i] && !problem.used[i];
         let over_fit = |model: &Model| {
             let left = deviations(problem, model);
             let spread = Spread::of(&left.length_mm, |i| problem.fit[i], apart);
             (left, spread)
         };
-        let (_, before) = over_fit(&nominal);
+        let (_, before) = over_fit(nominal);
         let (left, after) = over_fit(&self.model);
         answer.gap.before = before.unwrap_or(answer.gap.before);
         answer.gap.after = after.unwrap_or(answer.gap.after);
@@ -222,7 +237,7 @@ impl<'a> Values<'a> {
 
     /// Estimates of what belongs to every calibration.
     pub(crate) fn identified(&self) -> Vec<Estimate> {
-        let several = self.model.robot.joints.len() > 1;
+        let several = self.model.robot.joints.len() > 1 || self.problem.observed.is_some();
         let terms = self.model.terms().iter().zip(&self.estimates);
         let base = terms.filter(|(t, _)| {
             let id = t.effect.about().id;
@@ -236,12 +251,16 @@ impl<'a> Values<'a> {
 /// of its own noise (3 for a Gaussian, and never less); and the size of their bulk, from the median,
 /// in the same units.
 fn tails(problem: &Problem, solution: &Solution) -> (f64, f64) {
-    let left = deviations(problem, &solution.model);
     let mut all = Vec::new();
+    if let Some(layer) = &problem.observed {
+        all.extend(whitened(layer, &solution.model).iter().map(|e| e.abs()));
+    }
+    let left = deviations(problem, &solution.model);
+    let points = problem.observed.is_none();
     for (axis, values) in left.axes_mm.iter().enumerate() {
         let unit = problem.axis_weights[axis].sqrt();
         let used = values.iter().zip(&problem.used);
-        let counts = used.filter(|(_, used)| unit > 0.0 && **used);
+        let counts = used.filter(|(_, used)| points && unit > 0.0 && **used);
         all.extend(counts.map(|(e, _)| (e * unit).abs()));
     }
     if all.is_empty() {
@@ -277,11 +296,13 @@ fn order_interval(problem: &Problem, solution: &Solution, term: &Term) -> Option
     };
     let by = 1e-4;
     let change = (moved(-by) - moved(by)) / (2.0 * by);
-    let noise = problem.noise.as_ref()?;
     let columns = rows.extract(&solution.model).1;
+    let of_kinds = problem.observed.as_ref();
+    let of_kinds = of_kinds.map(|layer| Noise::white(layer.unit_mm));
+    let noise = problem.noise.as_ref().or(of_kinds.as_ref())?;
     let basis = Basis::new(&noise.whitened(&rows, &columns));
     let free = basis.reject(&noise.whitened_vector(&rows, &change));
-    let share = rows.samples.len() as f64 / problem.samples().max(1) as f64;
+    let share = rows.count() as f64 / problem.rows().max(1) as f64;
     let half = 1.96 * (share / free.norm_squared()).sqrt();
     half.is_finite()
         .then_some([term.setting - half, term.setting + half])

@@ -15,6 +15,8 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor, Normal};
 use crate::sessions::Sigma;
 
 use crate::fit::noise::StatedNoise;
+use crate::observations::Layer;
+use crate::observations::figures::{LeftOfKind, left_of_kinds};
 
 use super::answer::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use super::floor::{PureError, pure_error};
@@ -38,6 +40,8 @@ pub(crate) struct Excess {
     pub(crate) ratio: f64,
     /// Chance of as much from noise alone.
     pub(crate) p: f64,
+    /// The kind of measurement that shows it, where there are several.
+    pub(crate) kind: Option<&'static str>,
 }
 
 impl Excess {
@@ -120,10 +124,17 @@ fn flag(
         FloorFrom::Repeats => "returns to the same pose show",
         _ => "is stated for the instrument",
     };
+    let of_kind = excess
+        .kind
+        .map_or(String::new(), |kind| format!(" of {kind}"));
+    let size = match excess.kind {
+        Some(_) => String::new(),
+        None => format!(" ({:.4} mm)", floor.mm),
+    };
     unexplained.says = format!(
-        "the remaining error is {:.2} times what {against} ({:.4} mm), without a structure that \
+        "the remaining error{of_kind} is {:.2} times what {against}{size}, without a structure that \
          the search knows",
-        excess.ratio, floor.mm
+        excess.ratio
     );
     if floor.from == FloorFrom::Instrument {
         unexplained.noise = against_stated(prepared, values);
@@ -132,6 +143,10 @@ fn flag(
 
 /// Noise as stated and as found.
 fn against_stated(prepared: &Prepared, values: &Values) -> Option<StatedNoise> {
+    if prepared.problem.observed.is_some() {
+        // Every kind states its own; the errors by kind hold both.
+        return None;
+    }
     let stated = prepared.problem.session.instrument.sigma_mm?;
     let axes = &prepared.regression.rows.axes;
     Some(StatedNoise::of(stated, values.sigma_mm(), axes))
@@ -141,7 +156,11 @@ fn against_stated(prepared: &Prepared, values: &Values) -> Option<StatedNoise> {
 fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
     let (variance, freedom, _) = values.white();
     let beyond = freedom - pure.freedom;
-    let none = Excess { ratio: 1.0, p: 1.0 };
+    let none = Excess {
+        ratio: 1.0,
+        p: 1.0,
+        kind: None,
+    };
     if beyond < 1.0 || pure.variance <= 0.0 {
         return none;
     }
@@ -153,11 +172,15 @@ fn lack_of_fit(values: &Values, pure: &PureError) -> Excess {
     Excess {
         ratio: (variance / pure.variance).sqrt(),
         p: if f > 0.0 { distribution.sf(f) } else { 1.0 },
+        kind: None,
     }
 }
 
 /// The white noise that was found against the stated one.
 fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
+    if let Some(layer) = &values.problem.observed {
+        return by_kind(layer, values);
+    }
     let stated = prepared.problem.session.instrument.sigma_mm?;
     let axes = &prepared.regression.rows.axes;
     let (_, freedom, kurtosis) = values.white();
@@ -175,6 +198,35 @@ fn over_stated(prepared: &Prepared, values: &Values) -> Option<Excess> {
     (bulk > 1.0).then(|| excess_of(ratio2, freedom, f64::INFINITY, kurtosis))
 }
 
+/// The same of every kind whose noise is stated, by itself: the clearest of them, its chance that of
+/// as much in any.
+fn by_kind(layer: &Layer, values: &Values) -> Option<Excess> {
+    let of_kind = left_of_kinds(layer, &values.model);
+    let tried = of_kind.len() as f64;
+    let all: usize = of_kind.iter().map(|kind| kind.squares.len()).sum();
+    let spent = values.rank() / all.max(1) as f64;
+    let one = |kind: &LeftOfKind| {
+        let rows = kind.squares.len() as f64;
+        // Every kind pays for the coefficients with its share of the rows.
+        let freedom = (rows * (1.0 - spent)).max(1.0);
+        let ratio2 = kind.squares.iter().sum::<f64>() / freedom;
+        let mut sizes: Vec<f64> = kind.squares.iter().map(|s| s.sqrt()).collect();
+        let (_, median, _) = sizes.select_nth_unstable_by(kind.squares.len() / 2, f64::total_cmp);
+        let bulk = *median / 0.674_5 / (1.0 - spent).max(1e-3).sqrt();
+        let fourth = kind.squares.iter().map(|s| s * s).sum::<f64>() / rows;
+        let second = kind.squares.iter().sum::<f64>() / rows;
+        let kurtosis = (fourth / (second * second).max(f64::MIN_POSITIVE)).max(3.0);
+        let own = excess_of(ratio2, freedom, f64::INFINITY, kurtosis);
+        (bulk > 1.0).then(|| Excess {
+            p: (own.p * tried).min(1.0),
+            kind: (tried > 1.0).then_some(kind.name),
+            ..own
+        })
+    };
+    let excesses = of_kind.iter().filter_map(one);
+    excesses.min_by(|a, b| a.p.total_cmp(&b.p))
+}
+
 /// Chance of a mean square so many times the expected one, which is itself known from so many degrees
 /// of freedom: from infinitely many where it is stated.
 fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Excess {
@@ -188,6 +240,7 @@ fn excess_of(ratio2: f64, freedom: f64, known_from: f64, kurtosis: f64) -> Exces
     Excess {
         ratio: ratio2.max(0.0).sqrt(),
         p,
+        kind: None,
     }
 }
 
@@ -200,7 +253,10 @@ fn unseen(
     held_out: &HeldOut,
 ) -> Option<Excess> {
     let gaps = held_out.gaps?;
-    if floor.from == FloorFrom::Estimated || values.noise_is_slow() {
+    // One row of an observation tells little beside the coefficients that it carries: their error is
+    // not the same everywhere, and what is left of every kind decides alone.
+    let of_kinds = values.problem.observed.is_some();
+    if of_kinds || floor.from == FloorFrom::Estimated || values.noise_is_slow() {
         return None;
     }
     let axes = prepared.regression.rows.axes.len() as f64;

@@ -20,6 +20,26 @@ pub fn cells(points_mm: &[[f64; 3]], count: usize) -> Vec<usize> {
     of
 }
 
+/// For each point the fold that it is in, where points belong to groups: each group is cut into cells
+/// by itself and spread over all folds, as what it refers to may be known from it alone.
+pub fn folds_of_groups(points_mm: &[[f64; 3]], groups: &[usize], folds: usize) -> Vec<usize> {
+    let mut fold = vec![0; points_mm.len()];
+    let mut known: Vec<usize> = groups.to_vec();
+    known.sort_unstable();
+    known.dedup();
+    for (k, group) in known.into_iter().enumerate() {
+        let own: Vec<usize> = (0..points_mm.len())
+            .filter(|i| groups[*i] == group)
+            .collect();
+        let at: Vec<[f64; 3]> = own.iter().map(|i| points_mm[*i]).collect();
+        let wanted = (own.len() / 2).clamp(folds, 4 * folds);
+        for (i, cell) in own.into_iter().zip(cells(&at, wanted)) {
+            fold[i] = (cell + k) % folds;
+        }
+    }
+    fold
+}
+
 fn halves(points_mm: &[[f64; 3]], mut group: Vec<usize>) -> [Vec<usize>; 2] {
     let extent = |axis: usize| {
         let values = group.iter().map(|i| points_mm[*i][axis]);
@@ -61,6 +81,15 @@ mod tests {
                     values.fold((9.0_f64, -9.0_f64), |(a, b), v| (a.min(v), b.max(v)));
                 assert!(high - low <= 1.0, "{own:?}");
             }
+        }
+        // Points at one place are no cell: each fold has some of every group.
+        let groups: Vec<usize> = (0..64).map(|i| i % 2).collect();
+        let fold = super::folds_of_groups(&[[0.0; 3]; 64], &groups, 5);
+        for (group, of) in (0..2).flat_map(|g| (0..5).map(move |f| (g, f))) {
+            let count = (0..64)
+                .filter(|i| groups[*i] == group && fold[*i] == of)
+                .count();
+            assert!((1..=16).contains(&count), "{group} {of} {count}");
         }
         assert_eq!(cells(&[], 4), Vec::<usize>::new());
         assert_eq!(cells(&[[f64::NAN; 3]], 4), [0]);

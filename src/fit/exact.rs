@@ -148,10 +148,7 @@ impl<'a> Fresh<'a> {
         let mut answer = report(session, &problem, fitted, &nominal, not_identifiable);
         answer.notes.extend(notes);
         if arm && base_model::is_arm(session) {
-            // Cells that are left out are those of points.
-            if problem.observed.is_none() {
-                answer.levels = levels(&problem, &answer.model);
-            }
+            answer.levels = levels(&problem, &answer.model);
             let covariance = answer.covariance.as_ref();
             answer.expected = covariance.and_then(|c| expected_error(&problem, &answer.model, c));
         }

@@ -9,11 +9,11 @@
 //! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
 //! to know it.
 
-use crate::effects::{Effect, LinkGeometry, MeasuringFrame, Setting};
+use crate::effects::{Effect, LinkGeometry, MeasuringFrame, Role, Setting};
 use crate::model::Model;
 
 use super::base_model;
-use super::cells::cells;
+use super::cells::{cells, folds_of_groups};
 use super::gap::deviations;
 use super::problem::Problem;
 use super::solver::solve;
@@ -73,12 +73,14 @@ const FEWEST: usize = 12;
 pub fn levels(problem: &Problem, identified: &Model) -> Vec<Level> {
     let mut part = problem.clone();
     part.noise = None;
-    let used: Vec<usize> = (0..part.used.len()).filter(|i| part.used[*i]).collect();
+    let counted = part.counted();
+    let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
     if used.len() > MOST_SAMPLES {
-        part.used.fill(false);
+        let mut kept = vec![false; counted.len()];
         for k in 0..MOST_SAMPLES {
-            part.used[used[k * used.len() / MOST_SAMPLES]] = true;
+            kept[used[k * used.len() / MOST_SAMPLES]] = true;
         }
+        part.set_counted(kept);
     }
     let fold = folds(&part, identified);
     let mut all = Vec::new();
@@ -96,8 +98,23 @@ fn folds(problem: &Problem, identified: &Model) -> Vec<usize> {
         .collect();
     let points: Vec<[f64; 3]> = used.iter().map(|i| predicted.get(*i)).collect();
     let mut fold = vec![0; problem.used.len()];
-    for (sample, cell) in used.iter().zip(cells(&points, CELLS)) {
-        fold[*sample] = cell % FOLDS;
+    let of_points = match &problem.observed {
+        None => cells(&points, CELLS)
+            .into_iter()
+            .map(|c| c % FOLDS)
+            .collect(),
+        Some(layer) => {
+            // What a sample refers to is known from its own kind only.
+            let mut group = vec![0; problem.used.len()];
+            for (item, reference) in layer.items.iter().zip(layer.references()).rev() {
+                group[item.sample] = reference;
+            }
+            let groups: Vec<usize> = used.iter().map(|i| group[*i]).collect();
+            folds_of_groups(&points, &groups, FOLDS)
+        }
+    };
+    for (sample, own) in used.iter().zip(of_points) {
+        fold[*sample] = own;
     }
     fold
 }
@@ -109,9 +126,14 @@ fn models(problem: &Problem, identified: &Model) -> Vec<(&'static str, Model)> {
     let unknown_frame = !problem.priors.aligned;
     let start = |keep: &dyn Fn(&str) -> bool| base_model::start(session, problem, keep);
     let tool = |t: &crate::effects::Term| matches!(t.effect.about().setting, Setting::Target);
-    let frames_only = |m: &Model| m.without(|t| t.effect.about().id != frame || !unknown_frame);
+    // Nor has it to know the places that measurements refer to.
+    let place = |t: &crate::effects::Term| t.effect.about().role == Role::Place;
+    let frames_only =
+        |m: &Model| m.without(|t| !place(t) && (t.effect.about().id != frame || !unknown_frame));
     let with_frame = start(&|id| id != links);
-    let zeros = with_frame.without(|t| tool(t) || t.effect.about().id == frame && !unknown_frame);
+    let turn = |t: &crate::effects::Term| t.effect.about().role == Role::ToolTurn;
+    let zeros = with_frame
+        .without(|t| tool(t) || turn(t) || t.effect.about().id == frame && !unknown_frame);
     let beyond = |m: &Model| m.without(|t| !base_model::belongs(t.effect.about().id));
     let base = beyond(identified);
     let nominal = if unknown_frame {
@@ -141,9 +163,9 @@ fn level(problem: &Problem, fold: &[usize], what: &'static str, start: &Model) -
         let mut lengths = Vec::new();
         for k in 0..FOLDS {
             let mut seen = problem.clone();
-            for (used, fold) in seen.used.iter_mut().zip(fold) {
-                *used &= *fold != k;
-            }
+            let counted = seen.counted().iter().enumerate();
+            let kept = counted.map(|(i, c)| *c && fold[seen.sample_of(i)] != k);
+            seen.set_counted(kept.collect());
             let model = solve(&seen, &solution.model).model;
             let left = deviations(problem, &model).length_mm;
             let held_out = (0..left.len()).filter(|i| problem.used[*i] && fold[*i] == k);

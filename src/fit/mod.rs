@@ -22,7 +22,7 @@ pub mod uncertainty;
 mod adaptive;
 mod estimator;
 mod exact;
-mod observed;
+pub(crate) mod observed;
 mod outcome;
 mod plane;
 mod regional;

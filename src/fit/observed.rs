@@ -31,7 +31,7 @@ pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
 }
 
 /// The same beside effects that somebody chose: frames only where the session has setups.
-pub(super) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
+pub(crate) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
     let nominal = Model::nominal(session.robot.clone());
     let mut terms = Vec::new();
     if session.samples.setups.is_some() || gauge::open(layer).base {
@@ -63,7 +63,7 @@ fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
 }
 
 /// The places of a model and nothing else: the nominal robot beside what its measurements refer to.
-pub(super) fn places_alone(model: &Model) -> Model {
+pub(crate) fn places_alone(model: &Model) -> Model {
     model.without(|term| PlaceKind::of(term).is_none())
 }
 

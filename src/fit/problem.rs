@@ -142,6 +142,68 @@ impl<'a> Problem<'a> {
         problem
     }
 
+    /// What counts one by one: every sample of plain points, else every observation.
+    pub fn counted(&self) -> &[bool] {
+        self.observed.as_ref().map_or(&self.used, |l| &l.used)
+    }
+
+    /// Which of them are there to be fitted.
+    pub fn to_fit(&self) -> &[bool] {
+        self.observed.as_ref().map_or(&self.fit, |l| &l.fit)
+    }
+
+    /// The sample of one of them.
+    pub fn sample_of(&self, index: usize) -> usize {
+        let layer = self.observed.as_ref();
+        layer.map_or(index, |l| l.items[index].sample)
+    }
+
+    /// Lets those count that are marked.
+    pub fn set_counted(&mut self, counted: Vec<bool>) {
+        let Some(layer) = &mut self.observed else {
+            self.used = counted;
+            return;
+        };
+        self.used = layer.samples_with(&counted);
+        layer.used = counted;
+        for (k, suspected) in layer.suspected.iter_mut().enumerate() {
+            if layer.fit[k] {
+                *suspected = !layer.used[k];
+            }
+        }
+    }
+
+    /// Leaves samples out of every fit.
+    pub fn leave_out(&mut self, samples: &[bool]) {
+        for (i, _) in samples.iter().enumerate().filter(|own| *own.1) {
+            self.fit[i] = false;
+            self.used[i] = false;
+        }
+        if let Some(layer) = &mut self.observed {
+            for (k, item) in layer.items.iter().enumerate() {
+                layer.fit[k] &= !samples[item.sample];
+                layer.used[k] &= layer.fit[k];
+            }
+        }
+    }
+
+    /// Takes samples into the fit again, those that stand apart in the largest deviation only.
+    pub fn take_in(&mut self, samples: &[bool], apart: impl Fn(&Self) -> Vec<bool>) {
+        for (fit, taken) in self.fit.iter_mut().zip(samples) {
+            *fit |= taken;
+        }
+        if let Some(layer) = &mut self.observed {
+            for (k, item) in layer.items.iter().enumerate() {
+                layer.fit[k] |= samples[item.sample];
+            }
+        }
+        let apart = apart(self);
+        let counted = self.counted().iter().enumerate();
+        let counted = counted.map(|(k, c)| *c || samples[self.sample_of(k)] && !apart[k]);
+        let counted = counted.collect();
+        self.set_counted(counted);
+    }
+
     /// Number of rows that a fit follows.
     pub fn rows(&self) -> usize {
         match &self.observed {

@@ -1,30 +1,52 @@
 //! Rows of a regression: one for each measured coordinate of the samples that count, axis by axis,
-//! within an axis in measuring order.
+//! within an axis in measuring order. Where other things than plain points were measured, a row of
+//! observations ([`crate::observations::rows`]) stands for a coordinate of samples.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::Inputs;
 use crate::model::Model;
+use crate::observations::rows::ObservedRows;
 
+use super::noise::Noise;
+use super::priors::Priors;
 use super::problem::Problem;
+
+/// How well a size that no measurement shows is held, as a ratio: far better than the samples show
+/// it, and no better than a basis can carry.
+const SIZE: f64 = 1e-4;
 
 /// Which samples and axes have rows.
 #[derive(Debug, Clone)]
-pub struct Rows {
-    /// Samples, in measuring order, as indices into the problem.
+pub struct Rows<'a> {
+    /// Samples, or observations, in measuring order, as indices into what the problem counts.
     pub samples: Vec<usize>,
-    /// Measured axes.
+    /// Measured axes; of observations the rows of the one that has most.
     pub axes: Vec<usize>,
     /// When each was measured, s; where the session has no clock, its place in the file.
     pub times: Vec<f64>,
     /// Those samples as the effects take them.
     pub inputs: Inputs<'static>,
     measured_mm: Vec<Vec<f64>>,
+    observed: Option<ObservedRows<'a>>,
 }
 
-impl Rows {
-    /// The samples of a problem that count.
-    pub fn of(problem: &Problem) -> Self {
+impl<'a> Rows<'a> {
+    /// What counts of a problem.
+    pub fn of(problem: &Problem<'a>) -> Self {
+        if let Some(layer) = &problem.observed {
+            let samples: Vec<usize> = (0..layer.used.len()).filter(|i| layer.used[*i]).collect();
+            let of_session: Vec<usize> = samples.iter().map(|i| layer.items[*i].sample).collect();
+            let rows = ObservedRows::new(layer, &layer.used);
+            return Self {
+                axes: (0..rows.width).collect(),
+                times: problem.times(&of_session),
+                inputs: problem.inputs.select(&of_session),
+                measured_mm: Vec::new(),
+                samples,
+                observed: Some(rows),
+            };
+        }
         let samples: Vec<usize> = (0..problem.used.len())
             .filter(|i| problem.used[*i])
             .collect();
@@ -44,7 +66,102 @@ impl Rows {
             inputs: problem.inputs.select(&samples),
             samples,
             axes,
+            observed: None,
         }
+    }
+
+    /// The same with the lengths of angles as a model has them.
+    #[must_use]
+    pub fn seen_by(mut self, model: &Model) -> Self {
+        if let Some(rows) = &mut self.observed {
+            rows.see_by(model);
+        }
+        self
+    }
+
+    /// The observations, where more than plain points was measured.
+    pub fn observed(&self) -> Option<&ObservedRows<'a>> {
+        self.observed.as_ref()
+    }
+
+    /// Number of rows that were measured: an observation may have fewer than others.
+    pub fn count(&self) -> usize {
+        let observed = self.observed.as_ref();
+        observed.map_or_else(|| self.len(), ObservedRows::count)
+    }
+
+    /// Whether this row was measured.
+    pub fn has(&self, row: usize) -> bool {
+        self.observed.as_ref().is_none_or(|rows| rows.has(row))
+    }
+
+    /// mm of one unit of a row; zero where another one stands for the length of its sample.
+    pub fn mm(&self, row: usize) -> f64 {
+        self.observed.as_ref().map_or(1.0, |rows| rows.mm(row))
+    }
+
+    /// Number of samples that have a length.
+    pub fn lengths(&self) -> usize {
+        let observed = self.observed.as_ref();
+        observed.map_or(self.samples.len(), ObservedRows::samples)
+    }
+
+    /// Root mean square length of deviations, mm.
+    pub fn rms_mm(&self, e: &DVector<f64>) -> f64 {
+        let square = match &self.observed {
+            None => e.norm_squared(),
+            Some(rows) => {
+                let own = e.iter().enumerate();
+                own.map(|(row, e)| (rows.mm(row) * e).powi(2)).sum()
+            }
+        };
+        (square / self.lengths().max(1) as f64).sqrt()
+    }
+
+    /// Root mean square length of what a noise alone leaves where other things than plain points
+    /// were measured, mm.
+    pub fn noise_mm(&self, noise: &Noise) -> Option<f64> {
+        let rows = self.observed.as_ref()?;
+        Some(rows.noise_mm(noise.sigma_mm[0]))
+    }
+
+    /// What is known of the places and sizes of a model besides, in units of σ: distances between
+    /// sockets, and an overall size that no measurement shows.
+    pub fn known(&self, model: &Model, priors: &Priors) -> (DVector<f64>, DMatrix<f64>) {
+        let Some(rows) = &self.observed else {
+            return (DVector::zeros(0), DMatrix::zeros(0, 0));
+        };
+        let (mut residual, mut columns) = rows.known_distances(model);
+        if !priors.size.is_empty() {
+            let last = residual.len();
+            let size = DVector::from_vec(priors.size_row(model)) / SIZE;
+            let left = -size.dot(&DVector::from_vec(model.coefficients()));
+            residual = residual.insert_row(last, left);
+            columns = columns.insert_row(last, 0.0);
+            columns.row_mut(last).copy_from(&size.transpose());
+        }
+        (residual, columns)
+    }
+
+    /// The same as [`extract`](Self::extract), with what is known besides in rows behind: of sockets
+    /// and touches a robot that shrinks would always fit better.
+    pub fn extract_with_known(
+        &self,
+        model: &Model,
+        priors: &Priors,
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let (residual, columns) = self.extract(model);
+        let Some(rows) = &self.observed else {
+            return (residual, columns);
+        };
+        let unit = rows.layer().unit_mm;
+        let (left, known) = self.known(model, priors);
+        let (m, more) = (self.len(), left.len());
+        let mut residual = residual.resize_vertically(m + more, 0.0);
+        let mut columns = columns.resize_vertically(m + more, 0.0);
+        residual.rows_mut(m, more).copy_from(&(left * unit));
+        columns.rows_mut(m, more).copy_from(&(known * unit));
+        (residual, columns)
     }
 
     /// Number of rows.
@@ -57,8 +174,12 @@ impl Rows {
         self.len() == 0
     }
 
-    /// Residuals (measured − predicted) and the columns of every coefficient, mm.
+    /// Residuals (measured − predicted) and the columns of every coefficient, mm, or in the unit of
+    /// the observations.
     pub fn extract(&self, model: &Model) -> (DVector<f64>, DMatrix<f64>) {
+        if let Some(rows) = &self.observed {
+            return rows.extract(model);
+        }
         let n = self.samples.len();
         let mut residual = DVector::zeros(self.len());
         let mut columns = DMatrix::zeros(self.len(), model.coefficient_count());
@@ -82,6 +203,14 @@ impl Rows {
     pub fn points(&self, model: &Model) -> Vec<[f64; 3]> {
         let predicted = model.predict(&self.inputs);
         (0..self.samples.len()).map(|i| predicted.get(i)).collect()
+    }
+
+    /// What the rows show of targets that are elsewhere, each by so many mm along x, y, z.
+    pub fn displaced(&self, model: &Model, by: impl Fn(usize) -> [f64; 3]) -> DVector<f64> {
+        match &self.observed {
+            Some(rows) => rows.displaced(model, by),
+            None => self.column(|sample, axis| by(sample)[axis]),
+        }
     }
 
     /// A column of one value for each sample along one axis.

@@ -33,6 +33,9 @@ pub struct KindFigures {
     pub fitted: Option<Errors>,
     /// Of what the session holds out.
     pub held_out: Option<Errors>,
+    /// Root mean square of measurements that no fit has seen, each fifth predicted by the others; where
+    /// a diagnosis has looked.
+    pub unseen_rms: Option<f64>,
     /// Number of suspected outliers.
     pub outliers: usize,
     /// Number of rows that were fitted.
@@ -86,23 +89,7 @@ const SETTLED: f64 = 0.02;
 /// anything that matters has changed.
 pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
     let left = left(layer, model);
-    let mut marked = vec![false; layer.items.len()];
-    for kind in 0..KINDS.len() {
-        for rows in 1..=3 {
-            let own: Vec<usize> = (0..layer.items.len())
-                .filter(|i| layer.items[*i].kind == kind && layer.items[*i].rows == rows)
-                .collect();
-            let axes: Vec<Vec<f64>> = (0..rows)
-                .map(|row| own.iter().map(|i| left.rows[*i][row]).collect())
-                .collect();
-            let axes: Vec<&[f64]> = axes.iter().map(Vec::as_slice).collect();
-            let counts: Vec<bool> = own.iter().map(|i| layer.fit[*i]).collect();
-            let apart = suspected(&axes, &counts, &vec![1.0; rows], false);
-            for (item, apart) in own.into_iter().zip(apart) {
-                marked[item] = apart;
-            }
-        }
-    }
+    let marked = apart(layer, &left.rows);
     let kept = layer
         .fit
         .iter()
@@ -129,6 +116,69 @@ pub fn judge(layer: &mut Layer, model: &Model, rank: usize) -> bool {
         layer.sigma[kind] = now;
     }
     changed
+}
+
+/// Which observations stand apart from their kind beside a model.
+pub(crate) fn apart_beside(layer: &Layer, model: &Model) -> Vec<bool> {
+    apart(layer, &left(layer, model).rows)
+}
+
+/// Which observations stand apart from their kind, from what is left of each in units of its noise;
+/// those to be fitted make the bulk.
+pub(crate) fn apart(layer: &Layer, left: &[[f64; 3]]) -> Vec<bool> {
+    let mut marked = vec![false; layer.items.len()];
+    for kind in 0..KINDS.len() {
+        for rows in 1..=3 {
+            let own: Vec<usize> = (0..layer.items.len())
+                .filter(|i| layer.items[*i].kind == kind && layer.items[*i].rows == rows)
+                .collect();
+            let axes: Vec<Vec<f64>> = (0..rows)
+                .map(|row| own.iter().map(|i| left[*i][row]).collect())
+                .collect();
+            let axes: Vec<&[f64]> = axes.iter().map(Vec::as_slice).collect();
+            let counts: Vec<bool> = own.iter().map(|i| layer.fit[*i]).collect();
+            let apart = suspected(&axes, &counts, &vec![1.0; rows], false);
+            for (item, apart) in own.into_iter().zip(apart) {
+                marked[item] = apart;
+            }
+        }
+    }
+    marked
+}
+
+/// What a model leaves of every row that counts, in units of its noise.
+pub(crate) fn whitened(layer: &Layer, model: &Model) -> Vec<f64> {
+    let left = left(layer, model);
+    let items = (0..layer.items.len()).filter(|i| layer.used[*i]);
+    items
+        .flat_map(|i| left.rows[i].into_iter().take(layer.items[i].rows))
+        .collect()
+}
+
+/// What is left of a kind whose noise is stated.
+pub(crate) struct LeftOfKind {
+    pub(crate) name: &'static str,
+    /// Squares of its rows that count, in units of the noise.
+    pub(crate) squares: Vec<f64>,
+}
+
+/// What a model leaves of every kind whose noise is stated.
+pub(crate) fn left_of_kinds(layer: &Layer, model: &Model) -> Vec<LeftOfKind> {
+    let left = left(layer, model);
+    let mut all = Vec::new();
+    for (kind, own) in KINDS.iter().enumerate() {
+        let items =
+            (0..layer.items.len()).filter(|i| layer.items[*i].kind == kind && layer.used[*i]);
+        let squares: Vec<f64> = items
+            .flat_map(|i| left.rows[i].into_iter().take(layer.items[i].rows))
+            .map(|e| e * e)
+            .collect();
+        if !squares.is_empty() && own.sigma(&layer.session.instrument).is_some() {
+            let name = own.about().name;
+            all.push(LeftOfKind { name, squares });
+        }
+    }
+    all
 }
 
 /// Root mean square over the whitened rows of the items of a kind that count.
@@ -212,6 +262,7 @@ pub fn by_kind(layer: &Layer, before: &Model, after: &Model) -> Vec<KindFigures>
             unit,
             fitted: errors(true),
             held_out: errors(false),
+            unseen_rms: None,
             outliers: items.iter().filter(|i| layer.suspected[**i]).count(),
             rows: items
                 .iter()

@@ -1,46 +1,20 @@
 //! The observations of a session beside a model: rows of residuals and derivatives.
 //!
 //! An [`Item`] is one observation of one sample; a sample with a pose has two, its point and its
-//! orientation. Items flow through the model in two streams of blocks. In the first each lane is the
-//! target of an item; in the second four lanes are the tool's origin and a point along each of its
-//! axes, from which its orientation and their derivatives follow:
-//!
-//! ```text
-//! R = [x y z],   ω_k = ½ Σ_j e_j × ∂e_j/∂c_k
-//! ```
+//! orientation. Items flow through the model in two streams of blocks ([`super::streams`]).
 //!
 //! Rows are in units of their noise times that of the layer (`unit_mm`), so that what is a number of
 //! mm to an estimator of points is one here too.
 
-use nalgebra::Point3;
-
-use crate::effects::block::Block;
 use crate::effects::{Held, Inputs, JointValues};
-use crate::lanes::{LANES, Lanes, Lanes3, cross, dot, minus, scaled};
+use crate::lanes::{LANES, dot, minus, scaled};
 use crate::model::Model;
 use crate::sessions::Session;
 
+use super::block::RowBlock;
+use super::streams::{Item, POINTS, Stream, UPRIGHT, attitude, stream, turn};
 use super::{KINDS, Kind, Looks, Residual, Seen};
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
-
-/// One observation of one sample.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Item {
-    /// Its kind, an index into [`KINDS`].
-    pub kind: usize,
-    /// The sample.
-    pub sample: usize,
-    /// Number of rows.
-    pub rows: usize,
-}
-
-/// Items that flow through the model together.
-#[derive(Debug, Clone)]
-struct Stream {
-    /// Indices of the items, in the order of the lanes.
-    items: Vec<usize>,
-    inputs: Inputs<'static>,
-}
 
 /// See the module.
 #[derive(Debug, Clone)]
@@ -63,31 +37,8 @@ pub struct Layer<'a> {
     attitudes: Stream,
 }
 
-/// Distance of the points that show the tool's orientation from its origin, mm.
-const ARM_MM: f64 = 100.0;
-/// Lanes of one orientation.
-const POINTS: usize = 4;
-
 /// σ of a known distance between two sockets, mm: what a calliper gives.
 const SOCKET_DISTANCE_MM: f64 = 0.02;
-
-/// Rows of up to [`LANES`] observations.
-pub struct RowBlock {
-    /// For each lane its item; `None` for what is no measurement of a sample.
-    pub items: Vec<Option<usize>>,
-    /// Measured − predicted, in units of the noise times the layer's.
-    pub left: Lanes3,
-    /// Derivatives of what is predicted, one for each coefficient of the model.
-    pub columns: Vec<Lanes3>,
-    /// Which rows there are.
-    pub rows: [[bool; LANES]; 3],
-    /// The length of what is left in inner units of the kind: mm or rad.
-    pub length: Lanes,
-    /// The same as mm: an angle times the distance across which it is seen.
-    pub length_mm: Lanes,
-    /// What is left along x, y, z, mm, for points with all of their coordinates; else NaN.
-    pub along: Lanes3,
-}
 
 /// Where a model has the coefficients of every place.
 struct Placing {
@@ -175,6 +126,25 @@ impl<'a> Layer<'a> {
     /// Whether any orientation of the tool was measured, or where it points.
     pub fn shows_attitude(&self) -> bool {
         !self.attitudes.items.is_empty()
+    }
+
+    /// Whether the session states the noise of everything that was measured.
+    pub fn is_stated(&self) -> bool {
+        let instrument = &self.session.instrument;
+        let mut items = self.items.iter();
+        items.all(|item| KINDS[item.kind].sigma(instrument).is_some())
+    }
+
+    /// One number for each item: the same for those of a kind that refer to the same place.
+    pub fn references(&self) -> Vec<usize> {
+        let of = |item: &Item| (item.kind, KINDS[item.kind].place(self.session, item.sample));
+        let mut all: Vec<_> = self.items.iter().map(of).collect();
+        all.sort_unstable();
+        all.dedup();
+        let items = self.items.iter();
+        items
+            .map(|item| all.partition_point(|one| *one < of(item)))
+            .collect()
     }
 
     /// Number of rows of the items that `counts` picks.
@@ -279,22 +249,13 @@ impl<'a> Layer<'a> {
         (point, attitude): ([f64; 3], [[f64; 3]; 3]),
         moves: &dyn Fn(usize) -> [f64; 3],
     ) {
-        const NOWHERE: [f64; MOST] = [0.0; MOST];
         let Item { kind, sample, .. } = self.items[item];
         let own = KINDS[kind];
-        let at = own.place(self.session, sample);
-        let at = at.and_then(|place| placing.get(place));
-        let seen = Seen {
-            point,
-            attitude,
-            place: at.map_or(&NOWHERE, |at| at.0),
-        };
-        let raw = own.residual(self.session, sample, &seen);
-        let weighed = own.weighed(self.session, sample, self.sigma[kind], &raw);
+        let (raw, weighed, lever_mm) = self.beside(item, placing, point, attitude);
         let lane = rows.items.len();
         rows.items.push(Some(item));
         rows.length[lane] = raw.length();
-        rows.length_mm[lane] = raw.length() * own.lever_mm(&seen);
+        rows.length_mm[lane] = raw.length() * lever_mm;
         let whole = kind == 0 && raw.rows == self.session.samples.axes();
         for axis in 0..3 {
             let zero_beyond = if axis < raw.rows { raw.left[axis] } else { 0.0 };
@@ -314,8 +275,83 @@ impl<'a> Layer<'a> {
                 rows.columns[k][row][lane] = dot(by_moves[row], moved) * self.unit_mm;
             }
         }
-        if let Some((_, Some(first), held)) = at {
+        let at = own.place(self.session, sample);
+        if let Some((_, Some(first), held)) = at.and_then(|place| placing.get(place)) {
             rows.add_place(lane, first, held, &weighed, self.unit_mm);
+        }
+    }
+
+    /// How the rows of every observation follow its target, per mm along x, y, z.
+    pub(super) fn by_point(&self, model: &Model) -> Vec<[[f64; 3]; 3]> {
+        let placing = Placing::of(model, self.session, &self.items);
+        let mut all = vec![[[0.0; 3]; 3]; self.items.len()];
+        model.visit(&self.points.inputs, false, |start, block| {
+            for lane in 0..block.len {
+                let item = self.points.items[start + lane];
+                let point = [0, 1, 2].map(|axis| block.point[axis][lane]);
+                let (_, weighed, _) = self.beside(item, &placing, point, UPRIGHT);
+                all[item] = weighed.by_point.map(|row| scaled(row, self.unit_mm));
+            }
+        });
+        all
+    }
+
+    /// mm of an inner unit of every item.
+    pub(super) fn levers_mm(&self, model: &Model) -> Vec<f64> {
+        let placing = Placing::of(model, self.session, &self.items);
+        let seen = self.seen(model).into_iter().enumerate();
+        let lever = |(item, (point, attitude))| self.beside(item, &placing, point, attitude).2;
+        seen.map(lever).collect()
+    }
+
+    /// What is left of one item, the same in units of its noise, and mm of an inner unit.
+    fn beside(
+        &self,
+        item: usize,
+        placing: &Placing,
+        point: [f64; 3],
+        attitude: [[f64; 3]; 3],
+    ) -> (Residual, Residual, f64) {
+        const NOWHERE: [f64; MOST] = [0.0; MOST];
+        let Item { kind, sample, .. } = self.items[item];
+        let own = KINDS[kind];
+        let at = own.place(self.session, sample);
+        let place = at.and_then(|place| placing.get(place));
+        let seen = Seen {
+            point,
+            attitude,
+            place: place.map_or(&NOWHERE, |own| own.0),
+        };
+        let raw = own.residual(self.session, sample, &seen);
+        let weighed = own.weighed(self.session, sample, self.sigma[kind], &raw);
+        (raw, weighed, own.lever_mm(&seen))
+    }
+
+    /// What is known of the distances between sockets, in rows of their own.
+    pub(super) fn distances(&self, model: &Model) -> RowBlock {
+        let mut rows = RowBlock::new(model.coefficient_count());
+        let placing = Placing::of(model, self.session, &self.items);
+        self.known_distances(&placing, &mut rows);
+        rows
+    }
+
+    /// The same with some of its items only, all of which count.
+    pub(super) fn only(&self, kept: &[bool]) -> Self {
+        let chosen: Vec<usize> = (0..self.items.len()).filter(|i| kept[*i]).collect();
+        let mut place = vec![usize::MAX; self.items.len()];
+        for (new, old) in chosen.iter().enumerate() {
+            place[*old] = new;
+        }
+        Self {
+            points: self.points.only(kept, &place, 1),
+            attitudes: self.attitudes.only(kept, &place, POINTS),
+            items: chosen.iter().map(|i| self.items[*i]).collect(),
+            fit: vec![true; chosen.len()],
+            used: vec![true; chosen.len()],
+            suspected: vec![false; chosen.len()],
+            sigma: self.sigma.clone(),
+            session: self.session,
+            unit_mm: self.unit_mm,
         }
     }
 
@@ -349,40 +385,6 @@ impl<'a> Layer<'a> {
     }
 }
 
-/// Where a model has the target of every sample, and how it turns the tool.
-pub fn predictions(
-    session: &Session,
-    values: JointValues,
-    model: &Model,
-) -> Vec<([f64; 3], [[f64; 3]; 3])> {
-    let inputs = Inputs::new(session, values);
-    let of = |looks: Looks| {
-        let kind = KINDS.iter().position(|kind| kind.about().looks == looks);
-        let kind = kind.unwrap_or(0);
-        let samples = 0..session.samples.len();
-        let items: Vec<Item> = samples
-            .map(|sample| Item {
-                kind,
-                sample,
-                rows: 0,
-            })
-            .collect();
-        stream(session, &inputs, &items, looks)
-    };
-    let mut seen = Vec::with_capacity(session.samples.len());
-    model.visit(&of(Looks::AtPoint).inputs, false, |_, block| {
-        for lane in 0..block.len {
-            seen.push(([0, 1, 2].map(|axis| block.point[axis][lane]), UPRIGHT));
-        }
-    });
-    model.visit(&of(Looks::AtAttitude).inputs, false, |start, block| {
-        for own in 0..block.len / POINTS {
-            seen[start / POINTS + own].1 = attitude(block, own * POINTS).0;
-        }
-    });
-    seen
-}
-
 /// A kind's number of rows in a sample.
 fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
     let seen = Seen {
@@ -391,125 +393,4 @@ fn rows_of(kind: &dyn Kind, session: &Session, sample: usize) -> usize {
         place: &[1.0; MOST],
     };
     kind.residual(session, sample, &seen).rows
-}
-
-const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
-/// The inputs of the items that look at one thing.
-fn stream(session: &Session, inputs: &Inputs, items: &[Item], looks: Looks) -> Stream {
-    let own: Vec<usize> = (0..items.len())
-        .filter(|i| KINDS[items[*i].kind].about().looks == looks)
-        .collect();
-    let samples = own.iter().map(|i| items[*i].sample);
-    if looks == Looks::AtPoint {
-        let samples: Vec<usize> = samples.collect();
-        return Stream {
-            items: own,
-            inputs: inputs.select(&samples),
-        };
-    }
-    let samples: Vec<usize> = samples
-        .flat_map(|sample| std::iter::repeat_n(sample, POINTS))
-        .collect();
-    let mut inputs = inputs.select(&samples);
-    // Points of the tool's own: no target's error is theirs.
-    let targets = u32::try_from(inputs.reflectors_at_home.len()).unwrap_or(u32::MAX);
-    let tool = &session.robot.base_from_tool;
-    let along = [
-        [0.0; 3],
-        [ARM_MM, 0.0, 0.0],
-        [0.0, ARM_MM, 0.0],
-        [0.0, 0.0, ARM_MM],
-    ];
-    let at_home = along.map(|p| <[f64; 3]>::from((tool * Point3::from(p)).coords));
-    inputs.reflectors_at_home.extend(at_home);
-    let of_tool = (0..POINTS).zip(targets..).map(|(_, index)| index);
-    let of_tool: Vec<u32> = of_tool.collect();
-    inputs.target = Some(of_tool.repeat(own.len()).into());
-    Stream { items: own, inputs }
-}
-
-/// The tool's orientation by rows, and the edges from its origin to the points along its axes, of
-/// unit length at home.
-fn attitude(block: &Block, first: usize) -> ([[f64; 3]; 3], [[f64; 3]; 3]) {
-    let point = |lane: usize| [0, 1, 2].map(|axis| block.point[axis][first + lane]);
-    let origin = point(0);
-    let edges = [1, 2, 3].map(|lane| scaled(minus(point(lane), origin), 1.0 / ARM_MM));
-    // A warm or mis-scaled machine changes lengths as well: only the turn counts.
-    let unit = |v: [f64; 3]| scaled(v, 1.0 / dot(v, v).sqrt().max(f64::MIN_POSITIVE));
-    let x = unit(edges[0]);
-    let y = unit(minus(edges[1], scaled(x, dot(x, edges[1]))));
-    let z = cross(x, y);
-    let rows = std::array::from_fn(|k| [x[k], y[k], z[k]]);
-    (rows, edges)
-}
-
-/// The turn of the tool with one coefficient.
-fn turn(column: &Lanes3, first: usize, edges: &[[f64; 3]; 3]) -> [f64; 3] {
-    let moved = |lane: usize| [0, 1, 2].map(|axis| column[axis][first + lane]);
-    let origin = moved(0);
-    let mut turn = [0.0; 3];
-    for (lane, edge) in edges.iter().enumerate() {
-        let change = scaled(minus(moved(lane + 1), origin), 0.5 / ARM_MM);
-        let part = cross(*edge, change);
-        for k in 0..3 {
-            turn[k] += part[k];
-        }
-    }
-    turn
-}
-
-impl RowBlock {
-    fn new(coefficients: usize) -> Self {
-        Self {
-            items: Vec::with_capacity(LANES),
-            left: [[0.0; LANES]; 3],
-            columns: vec![[[0.0; LANES]; 3]; coefficients],
-            rows: [[false; LANES]; 3],
-            length: [0.0; LANES],
-            length_mm: [0.0; LANES],
-            along: [[f64::NAN; LANES]; 3],
-        }
-    }
-
-    fn clear(&mut self) {
-        self.items.clear();
-        self.left = [[0.0; LANES]; 3];
-        self.rows = [[false; LANES]; 3];
-        self.columns.fill([[0.0; LANES]; 3]);
-    }
-
-    /// Adds what a place's own coefficients do to the rows of a lane.
-    fn add_place(&mut self, lane: usize, first: usize, held: Held, residual: &Residual, unit: f64) {
-        if self.columns.is_empty() {
-            return;
-        }
-        for k in (0..MOST).filter(|k| !held.contains(*k)) {
-            let Some(column) = self.columns.get_mut(first + k) else {
-                break;
-            };
-            for row in 0..residual.rows {
-                let by = residual.by_place[row][k];
-                if by != 0.0 {
-                    column[row][lane] += by * unit;
-                }
-            }
-        }
-    }
-
-    /// Takes away the lanes that do not count; a known distance always does.
-    pub fn keep(&mut self, used: &[bool]) {
-        for (lane, item) in self.items.iter().enumerate() {
-            if item.is_none_or(|item| used[item]) {
-                continue;
-            }
-            for axis in 0..3 {
-                self.rows[axis][lane] = false;
-                self.left[axis][lane] = 0.0;
-                for column in &mut self.columns {
-                    column[axis][lane] = 0.0;
-                }
-            }
-        }
-    }
 }

@@ -14,7 +14,9 @@
 //! - [`kinds`](Kind): residual and derivatives of one observation.
 //! - [`crate::effects::places`]: anchors, stations, planes and sockets that nobody knows are fitted beside the
 //!   robot, and reported like everything that is fitted.
-//! - [`layer`]: the observations of a session, block by block, as rows for the normal equations.
+//! - [`layer`]: the observations of a session, [`block`] by block, as rows for the normal equations;
+//!   [`streams`]: how they flow through the model.
+//! - [`rows`]: the same as rows of a regression, for the search of names.
 //! - [`gauge`]: what no kind at hand can show: where the base stands, how large everything is.
 //! - [`start`]: from where the fit begins.
 //! - [`figures`]: σ of each kind, outliers, errors by kind.
@@ -24,18 +26,23 @@
 //! target does (its origin and one along each axis), so that every effect turns the tool as it moves
 //! it, with exact derivatives, and none has to say how.
 
+pub mod block;
 pub mod figures;
 pub mod gauge;
 pub(crate) mod held;
 pub mod layer;
+pub mod rows;
 pub mod start;
+pub mod streams;
 
 pub(crate) mod kinds;
 
 use crate::effects::places::{MOST, Place};
 use crate::sessions::{Instrument, Session};
 
-pub use layer::{Item, Layer, RowBlock};
+pub use block::RowBlock;
+pub use layer::Layer;
+pub use streams::Item;
 
 /// Every kind, in the order in which they are listed.
 pub const KINDS: &[&dyn Kind] = &[

@@ -15,6 +15,7 @@ pub struct KindRow {
     stated_sigma: Option<f64>,
     found_sigma: Option<f64>,
     held_out: Option<ErrorsRow>,
+    unseen_rms: Option<f64>,
 }
 
 #[derive(Debug, Serialize)]
@@ -48,6 +49,7 @@ pub fn rows(kinds: &[KindFigures]) -> Vec<KindRow> {
         stated_sigma: own.stated_sigma,
         found_sigma: own.found_sigma,
         held_out: own.held_out.as_ref().map(ErrorsRow::new),
+        unseen_rms: own.unseen_rms,
     };
     kinds.iter().map(row).collect()
 }
@@ -67,6 +69,9 @@ pub fn in_words(kinds: &[KindFigures]) -> String {
                     Some(stated) => format!("; σ {found:.4} {unit}, stated {stated:.4}"),
                     None => format!("; σ {found:.4} {unit}, not stated"),
                 };
+            }
+            if let Some(unseen) = own.unseen_rms {
+                text += &format!("; {unseen:.6} {unit} where no fit has seen it");
             }
             text.push('\n');
         }

@@ -1,5 +1,6 @@
 //! The standards' figures in a report.
 
+use crate::compensation::verification::VerifyError;
 use crate::standards::axis::AxisTest;
 use crate::standards::pose::PoseTest;
 use crate::standards::{Positioning, Standards, at_least};
@@ -26,6 +27,17 @@ pub(super) fn section(standards: &Standards) -> Section {
     Section {
         title: "Accuracy and repeatability".to_owned(),
         blocks,
+    }
+}
+
+/// The section of a session that they say nothing of.
+pub(super) fn none(because: &VerifyError) -> Section {
+    Section {
+        title: "Accuracy and repeatability".to_owned(),
+        blocks: vec![Block::Text(format!(
+            "No figures after ISO 230-2 and ISO 9283: {}",
+            clean(&because.to_string())
+        ))],
     }
 }
 

@@ -1,5 +1,6 @@
 //! The report of a session: runs the diagnosis and says everything that came out.
 
+use crate::compensation::verification::VerifyError;
 use crate::compensation::{Remainder, Verification, verify};
 use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch};
 use crate::effects::{Inputs, JointValues};
@@ -82,8 +83,12 @@ impl Report {
             Some(found.floor.mm),
         )?;
         sections.push(deviations_of(&stages));
-        let figures = standards(&mended.session, Some(calibration))?;
-        sections.push(accuracy::section(&figures));
+        sections.push(match standards(&mended.session, Some(calibration)) {
+            Ok(figures) => accuracy::section(&figures),
+            // They are figures of points.
+            Err(error @ VerifyError::NoPoints { .. }) => accuracy::none(&error),
+            Err(error) => return Err(error.into()),
+        });
         sections.push(told.limits());
         sections.extend(tables(extras, &hash, &told.model_hash));
         sections.push(signatures(extras));
@@ -254,6 +259,9 @@ impl Told<'_> {
             .collect();
         facts.push(fact("Reflectors in the tool", targets.join("; ")));
         facts.push(fact("Samples", self.samples()));
+        if let Some(measured) = s.kinds_in_words() {
+            facts.push(fact("Measured", measured));
+        }
         facts.push(fact("Conditions", self.conditions()));
         facts.push(tolerance(s.tolerance_mm));
         if let Some(by) = &s.compensated_by {
@@ -291,6 +299,9 @@ impl Told<'_> {
             text += &format!(", {held} held out by the file");
         }
         let z = self.session.samples.z_mm.is_some();
+        if !self.session.samples.observed.is_empty() {
+            return text;
+        }
         text += if z { "; x, y, z" } else { "; x, y only" };
         text
     }
@@ -355,7 +366,9 @@ impl Told<'_> {
             Some(v.nominal.max_mm),
         );
         row(
-            "with zero offset and link length",
+            &d.history
+                .get(1)
+                .map_or(String::new(), |step| format!("with {}", clean(&step.what))),
             d.gap.identified_mm,
             held.map(|g| g.identified_mm),
             None,
@@ -384,13 +397,13 @@ impl Told<'_> {
             );
         }
         let mut blocks = vec![
-            Block::Text(
-                "RMS error is the root mean square of the distance between measured and simulated \
-                 points (ISO 9283's position deviation). Noise alone leaves the floor"
-                    .to_owned(),
-            ),
+            Block::Text(format!(
+                "{}. Noise alone leaves the floor",
+                self.what_the_gap_is()
+            )),
             Block::Table(table),
         ];
+        blocks.extend(self.by_kind());
         let mut remarks = vec![format!(
             "cross-validation: {}",
             if d.held_out.gaps.is_some() {
@@ -423,6 +436,55 @@ impl Told<'_> {
             title: "Result".to_owned(),
             blocks,
         }
+    }
+
+    fn what_the_gap_is(&self) -> &'static str {
+        if self.session.samples.observed.is_empty() {
+            "RMS error is the root mean square of the distance between measured and simulated points"
+        } else {
+            "RMS error is the root mean square of the residuals, as lengths"
+        }
+    }
+
+    /// Errors by kind of measurement, where there are other kinds than points.
+    fn by_kind(&self) -> Vec<Block> {
+        let kinds = &self.found.identification.kinds;
+        if kinds.is_empty() {
+            return Vec::new();
+        }
+        let mut table = Table::new(&[
+            "Kind",
+            ">Number",
+            "Unit",
+            ">Nominal",
+            ">Model",
+            ">Unseen",
+            ">Largest",
+            ">σ stated",
+            ">σ found",
+        ]);
+        for own in kinds {
+            let Some(e) = &own.fitted else { continue };
+            table.row([
+                own.kind.to_owned(),
+                e.count.to_string(),
+                own.unit.to_owned(),
+                plain(e.before_rms),
+                plain(e.after_rms),
+                gap(own.unseen_rms),
+                plain(e.after_max),
+                gap(own.stated_sigma),
+                gap(own.found_sigma),
+            ]);
+        }
+        vec![
+            Block::Text(
+                "By kind of measurement, root mean square; an angle counts in the gap as the length \
+                 across which it is seen"
+                    .to_owned(),
+            ),
+            Block::Table(table),
+        ]
     }
 
     /// What there is to say of the noise, and of a fit that cannot be relied on.

@@ -26,9 +26,14 @@ pub fn stages(
     floor_mm: Option<f64>,
 ) -> Result<Stages, ReportError> {
     let mut all = as_measured(session, floor_mm);
+    if !session.samples.observed.is_empty() {
+        all.stages[0].deviations = verification.before.clone();
+    }
     let before = &all.stages[0].deviations;
     let mut more = Vec::new();
-    if let Some(moved) = moved_by_correction(calibration, session)? {
+    let moved = moved_by_correction(calibration, session)?;
+    // What a correction moves is seen in points.
+    if let Some(moved) = moved.filter(|_| session.samples.observed.is_empty()) {
         let mut corrected = Deviations::default();
         for i in 0..before.length_mm.len() {
             let planar = session.samples.z_mm.is_none();
@@ -103,6 +108,9 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
 
 /// The plots.
 pub(super) fn section(stages: &Stages) -> Section {
+    let along = &stages.stages[0].deviations.axes_mm;
+    let points = along[0].iter().any(|e| e.is_finite());
+    let mut blocks = Vec::new();
     let (places, magnification) = workspace(stages);
     let corrected = stages.stages.len() > 2;
     let caption = format!(
@@ -115,14 +123,15 @@ pub(super) fn section(stages: &Stages) -> Section {
             ""
         }
     );
+    if points {
+        blocks.push(Block::Plot(places, caption));
+    }
+    blocks.push(Block::Plot(
+        deviation(stages),
+        "Length of the deviation; the scales differ from panel to panel".to_owned(),
+    ));
     Section {
         title: "Deviations".to_owned(),
-        blocks: vec![
-            Block::Plot(places, caption),
-            Block::Plot(
-                deviation(stages),
-                "Length of the deviation; the scales differ from panel to panel".to_owned(),
-            ),
-        ],
+        blocks,
     }
 }

@@ -62,11 +62,29 @@ const GROSS_SHARE: f64 = 0.01;
 /// The gap has to fall to less than this.
 const MENDED_SHARE: f64 = 0.2;
 
+/// Blunders are tried on whole points, where they are so large a part of the samples.
+const ENOUGH_POINTS: f64 = 0.5;
+
+fn has_enough_points(session: &Session, joint_values: JointValues) -> bool {
+    if session.has_plain_points() {
+        return true;
+    }
+    let points = Problem::new(session, joint_values).samples();
+    let all = Problem::observing(session, joint_values).samples();
+    points as f64 >= ENOUGH_POINTS * all as f64
+}
+
 /// Tries the blunders and mends what it finds.
 pub fn mend<'a>(session: &'a Session, joint_values: JointValues) -> Mended<'a> {
     let mut problems = Vec::new();
-    losses(session, &mut problems);
     let mut mended: Cow<'a, Session> = Cow::Borrowed(session);
+    if !has_enough_points(session, joint_values) {
+        return Mended {
+            session: mended,
+            problems,
+        };
+    }
+    losses(session, &mut problems);
     if base_model::is_arm(session) {
         if let Some(better) = arms::corrected(session, joint_values, &mut problems) {
             mended = Cow::Owned(better);

@@ -16,7 +16,7 @@ use crate::effects::{Inputs, JointValues};
 use crate::lanes::dot;
 use crate::model::Model;
 use crate::observations::held::{Missing, bring};
-use crate::observations::layer::predictions;
+use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Kind, Seen};
 use crate::sessions::{References, Session};
 

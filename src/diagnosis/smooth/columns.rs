@@ -21,8 +21,8 @@ const PARTS: usize = 5;
 
 /// See the module. Columns of names are scaled to length 1 and those of the curve to an effect of
 /// one unit of noise a sample; only products with their coefficients leave this module.
-pub(super) struct Columns {
-    rows: Rows,
+pub(super) struct Columns<'a> {
+    rows: Rows<'a>,
     noise: Noise,
     q: Vec<f64>,
     /// Different values of the joint, in ascending order.
@@ -47,9 +47,9 @@ pub(super) struct Folds {
     pub(super) how: String,
 }
 
-impl Columns {
+impl<'a> Columns<'a> {
     /// Of the samples of a problem that count.
-    pub(super) fn new(problem: &Problem, noise: &Noise, model: &Model, joint: usize) -> Self {
+    pub(super) fn new(problem: &Problem<'a>, noise: &Noise, model: &Model, joint: usize) -> Self {
         let rows = Rows::of(&thinned(problem));
         let probe = Term::absent(&Directions, joint, 0.0);
         let model = model.with_term(probe.clone());
@@ -111,7 +111,8 @@ impl Columns {
     /// Rows of the samples that `pick` picks.
     pub(super) fn rows(&self, pick: impl Fn(usize) -> bool) -> Vec<usize> {
         let n = self.samples();
-        (0..self.rows.len()).filter(|row| pick(row % n)).collect()
+        let rows = (0..self.rows.len()).filter(|row| self.rows.has(*row));
+        rows.filter(|row| pick(row % n)).collect()
     }
 
     /// Columns of the values at the knots, direction by direction, as they are and whitened.
@@ -169,14 +170,14 @@ impl Columns {
 /// The samples that count, at most [`MOST_SAMPLES`] of them, spread evenly.
 fn thinned<'a>(problem: &Problem<'a>) -> Problem<'a> {
     let mut problem = problem.clone();
-    let used: Vec<usize> = (0..problem.used.len())
-        .filter(|i| problem.used[*i])
-        .collect();
+    let counted = problem.counted();
+    let used: Vec<usize> = (0..counted.len()).filter(|i| counted[*i]).collect();
     if used.len() > MOST_SAMPLES {
-        problem.used.fill(false);
+        let mut kept = vec![false; counted.len()];
         for k in 0..MOST_SAMPLES {
-            problem.used[used[k * used.len() / MOST_SAMPLES]] = true;
+            kept[used[k * used.len() / MOST_SAMPLES]] = true;
         }
+        problem.set_counted(kept);
     }
     problem
 }

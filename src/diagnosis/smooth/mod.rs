@@ -176,19 +176,19 @@ pub(crate) fn free_curve(prepared: &Prepared, model: &Model, joint: usize) -> Op
 }
 
 /// The likeliest curve on some samples, with what it was fitted to.
-struct Fitted {
-    columns: Columns,
+struct Fitted<'a> {
+    columns: Columns<'a>,
     best: Choice,
     curve: Curve,
 }
 
-fn fitted(
-    problem: &Problem,
+fn fitted<'a>(
+    problem: &Problem<'a>,
     prepared: &Prepared,
     model: &Model,
     joint: usize,
     over: &Shape,
-) -> Result<Fitted, String> {
+) -> Result<Fitted<'a>, String> {
     let columns = Columns::new(problem, &prepared.regression.noise, model, joint);
     let values = columns.values.len();
     if values < FEWEST_VALUES {

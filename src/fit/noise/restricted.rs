@@ -13,7 +13,7 @@ pub(super) struct AxisSums {
 
 /// The restricted likelihood of noise beside the columns of a fit.
 pub(super) struct Restricted<'r> {
-    rows: &'r Rows,
+    rows: &'r Rows<'r>,
     pub(super) axes: Vec<usize>,
     /// For each axis its rows of columns and residual.
     parts: Vec<DMatrix<f64>>,
@@ -21,7 +21,7 @@ pub(super) struct Restricted<'r> {
 }
 
 impl<'r> Restricted<'r> {
-    pub(super) fn new(rows: &'r Rows, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
+    pub(super) fn new(rows: &'r Rows<'r>, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
         // The same span, well conditioned, whatever the noise is.
         let basis = crate::fit::linear::Basis::new(columns).q;
         let p = basis.ncols();

@@ -131,7 +131,9 @@ fn lines(
     drawing: &mut Drawing,
 ) {
     let lengths = &stage.deviations.length_mm;
-    let kept = thinned(&stage.usable(), MOST, |i| lengths[i]);
+    let mut points = stage.usable();
+    points.retain(|i| stage.deviations.axes_mm[axes[0]][*i].is_finite());
+    let kept = thinned(&points, MOST, |i| lengths[i]);
     let from = |i: usize| [column(stages, axes[0])[i], column(stages, axes[1])[i]];
     let mut ends = Vec::with_capacity(kept.len());
     let mut starts = Vec::with_capacity(kept.len());
