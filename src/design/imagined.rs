@@ -15,7 +15,7 @@ use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::places::{MOST, Place, PlaceKind, stated};
 use crate::kinematics::Robot;
 use crate::model::Model;
-use crate::observations::layer::predictions;
+use crate::observations::streams::predictions;
 use crate::observations::{KINDS, Layer, Seen};
 use crate::sessions::{Instrument, Samples, Session, Sigma, Target};
 

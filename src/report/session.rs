@@ -404,6 +404,20 @@ impl Told<'_> {
             Block::Table(table),
         ];
         blocks.extend(self.by_kind());
+        blocks.push(Block::List(self.remarks()));
+        blocks.push(Block::Plot(
+            waterfall(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
+            "The gap step by step; each step keeps what the ones before it brought".to_owned(),
+        ));
+        Section {
+            title: "Result".to_owned(),
+            blocks,
+        }
+    }
+
+    /// What belongs to the table of the result.
+    fn remarks(&self) -> Vec<String> {
+        let (d, v) = (self.found, self.verification);
         let mut remarks = vec![format!(
             "cross-validation: {}",
             if d.held_out.gaps.is_some() {
@@ -427,15 +441,7 @@ impl Told<'_> {
         }
         remarks.extend(self.noise());
         remarks.extend(v.notes.iter().map(|n| clean(n)));
-        blocks.push(Block::List(remarks));
-        blocks.push(Block::Plot(
-            waterfall(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
-            "The gap step by step; each step keeps what the ones before it brought".to_owned(),
-        ));
-        Section {
-            title: "Result".to_owned(),
-            blocks,
-        }
+        remarks
     }
 
     fn what_the_gap_is(&self) -> &'static str {

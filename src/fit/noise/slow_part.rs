@@ -221,9 +221,13 @@ fn even(shortest: f64, longest: f64) -> (Vec<f64>, f64) {
 /// Shares of the whole from logarithms.
 fn shares_of(mut all: Vec<f64>) -> Vec<f64> {
     let largest = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    all.iter_mut().for_each(|a| *a = (*a - largest).exp());
+    for a in &mut all {
+        *a = (*a - largest).exp();
+    }
     let total: f64 = all.iter().sum();
-    all.iter_mut().for_each(|a| *a /= total);
+    for a in &mut all {
+        *a /= total;
+    }
     all
 }
 
