@@ -3,7 +3,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::effects::{CATALOGUE, Setting, Survey, Term, find, rank};
+use crate::effects::{CATALOGUE, Setting, Survey, Term, find, form_in, rank};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
@@ -272,7 +272,7 @@ fn names(
             if !allowed.candidate(about.id) {
                 continue;
             }
-            let term = Term::absent(*effect, joint, 0.0);
+            let term = Term::absent(form_in(*effect, survey, joint), joint, 0.0);
             let settings = scan::settings(problem, &term);
             // Neighbouring times of a step are nearly the same candidate.
             let tried = match about.setting {

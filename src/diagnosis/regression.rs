@@ -106,6 +106,9 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
     }
 }
 
+/// The square of a value over its standard deviation from which on it is clear of zero: p = 0.001.
+const CLEAR: f64 = 10.8;
+
 impl<'a> Regression<'a> {
     pub(crate) fn new(
         problem: Rc<Problem<'a>>,
@@ -291,6 +294,15 @@ impl<'a> Regression<'a> {
                 return f64::NEG_INFINITY;
             }
             let vector = matches!(term.effect.about().form, Form::Plain(q) if q.len() > 1);
+            if vector && term.effect.about().never_negative {
+                // What the effect is named for has to be there: the others alone are something else.
+                let all = covariance.get_or_insert_with(|| basis.inverse_gram());
+                let variance = all[(own.start, own.start)] * self.rounded(rss) / self.m();
+                let clear = term.coefficients[0].powi(2) > CLEAR * variance;
+                if !basis.kept.contains(&own.start) || !clear {
+                    return f64::NEG_INFINITY;
+                }
+            }
             if !vector || !own.clone().all(|k| basis.kept.contains(&k)) {
                 continue;
             }

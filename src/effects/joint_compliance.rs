@@ -16,9 +16,11 @@ use super::block::{Block, Turned};
 use super::gravity::{first_moment, first_moment_slope, seen_by, seen_by_slope};
 use super::needs::Need;
 use super::units::Unit;
-use super::{Effect, Placed};
+use super::{Effect, Placed, Survey};
 use crate::lanes::{LANES, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
+
+mod unknown_masses;
 
 /// See the module.
 pub(super) struct JointCompliance;
@@ -75,6 +77,16 @@ impl Effect for JointCompliance {
         &ABOUT
     }
 
+    fn other_form(&self) -> Option<&'static dyn Effect> {
+        Some(&unknown_masses::UnknownMasses)
+    }
+
+    fn takes_other_form(&self, survey: &Survey, joint: usize) -> bool {
+        let measured = survey.joints[joint].torque_range_nm.is_some();
+        let loads = survey.loads >= 2 && survey.largest_load_kg > 0.0;
+        survey.joints.len() > 1 && loads && !survey.link_masses && !measured
+    }
+
     fn act(&self, me: &Placed, block: &mut Block) {
         let compliance = me.coefficients[0];
         let torques: [Torque; LANES] = std::array::from_fn(|i| Torque::of(block, me.joint, i));
@@ -125,6 +137,7 @@ impl Effect for JointCompliance {
 const NEWTON_STEPS: usize = 4;
 
 /// Gravity's torque about a joint as a function of that joint's angle.
+#[derive(Clone, Copy)]
 struct Torque {
     /// First moment Σ m (x − c) of what hangs behind the joint, the joint itself at zero, kg·m.
     moment: [f64; 3],

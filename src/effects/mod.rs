@@ -91,6 +91,17 @@ pub trait Effect: Sync {
         true
     }
 
+    /// The same effect with other parameters, for sessions that know less of the machine.
+    fn other_form(&self) -> Option<&'static dyn Effect> {
+        None
+    }
+
+    /// Whether a session like this one takes [`Effect::other_form`] for a joint.
+    fn takes_other_form(&self, survey: &Survey, joint: usize) -> bool {
+        let _ = (survey, joint);
+        false
+    }
+
     /// Why this session cannot show the effect on this joint; `None` where it can: the first of
     /// its needs that is not met.
     fn obstacle(&self, survey: &Survey, joint: usize) -> Option<String> {
@@ -138,6 +149,24 @@ pub const CATALOGUE: &[&dyn Effect] = &[
     &frame_shift::FrameShift,
     &frame_drift::FrameDrift,
 ];
+
+/// The form of an effect in which a session shows it on a joint.
+pub fn form_in(effect: &'static dyn Effect, survey: &Survey, joint: usize) -> &'static dyn Effect {
+    let other = effect.other_form();
+    let takes = |_: &&dyn Effect| effect.takes_other_form(survey, joint);
+    other.filter(takes).unwrap_or(effect)
+}
+
+/// The form of an effect that has such parameters or so many coefficients.
+pub fn form_with(
+    effect: &'static dyn Effect,
+    is_it: impl Fn(&'static dyn Effect) -> bool,
+) -> &'static dyn Effect {
+    if is_it(effect) {
+        return effect;
+    }
+    effect.other_form().filter(|e| is_it(*e)).unwrap_or(effect)
+}
 
 /// What models carry beside the catalogue's effects: the geometry of every calibration of a robot
 /// with several joints, which is never a candidate, and what has no name.

@@ -9,7 +9,7 @@ use super::about::{Form, Quantity, Setting};
 use super::curve::Curve;
 use super::places::PlaceKind;
 use super::units::{DEGREE, MILLIRADIAN, Unit};
-use super::{Effect, Role, find};
+use super::{Effect, Role, find, form_with};
 
 /// An effect with its values. Coefficients are in inner units; all zero means that the effect is
 /// absent.
@@ -136,6 +136,12 @@ impl Term {
         joints: usize,
     ) -> Result<Self, TermError> {
         let effect = find(id).ok_or_else(|| TermError::UnknownEffect(id.to_owned()))?;
+        let given = &renamed(given)[..];
+        let effect = form_with(effect, |form| {
+            let names = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(form, k));
+            let known = |(name, _): &(&str, f64)| names.iter().any(|n| n.contains(name));
+            given.iter().all(known)
+        });
         let about = effect.about();
         if joint == 0 || joint > joints {
             return Err(TermError::NoSuchJoint { joint, joints });
@@ -144,7 +150,6 @@ impl Term {
             let (effect, name) = (about.id, "curve");
             return Err(TermError::Missing { effect, name });
         }
-        let given = &renamed(given)[..];
         let known = [JointKind::Revolute, JointKind::Prismatic].map(|k| names_on(effect, k));
         let is_known = |name: &str| known.iter().any(|names| names.contains(&name));
         if let Some((name, _)) = given.iter().find(|(name, _)| !is_known(name)) {

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
-use crate::effects::{Term, find};
+use crate::effects::{Term, find, form_with};
 use crate::gui::document::{Added, Document, Method};
 use crate::kinematics::Robot;
 use crate::sessions::{self, Session};
@@ -91,6 +91,9 @@ impl KeptTerm {
     /// The effect on this robot; `None` where it cannot be one of its.
     pub(crate) fn added(&self, robot: &Robot) -> Option<Added> {
         let effect = find(&self.effect)?;
+        let effect = form_with(effect, |form| {
+            form.about().form.coefficients() == self.coefficients.len()
+        });
         let mut term = Term::absent(effect, self.joint, self.setting);
         let fits = self.joint < robot.joints.len()
             && self.coefficients.len() == term.coefficients.len()
