@@ -162,6 +162,7 @@ fn worst_column(model: &Model, inputs: &Inputs) -> (f64, usize) {
 fn all_effects() -> impl Iterator<Item = &'static dyn Effect> {
     let beside = BESIDE_THE_CATALOGUE.iter().copied();
     let all = CATALOGUE.iter().copied().chain(beside);
+    let all = all.flat_map(|effect| [Some(effect), effect.other_form()].into_iter().flatten());
     all.filter(|effect| effect.about().id != UNEXPLAINED)
 }
 

@@ -77,8 +77,16 @@ fn a_measured_torque_shows_wind_up_without_any_mass() {
     assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
     agrees(found, "compliance_urad_per_nm", 1.5);
 
-    // Without the sensor and without a load there is nothing that it could be told by.
+    // Without the sensor the load tells how much the joint gives, and what the links make of it is
+    // fitted as their moments: nothing else is named for it.
     session.samples.torque_nm.clear();
+    let answer = diagnosed(&session);
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
+    agrees(found, "compliance_urad_per_nm", 1.5);
+    assert!(!answer.unexplained.present, "{:?}", answer.unexplained);
+
+    // Without a load either there is nothing that it could be told by.
     session.samples.load_kg = None;
     let answer = diagnosed(&session);
     let mut all = answer.not_testable.iter();

@@ -56,12 +56,12 @@ fn what_was_open_yesterday_is_in_the_menu_today() {
     press(&mut window, "Forget lamp-commissioning.json");
     assert!(!says(&window, "not there any more"));
     press(&mut window, "paper-30.json");
-    assert!(says(&window, "30 samples · gap"));
+    assert!(says(&window, "30 samples · RMS error"));
     keys(&mut window, Modifiers::NONE, Key::F2);
-    assert!(says(&window, "208 samples · gap"));
+    assert!(says(&window, "208 samples · RMS error"));
     keys(&mut window, SHIFTED, Key::O);
     assert!(
-        says(&window, "30 samples · gap"),
+        says(&window, "30 samples · RMS error"),
         "the last file that is there"
     );
 }
@@ -76,7 +76,10 @@ fn a_change_is_not_lost_by_opening_something_else() {
     assert!(says(&window, "Open without saving?"));
     assert!(says(&window, "are not in its file, paper-30.json"));
     press(&mut window, "Cancel");
-    assert!(says(&window, "30 samples · gap"), "nothing was opened");
+    assert!(
+        says(&window, "30 samples · RMS error"),
+        "nothing was opened"
+    );
 
     // Save: to its own file, and then on to what was asked for (the model is asked about next).
     keys(&mut window, Modifiers::NONE, Key::F2);
@@ -85,7 +88,7 @@ fn a_change_is_not_lost_by_opening_something_else() {
     assert!(saved.contains("\"from_deg\": 0"), "{saved}");
     assert!(says(&window, "What was identified from"));
     press(&mut window, "Open without saving");
-    assert!(says(&window, "208 samples · gap"));
+    assert!(says(&window, "208 samples · RMS error"));
     assert!(!says(&window, "without saving"));
 }
 
@@ -95,7 +98,7 @@ fn a_simulated_session_is_asked_about_and_one_that_was_saved_is_not() {
     let mut window = window_at(None, None);
     keys(&mut window, Modifiers::COMMAND, Key::N);
     press(&mut window, "Simulate");
-    assert!(says(&window, "122 samples · gap"));
+    assert!(says(&window, "122 samples · RMS error"));
     assert!(says(&window, "not saved"));
     keys(&mut window, Modifiers::NONE, Key::F3);
     assert!(says(&window, "is in no file"));
@@ -104,10 +107,10 @@ fn a_simulated_session_is_asked_about_and_one_that_was_saved_is_not() {
     save_to(&mut window, &path);
     assert!(path.exists() && !says(&window, "not saved"));
     keys(&mut window, Modifiers::NONE, Key::F3);
-    assert!(says(&window, "30 samples · gap"));
+    assert!(says(&window, "30 samples · RMS error"));
     // And the way back: the session that was left is in its file still.
     keys(&mut window, Modifiers::COMMAND, Key::Z);
-    assert!(says(&window, "122 samples · gap") && !says(&window, "not saved"));
+    assert!(says(&window, "122 samples · RMS error") && !says(&window, "not saved"));
 }
 
 #[test]
@@ -141,7 +144,7 @@ fn a_file_that_another_program_changed_is_noticed_and_not_replaced_in_silence() 
     seconds(&mut window, 2);
     assert!(says(&window, "paper-30.csv was changed by another program"));
     assert!(
-        says(&window, "30 samples · gap"),
+        says(&window, "30 samples · RMS error"),
         "what was read is here still"
     );
 
@@ -162,9 +165,9 @@ fn a_file_that_another_program_changed_is_noticed_and_not_replaced_in_silence() 
     fs::write(&samples, &theirs).expect("written");
     seconds(&mut window, 2);
     press(&mut window, "Reload");
-    assert!(says(&window, "20 samples · gap"));
+    assert!(says(&window, "20 samples · RMS error"));
     keys(&mut window, Modifiers::COMMAND, Key::Z);
-    assert!(says(&window, "30 samples · gap"));
+    assert!(says(&window, "30 samples · RMS error"));
 }
 
 #[test]
@@ -277,7 +280,7 @@ fn what_was_not_saved_when_the_program_was_killed_is_offered_and_comes_back() {
     assert!(!says(&second, "Not saved when the program ended"));
     second.run_steps(2);
     press(&mut window, "Restore");
-    assert!(says(&window, "30 samples · gap") && says(&window, "not saved"));
+    assert!(says(&window, "30 samples · RMS error") && says(&window, "not saved"));
     press(&mut window, "2 Regions");
     assert!(
         !there(&window, "boundary at 30°"),
@@ -356,7 +359,7 @@ fn a_damaged_recovery_file_is_said_and_kept() {
     let aside = path.with_extension("damaged");
     assert_eq!(fs::read(aside).expect("it is there").len(), whole.len() / 2);
     assert!(
-        says(&window, "208 samples · gap"),
+        says(&window, "208 samples · RMS error"),
         "the window works all the same"
     );
 }

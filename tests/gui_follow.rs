@@ -71,7 +71,7 @@ fn new_lines_become_samples_and_the_intervals_shrink() {
     let mut measuring = Measuring::begin(60);
     let mut window = window(Some(measuring.session.clone()));
     follow(&mut window);
-    assert!(says(&window, "60 samples · gap"));
+    assert!(says(&window, "60 samples · RMS error"));
     assert!(says(&window, "following the file · 0 new"));
     let at_first = half_widths(&window);
     assert!(!at_first.is_empty());
@@ -79,7 +79,7 @@ fn new_lines_become_samples_and_the_intervals_shrink() {
         measuring.measure(expected + 1 - measuring.written);
         seconds(&mut window, 2);
         assert!(
-            says(&window, &format!("{expected} samples · gap")),
+            says(&window, &format!("{expected} samples · RMS error")),
             "{expected}"
         );
         assert!(gaps(&window).1.is_some(), "the answer follows");
@@ -111,10 +111,10 @@ fn half_a_line_waits_until_it_is_whole() {
     let line = &measuring.lines[61];
     measuring.append(&line[..line.len() / 2]);
     seconds(&mut window, 3);
-    assert!(says(&window, "60 samples · gap") && !says(&window, "cannot be followed"));
+    assert!(says(&window, "60 samples · RMS error") && !says(&window, "cannot be followed"));
     measuring.append(&line[line.len() / 2..]);
     seconds(&mut window, 2);
-    assert!(says(&window, "61 samples · gap"));
+    assert!(says(&window, "61 samples · RMS error"));
 }
 
 #[test]
@@ -124,11 +124,14 @@ fn a_file_that_was_rewritten_is_read_anew() {
     follow(&mut window);
     fs::write(&measuring.samples, measuring.lines[..=40].concat()).expect("written");
     seconds(&mut window, 2);
-    assert!(says(&window, "40 samples · gap"));
+    assert!(says(&window, "40 samples · RMS error"));
     assert!(says(&window, "was rewritten and is read anew"));
     measuring.append(&measuring.lines[41]);
     seconds(&mut window, 2);
-    assert!(says(&window, "41 samples · gap"), "and is followed on");
+    assert!(
+        says(&window, "41 samples · RMS error"),
+        "and is followed on"
+    );
 }
 
 #[test]
@@ -140,14 +143,14 @@ fn a_line_that_cannot_be_read_ends_it_with_its_place_and_nothing_is_lost() {
     seconds(&mut window, 2);
     assert!(says(&window, "cannot be followed any further"));
     assert!(says(&window, "line 62"));
-    assert!(says(&window, "60 samples · gap"));
+    assert!(says(&window, "60 samples · RMS error"));
     // Mended and followed again.
     fs::write(&measuring.samples, measuring.lines[..=60].concat()).expect("written");
     keys(&mut window, Modifiers::COMMAND, Key::L);
     measuring.written = 61;
     measuring.measure(5);
     seconds(&mut window, 2);
-    assert!(says(&window, "65 samples · gap"));
+    assert!(says(&window, "65 samples · RMS error"));
 }
 
 #[test]
@@ -159,7 +162,7 @@ fn undo_goes_back_over_changes_and_not_over_samples() {
     seconds(&mut window, 2);
     keys(&mut window, Modifiers::COMMAND, Key::Z);
     assert!(
-        says(&window, "70 samples · gap"),
+        says(&window, "70 samples · RMS error"),
         "only the identification is undone"
     );
     assert_eq!(gaps(&window).1, None);
@@ -180,7 +183,7 @@ fn another_session_ends_it_and_a_robot_that_is_edited_does_not() {
     support::type_into(&mut window, "Noise", "0.02");
     measuring.measure(10);
     seconds(&mut window, 3);
-    assert!(says(&window, "70 samples · gap") && says(&window, "following"));
+    assert!(says(&window, "70 samples · RMS error") && says(&window, "following"));
     keys(&mut window, Modifiers::NONE, Key::F3);
     press(&mut window, "Open without saving");
     assert!(!says(&window, "following"));
@@ -188,5 +191,5 @@ fn another_session_ends_it_and_a_robot_that_is_edited_does_not() {
     open(&mut window, &copy_of("paper-run", folder.path()));
     measuring.measure(10);
     seconds(&mut window, 2);
-    assert!(says(&window, "361 samples · gap"));
+    assert!(says(&window, "361 samples · RMS error"));
 }

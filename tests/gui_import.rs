@@ -46,7 +46,7 @@ fn a_table_with_semicolons_and_commas_becomes_a_session() {
     );
     press(&mut window, "that of the example The paper's full run");
     press(&mut window, "Import");
-    assert!(says(&window, "361 samples · gap"));
+    assert!(says(&window, "361 samples · RMS error"));
     assert!(says(&window, "not saved"));
     let (gap, _) = gaps(&window);
     assert!(gap > 5.0 && gap < 20.0, "{gap}: in mm");
@@ -64,7 +64,7 @@ fn a_unit_that_nobody_says_is_asked_for() {
     window.run_steps(4);
     assert!(!says(&window, "Answer what is asked above first"));
     press(&mut window, "Import");
-    assert!(says(&window, "361 samples · gap"));
+    assert!(says(&window, "361 samples · RMS error"));
     let (gap, _) = gaps(&window);
     assert!(gap > 5.0 && gap < 20.0, "{gap}: metres were made mm");
 }
@@ -89,7 +89,7 @@ fn a_robot_that_cannot_be_read_is_said_on_the_sheet() {
     let unnamed = window.unnamed_widgets();
     assert!(unnamed.is_empty(), "{unnamed:?}");
     press(&mut window, "Cancel");
-    assert!(says(&window, "208 samples · gap"));
+    assert!(says(&window, "208 samples · RMS error"));
 }
 
 /// A file of the walk through a calibration.
@@ -138,7 +138,7 @@ fn guessed_columns_have_to_be_confirmed() {
     assert!(!says(&window, "columns are guessed"));
     assert!(says(&window, "Say whose robot was measured"));
     press(&mut window, "Cancel");
-    assert!(says(&window, "208 samples · gap"));
+    assert!(says(&window, "208 samples · RMS error"));
 }
 
 #[test]
@@ -165,14 +165,14 @@ fn alignment_shows_how_far_each_point_is_off() {
         &walk("reflectors.csv"),
     );
     assert!(says(&window, "168 samples, "));
-    assert!(says(&window, "without a partner: 13 measured, 0 commanded"));
+    assert!(says(&window, "unmatched: 13 measured, 0 commanded"));
     type_path(
         &mut window,
         "File of the known points",
         &walk("base-points.csv"),
     );
     assert!(says(&window, "10 points fit with 0.0059 mm"));
-    assert!(says(&window, "2 left out"), "B4 was moved, measured twice");
+    assert!(says(&window, "2 excluded"), "B4 was moved, measured twice");
     for point in ["B1", "B2", "B3", "B4", "B5", "B6"] {
         let measured = window.query_all_by_label(point).count();
         assert!(measured >= 2, "{point} at the start and at the end");
@@ -180,7 +180,7 @@ fn alignment_shows_how_far_each_point_is_off() {
     assert!(says(&window, "0.9034"), "as far as B4 is off");
     assert!(says(&window, "168 samples, 2.57"));
     press(&mut window, "Import");
-    assert!(says(&window, "168 samples · gap"));
+    assert!(says(&window, "168 samples · RMS error"));
     assert!(says(&window, "not saved"));
 }
 
@@ -213,7 +213,7 @@ fn two_logs_are_matched_by_their_clocks() {
     assert!(says(&window, "“Clocks apart by”"), "not an option's name");
     press(&mut window, "found from the motion");
     press(&mut window, "Import");
-    assert!(says(&window, "samples · gap"));
+    assert!(says(&window, "samples · RMS error"));
     assert!(says(&window, "not saved"));
 }
 
@@ -232,7 +232,7 @@ fn a_table_without_a_header_gets_its_columns_from_a_person() {
     type_into(&mut window, "Tool z", "300");
     assert!(says(&window, "robot: one joint that turns, tool 391 mm"));
     press(&mut window, "Import");
-    assert!(says(&window, "361 samples · gap"));
+    assert!(says(&window, "361 samples · RMS error"));
     let (gap, _) = gaps(&window);
     assert!(gap > 5.0 && gap < 20.0, "{gap}: in mm");
 }
@@ -247,14 +247,14 @@ fn a_header_can_be_said_to_be_in_another_line() {
     open(&mut window, &path);
     assert!(says(&window, "header in line 1"));
     assert!(
-        says(&window, "wrong: "),
+        says(&window, "Error: "),
         "a heading among the rows is wrong"
     );
     press(&mut window, "in line");
     type_into(&mut window, "Line of the header", "3");
     assert!(says(&window, "2 rows"));
     assert!(says(&window, "header in line 3"));
-    assert!(!says(&window, "wrong: "));
+    assert!(!says(&window, "Error: "));
     press(&mut window, "none");
     assert!(says(&window, "no header"));
 }
@@ -283,7 +283,10 @@ fn files_that_are_no_tables_are_refused_with_what_to_do() {
         open(&mut window, path);
         assert!(says(&window, "could not be read; nothing was changed"));
         assert!(says(&window, because), "{because}");
-        assert!(says(&window, "208 samples · gap"), "nothing was changed");
+        assert!(
+            says(&window, "208 samples · RMS error"),
+            "nothing was changed"
+        );
         press(&mut window, "Dismiss");
     }
     open(&mut window, &prose);
@@ -311,5 +314,5 @@ fn a_robot_of_a_urdf_file_is_named_by_its_links() {
     type_into(&mut window, "Link of the tool", "tool");
     assert!(says(&window, "column: one joint that turns, tool 391 mm"));
     press(&mut window, "Import");
-    assert!(says(&window, "361 samples · gap"));
+    assert!(says(&window, "361 samples · RMS error"));
 }

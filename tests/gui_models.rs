@@ -37,7 +37,7 @@ fn a_model_opens_by_itself_and_gives_its_table() {
     press(&mut window, "5 Export");
     window.get_by_label("correction table as a curve");
     assert!(says(&window, "add them to the command"));
-    assert!(says(&window, "no joint"));
+    assert!(says(&window, "ot correctable by joint commands"));
 
     let table = folder.path().join("table.csv");
     window.state_mut().type_export_path(&table);
@@ -64,7 +64,7 @@ fn a_session_of_its_robot_shows_what_the_model_does() {
     let model = model_of("paper-run.json", folder.path());
     let mut window = window(Some(model));
     open(&mut window, &bundled("paper-30.json"));
-    assert!(says(&window, "30 samples · gap 13.9 →"));
+    assert!(says(&window, "30 samples · RMS error 13.9 →"));
     window.get_by_label("Held against this session");
     window.get_by_label("with corrected commands");
 
@@ -96,7 +96,7 @@ fn a_model_takes_the_place_of_the_identification_of_the_open_session() {
     press(&mut window, "Identify");
     window.get_by_label("RMS error, full model");
     open(&mut window, &model);
-    assert!(says(&window, "208 samples · gap"));
+    assert!(says(&window, "208 samples · RMS error"));
     window.get_by_label("RMS error, model from a file");
     press(&mut window, "Undo open model");
     window.get_by_label("RMS error, full model");
@@ -109,5 +109,5 @@ fn a_broken_model_is_explained_as_a_model() {
     std::fs::write(&path, "{\n \"format\": \"truepose-model/1\",\n").expect("written");
     let window = window(Some(path));
     assert!(says(&window, "could not be opened; nothing was changed"));
-    assert!(says(&window, "208 samples · gap"));
+    assert!(says(&window, "208 samples · RMS error"));
 }

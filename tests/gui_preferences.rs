@@ -27,7 +27,7 @@ fn units_and_digits_change_every_number_and_are_there_tomorrow() {
     press(&mut window, "1,5");
     press(&mut window, "dark");
     let line = gap_said(&window);
-    let (_, gap) = line.split_once("gap ").expect("the gap");
+    let (_, gap) = line.split_once("RMS error ").expect("the gap");
     let number = gap.trim_end_matches(" in");
     assert!(
         gap.ends_with(" in") && number.split(',').nth(1).is_some_and(|d| d.len() == 4),

@@ -317,7 +317,7 @@ fn a_long_name_pushes_nothing_out_of_the_window() {
     press(&mut window, "2 Regions");
     assert!(there(&window, &format!("Name of region {name}")));
     let whole = window.ctx.content_rect();
-    let heads = ["region", "Δθ, °", "Δl1, mm", "gap, mm"];
+    let heads = ["region", "Δθ, °", "Δl1, mm", "RMS error, mm"];
     let heads = heads.map(|head| window.get_by_label(head).rect());
     assert!(
         heads

@@ -59,7 +59,7 @@ fn import(window: &mut Window) {
     type_path(window, "File of the reflectors", &raw("reflectors.csv"));
     assert!(says(window, "10 points fit with 0.0059 mm"));
     press(window, "Import");
-    assert!(says(window, "168 samples · gap"));
+    assert!(says(window, "168 samples · RMS error"));
 }
 
 /// Noise of 0.03 mm in each of three coordinates.

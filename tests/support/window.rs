@@ -189,7 +189,7 @@ pub fn copy_of(session: &str, folder: &Path) -> PathBuf {
 /// The line at the bottom of the window.
 pub fn status(window: &Window) -> String {
     use egui_kittest::kittest::NodeT;
-    let mut lines = window.get_all_by_label_contains("· gap");
+    let mut lines = window.get_all_by_label_contains("· RMS error");
     let line = lines.next().expect("the status bar is there");
     let node = line.accesskit_node();
     node.label().or(node.value()).expect("it says something")
@@ -198,7 +198,7 @@ pub fn status(window: &Window) -> String {
 /// What the status bar says of the gap: before, and what is left now where there is an answer.
 pub fn gaps(window: &Window) -> (f64, Option<f64>) {
     let line = status(window);
-    let (_, gaps) = line.split_once("gap ").expect("the gap is named");
+    let (_, gaps) = line.split_once("RMS error ").expect("the gap is named");
     let (gaps, _) = gaps.split_once(" · ").unwrap_or((gaps, ""));
     let mut numbers = gaps
         .split([' ', '→'])
