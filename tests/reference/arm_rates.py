@@ -65,12 +65,24 @@ class Session:
         self.time = np.arange(poses) * SECONDS_PER_POSE
         self.warmth = 6 * (1 - np.exp(-self.time / 1200)) + rng.normal(0, 0.05, poses)
         self.noise = rng.normal(0, SIGMA_MM, (poses, 3))
+        # Links that stand in no file: mass in kg and centre at home, beside the middle between two axes.
+        places = [np.asarray(j[2], float) for j in arm.joints] + [np.asarray(arm.tool, float)]
+        self.links = [
+            (12.0 * 0.6**k, 0.5 * (places[k] + places[k + 1]) + rng.normal(0, 30, 3)) for k in range(arm.n)
+        ]
 
-    def load_torque(self, joint, q):
-        """Torque of the load about a joint, Nm: axis . ((load - axis point) x m g)."""
-        home = self.arm.tool
+    def weight_torque(self, joint, q):
+        """Torque of the load, and of the links behind, about a joint, Nm."""
+        torque = self.torque(joint, q, self.arm.tool, self.arm.n - 1, self.load)
+        for k, (mass, centre) in enumerate(self.links):
+            if k >= joint:
+                torque = torque + self.torque(joint, q, centre, k, np.full(len(q), mass))
+        return torque
+
+    def torque(self, joint, q, home, behind, mass):
+        """Torque about a joint of a mass behind another one: axis . ((mass - axis point) x m g)."""
         p = np.tile(np.r_[home, 1.0], (len(q), 1))
-        for i in reversed(range(joint, self.arm.n)):
+        for i in reversed(range(joint, behind + 1)):
             p = np.einsum("nij,nj->ni", exp(self.arm.screws[i], q[:, i]), p)
         a = np.tile(np.r_[self.arm.joints[joint][1], 0.0], (len(q), 1)).astype(float)
         a /= np.linalg.norm(a[:, :3], axis=1, keepdims=True)
@@ -78,7 +90,7 @@ class Session:
         for i in reversed(range(joint)):
             turn = exp(self.arm.screws[i], q[:, i])
             p, a, point = (np.einsum("nij,nj->ni", turn, v) for v in (p, a, point))
-        force = self.load[:, None] * GRAVITY
+        force = mass[:, None] * GRAVITY
         arm_m = (p - point)[:, :3] * 1e-3
         return np.einsum("ni,ni->n", a[:, :3], np.cross(arm_m, force))
 
@@ -110,7 +122,7 @@ class Session:
                 sags.append(e)
         for e in sags:
             for _ in range(3):
-                sag = e["size"] * self.load_torque(e["joint"] - 1, theta)
+                sag = e["size"] * self.weight_torque(e["joint"] - 1, theta)
                 theta[:, e["joint"] - 1] = self.q[:, e["joint"] - 1] + sag
         return theta
 
@@ -270,7 +282,10 @@ def one_session(binary, folder, task, name, poses, rng):
     """(right, in the answer's set, wrongly named, seconds, what was seen)."""
     session = Session(name, poses, rng)
     effects, change, words = [], None, []
-    if task in ("one", "three"):
+    if task == "sag":
+        for _ in range(40):
+            effects = effects or [e for e in [session.effect("joint-compliance", rng)] if e]
+    elif task in ("one", "three"):
         while len(effects) < (1 if task == "one" else 3):
             e = session.effect(str(rng.choice(EFFECTS)), rng)
             there = [(o["effect"], o["joint"]) for o in effects]
