@@ -90,15 +90,15 @@ pub fn imported(window: &mut Window) {
 
 pub fn identified(window: &mut Window) {
     press(window, "3 Identify");
-    press(window, "Exact");
+    press(window, "Full model");
     if there(window, "Identify") {
         press(window, "Identify");
     }
 }
 
 pub fn searched(window: &mut Window) {
-    press(window, "4 Find the gap");
-    press(window, "Search");
+    press(window, "4 Diagnose");
+    press(window, "Run diagnosis");
 }
 
 /// Everything that was found, in the model.
