@@ -8,7 +8,7 @@
 //! σ = ω·(R(θ) Σ_k R_{i+1} … R_k (u_k a_k + v_k b_k) × g/|g|),   k = i, i + 1, i + 2
 //! ```
 //!
-//! with a_k, b_k across axis k at home. u and v are compliance times moment times |g|: the angle by
+//! with `a_k`, `b_k` across axis k at home. u and v are compliance times moment times |g|: the angle by
 //! which the joint sags where that part stands out level. Parts farther out than two joints are light
 //! and near; they count with the second. C comes from the load alone, which therefore has to change.
 //!
