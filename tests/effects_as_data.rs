@@ -6,6 +6,8 @@
 use std::path::PathBuf;
 
 use truepose::diagnosis::{Diagnosis, Found, Options};
+use truepose::effects::JointValues;
+use truepose::fit::{DEFAULT_EFFECTS, Estimate, identify_exact};
 use truepose::pipeline::diagnose;
 use truepose::sessions::{Session, load};
 use truepose::simulation::{parse_scenario, simulate, unwatched};
@@ -84,6 +86,18 @@ fn a_measured_torque_shows_wind_up_without_any_mass() {
     let found = only(&answer);
     assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
     agrees(found, "compliance_urad_per_nm", 1.5);
+    // An identification of what was found has the same form of it.
+    let mut effects: Vec<String> = DEFAULT_EFFECTS.iter().map(|id| (*id).to_owned()).collect();
+    effects.push(found.effect.to_owned());
+    let fitted = identify_exact(&session, &effects, JointValues::Commanded).expect("identified");
+    let of_joint_2 = |p: &&Estimate| p.effect == found.effect && p.joint == Some(2);
+    let names: Vec<&str> = fitted
+        .parameters
+        .iter()
+        .filter(of_joint_2)
+        .map(|p| p.name)
+        .collect();
+    assert!(names.contains(&"moment_1_u_mrad"), "{names:?}");
     assert!(!answer.unexplained.present, "{:?}", answer.unexplained);
 
     // Without a load either there is nothing that it could be told by.

@@ -37,7 +37,7 @@ const MOST_WAYS: usize = 24;
 /// So many tries for each candidate that is wanted.
 const TRIES: usize = 12;
 
-/// Where the instrument stands, for robots that nobody has measured, and how targets are seen.
+/// Where the instrument stands, for robots that were not measured, and how targets are seen.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Sight {
     /// In the robot's base frame, mm.
@@ -48,7 +48,7 @@ pub(crate) struct Sight {
 
 /// One way of measuring.
 struct Way {
-    /// The sample that was measured so; none: a point of a robot that nobody has measured.
+    /// The sample that was measured so; none: a point of a robot that was not measured.
     like: Option<usize>,
     target: u32,
     /// Where the target has to be.
@@ -122,7 +122,7 @@ impl Arm {
         })
     }
 
-    /// A robot that nobody has measured, seen from a place in its base frame.
+    /// A robot that was not measured, seen from a place in its base frame.
     pub(crate) fn of_robot(
         robot: &Robot,
         targets: &[Target],

@@ -25,7 +25,7 @@ const ANYTHING: [f64; 2] = [1e3, 1.0];
 /// Candidates and what they show.
 pub(crate) struct Bench {
     pub(crate) candidates: Vec<Candidate>,
-    /// What nobody has measured of it yet.
+    /// What is not measured of it yet.
     pub(crate) information: Information,
     /// The base model without what no candidate shows.
     pub(crate) model: Model,

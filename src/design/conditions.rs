@@ -41,7 +41,7 @@ pub(crate) struct Offer {
     /// The test load, kg; none: the load stays as it is.
     pub(crate) load_kg: Option<f64>,
     /// Whether the machine is measured cold and warm.
-    pub(crate) warmth: bool,
+    pub(crate) heats: bool,
     /// Whether speeds are written down.
     pub(crate) speeds: bool,
 }
@@ -63,7 +63,7 @@ pub(crate) fn conditioned(
     offer: Offer,
     seed: u64,
 ) -> Vec<NextPose> {
-    let stretches = if poses.len() >= SOME && (offer.load_kg.is_some() || offer.warmth) {
+    let stretches = if poses.len() >= SOME && (offer.load_kg.is_some() || offer.heats) {
         LOADS.len()
     } else {
         1
@@ -126,7 +126,7 @@ impl Slots {
                     one.speed = offer.speeds.then(|| vec![0.0; one.q.len()]);
                     one.load_kg = offer.load_kg.map(|kg| kg * LOADS[s]);
                     let warmth = WARMING_C * WARMTHS[s];
-                    one.temperature_c = offer.warmth.then_some(REFERENCE_TEMPERATURE_C + warmth);
+                    one.temperature_c = offer.heats.then_some(REFERENCE_TEMPERATURE_C + warmth);
                     candidates.push((one, *way));
                     pose.push(k);
                     stretch.push(s);

@@ -16,7 +16,7 @@ const RANDOM_SETS: usize = 20;
 pub struct Geometry {
     /// Parameters that are identified.
     pub parameters: usize,
-    /// With what was measured so far; of a robot that nobody has measured with random poses of the same
+    /// With what was measured so far; of a robot that was not measured with random poses of the same
     /// number, the mean of several sets.
     pub before: Prospect,
     /// With the poses of the plan.

@@ -1,7 +1,7 @@
 //! Sessions as they would be, had poses been measured already, and what they would show.
 //!
 //! A new sample is measured as an earlier one was: the same kinds of measurement, of the same places,
-//! exactly as a model predicts them. Of a robot that nobody has measured all three coordinates of points
+//! exactly as a model predicts them. Of a robot that was not measured all three coordinates of points
 //! are.
 
 use nalgebra::DMatrix;
@@ -242,7 +242,7 @@ fn grow(samples: &mut Samples, like: &[Option<usize>]) {
     for column in numbers {
         copies(column, like, &f64::NAN);
     }
-    // What a sensor would show nobody knows.
+    // What a sensor would show is not known.
     for column in samples.torque_nm.iter_mut().flatten() {
         copies(column, &nothing, &f64::NAN);
     }

@@ -36,7 +36,7 @@ use super::pair_separation::{self, Named, Separation};
 use super::plan::{Plan, PlanError, PlanOptions, Subject, USUAL_SIGMA_MM};
 use super::{enabling_poses, expected_information, next_poses};
 
-/// Poses of a first measurement of a single joint, where nobody says how many; of several joints, and
+/// Poses of a first measurement of a single joint, where no number is given; of several joints, and
 /// beside a session of them.
 const POSES_OF_A_JOINT: usize = 60;
 const POSES_OF_AN_ARM: usize = 40;
@@ -61,18 +61,14 @@ pub fn plan_session(
     let mended = checked(session, &options.diagnosis, watch).map_err(DiagnoseError::from)?;
     let session: &Session = &mended.session;
     let (robot, targets) = (&session.robot, &session.targets);
+    let name = || session.name.clone();
+    let empty = |sigma_mm| Plan::empty(Subject::Session, name(), robot, targets, sigma_mm);
     if arm && between.is_none() && !session.has_plain_points() {
         let sigma_mm = options
             .sigma_mm
             .or_else(|| KINDS[0].sigma(&session.instrument));
         let sigma_mm = sigma_mm.unwrap_or(KINDS[0].about().usual_sigma);
-        let mut plan = Plan::empty(
-            Subject::Session,
-            session.name.clone(),
-            robot,
-            targets,
-            sigma_mm,
-        );
+        let mut plan = empty(sigma_mm);
         add_geometry(&mut plan, session, options)?;
         return Ok(plan);
     }
@@ -84,13 +80,7 @@ pub fn plan_session(
     let most = options.poses.unwrap_or(next_poses::MOST);
     let base = regression.fit(&regression.base, Vec::new());
     let untestable_now = enabling_poses::untestable(&prepared, &not_testable(regression, &base));
-    let mut plan = Plan::empty(
-        Subject::Session,
-        session.name.clone(),
-        robot,
-        targets,
-        sigma_mm,
-    );
+    let mut plan = empty(sigma_mm);
     if let Some(between) = between {
         let separation = two(&prepared, &found.fit, between, most);
         plan.poses.clone_from(&separation.poses);
@@ -196,7 +186,7 @@ fn add_geometry(
     let loads = samples.load_kg.is_some() || points && session.robot.gravity_m_s2.is_some();
     let offer = Offer {
         load_kg: loads.then_some(load),
-        warmth: samples.temperature_c.is_some() || points,
+        heats: samples.temperature_c.is_some() || points,
         speeds: samples.speed.iter().any(Option::is_some),
     };
     let (poses, geometry) = of_arm(&arm, wanted, offer, options)?;
@@ -231,7 +221,7 @@ fn of_arm(
     ))
 }
 
-/// A first measurement of a robot that nobody has measured.
+/// A first measurement of a robot that was not measured.
 ///
 /// # Errors
 /// If an option makes no sense.
@@ -290,7 +280,7 @@ pub fn plan_robot(robot: &Robot, options: &PlanOptions) -> Result<Plan, PlanErro
     Ok(plan)
 }
 
-/// So many poses of a robot that nobody has measured; of several joints as many as an accuracy needs.
+/// So many poses of a robot that was not measured; of several joints as many as an accuracy needs.
 fn first_poses(
     robot: &Robot,
     targets: &[Target],
@@ -309,7 +299,7 @@ fn first_poses(
         );
         let offer = Offer {
             load_kg: robot.gravity_m_s2.map(|_| load_kg),
-            warmth: true,
+            heats: true,
             speeds: true,
         };
         let wanted = options

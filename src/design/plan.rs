@@ -154,7 +154,8 @@ impl PlanOptions {
         }
         let angle = |cone: &f64| above_zero(cone) && *cone <= std::f64::consts::PI;
         if let Some(cone) = self.cone_rad.filter(|cone| !angle(cone)) {
-            return Err(PlanError::Cone(cone.to_degrees()));
+            // The user wrote degrees: what the conversion adds is not theirs.
+            return Err(PlanError::Cone((cone.to_degrees() * 1e9).round() / 1e9));
         }
         if let Some(n) = self.poses.filter(|n| *n == 0 || *n > MOST_POSES) {
             return Err(PlanError::Poses(n));

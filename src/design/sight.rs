@@ -1,6 +1,6 @@
 //! Whether an instrument sees a target in a pose.
 //!
-//! The rule is simple on purpose, for nobody knows the robot's shape: the robot is taken for straight
+//! The rule is simple on purpose, as the robot's shape is not known: the robot is taken for straight
 //! rods between points of its joint axes. A target is in the shadow where the line of sight passes one
 //! of the rods nearer than [`THICK_MM`]; the last [`AT_TARGET_MM`] before the target do not count, nor does
 //! the rod that carries the tool. With a cone the line of sight has to come from within that angle

@@ -23,7 +23,7 @@ use super::familywise::Familywise;
 use super::projected::{Grams, Projected};
 use super::significance::Significance;
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
-use crate::fit::noise::Noise;
+use crate::fit::noise::{Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
@@ -89,12 +89,6 @@ pub(crate) struct Regression<'a> {
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
     ln_noise: f64,
 }
-
-/// A slow part of the noise pays for each of its numbers (a time constant and a size for each axis),
-/// as a logarithm: each is known to about a factor of two within a range of some hundred to one:
-/// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
-/// few slow swings is not.)
-const PRICE_OF_A_VARIANCE: f64 = 1.0;
 
 /// What it costs to say along which of the axes the noise is slow, if not along all.
 fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {

@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use crate::effects::places::PlaceKind;
 use crate::effects::{
     CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, OF_A_SINGLE_AXIS, Role, Setting,
-    Survey, Term, find, role,
+    Survey, Term, find, form_in, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
@@ -209,7 +209,7 @@ pub(super) fn prepare<'a>(
                     combination: name_on_joint(effect, joint, &session.robot),
                     because,
                 }),
-                None => terms.push(Term::absent(effect, joint, 0.0)),
+                None => terms.push(Term::absent(form_in(effect, &survey, joint), joint, 0.0)),
             }
         }
     }

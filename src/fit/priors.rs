@@ -48,7 +48,7 @@ pub(super) type Key = (&'static str, usize, u64, usize);
 const SIZE: f64 = 1e-6;
 
 impl Priors {
-    /// Of a robot that nobody has measured, by an instrument that nobody has aligned.
+    /// Of a robot that was not measured, by an instrument that was not aligned.
     pub(crate) fn unmeasured(targets_mm: Option<f64>) -> Self {
         Self {
             weak: true,

@@ -57,7 +57,7 @@ impl Sequence {
         }
         for k in order {
             let Ok(resolved) = &resolved[k] else {
-                // From where it is not known the next one is come to from nobody knows which side.
+                // From where it is not known the next one is reached from an unknown side.
                 before = None;
                 continue;
             };

@@ -1,7 +1,7 @@
 //! Robot programs that go to joint values and stop there: what a measurement needs of a controller.
 //!
 //! Every number is written so that the readers beside this file read it back; comments say what a stop is
-//! for. Velocities are slow and the tool is the flange: whoever loads a program sets both as the cell
+//! for. Velocities are slow and the tool is the flange: both are to be set as the cell
 //! needs them.
 
 use std::fmt::Write as _;

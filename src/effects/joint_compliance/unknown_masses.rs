@@ -1,4 +1,4 @@
-//! Joint compliance of an arm whose link masses nobody states: `θ = q + C·τ_load(θ) + σ(θ)`.
+//! Joint compliance of an arm whose link masses are not stated: `θ = q + C·τ_load(θ) + σ(θ)`.
 //!
 //! What the links' own weight winds the joint up by is linear in their first moments. Everything behind
 //! a joint k turns with it, so that k adds a vector across its axis (what lies along the axis the

@@ -66,6 +66,11 @@ const FEWEST_SAMPLES: usize = 20;
 /// and a size for each axis on the boundary of their range: white noise exceeds it in about one
 /// session of a hundred (`hidden_effects noise`).
 const SLOW_EVIDENCE: f64 = 12.0;
+/// What a slow part pays for each of its numbers (a time constant and a size for each axis), as a
+/// logarithm: each is known to about a factor of two within a range of some hundred to one:
+/// ln(4.6/(0.7 √(2π))) ≈ 1. (Laplace's ½ ln m is that of a mean over all rows, which a variance of a
+/// few slow swings is not.)
+pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
 /// Below this noise is rounding, mm.
 pub const SMALLEST_SIGMA_MM: f64 = 1e-6;
 

@@ -1,8 +1,8 @@
 //! The likeliest slow part, and what else it may be: the likelihood over time constants and
 //! variances, on a grid and closer around its maximum.
 
-use super::Noise;
 use super::restricted::Restricted;
+use super::{Noise, PRICE_OF_A_VARIANCE};
 
 /// Likelihood, time constant and variances of the slow part in units of the white one's.
 pub(super) type Trial = (f64, f64, [f64; 3]);
@@ -13,9 +13,6 @@ const RATIOS: [f64; 4] = [0.1, 0.6, 4.0, 60.0];
 const MOST_RATIO: f64 = 1e3;
 /// Factors of the search around the likeliest.
 const CLOSER: [f64; 3] = [2.0, 1.4, 1.2];
-/// What a variance of its own for one more axis has to pay: it becomes known to a factor of two,
-/// within a range of a hundred (as `regression::PRICE_OF_A_VARIANCE`).
-const PRICE_OF_AN_AXIS: f64 = 1.0;
 /// Cells that share the probability, at least, if they are to be small enough …
 const FEWEST_CELLS: f64 = 6.0;
 /// … for which the largest are divided so many times at most.
@@ -187,7 +184,7 @@ impl Noise {
 
 /// What it costs that the axes have slow parts of different sizes.
 fn price_of_shapes(restricted: &Restricted) -> f64 {
-    PRICE_OF_AN_AXIS * (restricted.axes.len() as f64 - 1.0)
+    PRICE_OF_A_VARIANCE * (restricted.axes.len() as f64 - 1.0)
 }
 
 /// A part of the plane of ln τ and ln r, with what lies in it.
