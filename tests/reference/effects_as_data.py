@@ -1,4 +1,4 @@
-"""Sessions of one hidden effect each, for tests/effects_as_data.rs. Run with numpy:
+"""Sessions of one hidden effect each, for tests/core/effects_as_data.rs. Run with numpy:
 
     python3 tests/reference/effects_as_data.py
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the recordings, board poses and distance logs of tests/recordings.rs, with their truth, into
+"""Writes the recordings, board poses and distance logs of tests/core/recordings.rs, with their truth, into
 tests/data/imports. The kinematics are plain numpy (product of exponentials by Rodrigues' formula), the
 recordings come from the `mcap` and `mcap-ros2-support` packages; only the big-endian messages are put
 together here, because no writer makes them. With a folder and a seed: one more recording there, with

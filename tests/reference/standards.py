@@ -1,4 +1,4 @@
-"""Reference numbers for tests/standards.rs, from the text of the standards alone.
+"""Reference numbers for tests/core/standards.rs, from the text of the standards alone.
 
     python3 standards.py > standards.json
 
@@ -144,7 +144,7 @@ def invented():
     }
 
 
-# Deviations of the published example that tests/standards.rs names, micrometres × 10.
+# Deviations of the published example that tests/core/standards.rs names, micrometres × 10.
 UP = [
     [139, 1634, 1634, 4988, 4665],
     [-655, 1164, 1891, 5810, 6659],

@@ -1,5 +1,5 @@
 //! Tests of the MJCF reader: an arm worked out by hand, and every refusal. Against the `mujoco`
-//! package: `tests/robots.rs`.
+//! package: `tests/core/robots.rs`.
 
 use super::*;
 

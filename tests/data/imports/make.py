@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the foreign files of tests/imports.rs, as instruments would: a robot with one rotary axis
+"""Writes the foreign files of tests/core/imports.rs, as instruments would: a robot with one rotary axis
 whose zero is off by -0.35 deg and whose arm is 248.6 mm long instead of 250, seen in the format,
 the unit, the encoding and the frame of each instrument. No noise but the rounding of the file."""
 

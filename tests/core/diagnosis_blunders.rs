@@ -1,0 +1,223 @@
+//! Mistakes of setting up and of measuring, made on a rig that shares no code with the model
+//! (`support/rig.rs`): each has to be reported as what it is, and must not fake an effect.
+
+use crate::rig::{Design, Hidden, Random, Rig};
+use truepose::diagnosis::{Diagnosis, Options, Verdict};
+use truepose::effects::JointValues;
+use truepose::pipeline::diagnose;
+use truepose::sessions::{Session, parse};
+
+fn measured(design: &Design, ids: &[&str], lambda: f64, seed: u64) -> Rig {
+    Rig::measured(design, ids, lambda, seed).0
+}
+
+fn session(rig: &Rig) -> Session {
+    parse(rig.json("blunder").as_bytes())
+        .expect("the rig writes a good session")
+        .session
+}
+
+fn diagnosed(session: &Session) -> Diagnosis {
+    diagnose(session, &Options::default(), &|_| true).expect("a diagnosis")
+}
+
+fn names(answer: &Diagnosis) -> Vec<&'static str> {
+    answer.found.iter().map(|f| f.effect).collect()
+}
+
+fn reported(answer: &Diagnosis, what: &str) {
+    let mut problems = answer.data_problems.iter();
+    assert!(
+        problems.any(|p| p.what.contains(what)),
+        "{what}: {:?}",
+        answer.data_problems
+    );
+}
+
+fn with_backlash() -> Session {
+    session(&measured(&Design::default(), &["backlash"], 400.0, 9))
+}
+
+/// Changes every measured point.
+fn moved(session: &mut Session, to: impl Fn([f64; 3]) -> [f64; 3]) {
+    let samples = &mut session.samples;
+    let z = samples.z_mm.as_mut().expect("the rig measures z");
+    for i in 0..z.len() {
+        let p = to([samples.x_mm[i], samples.y_mm[i], z[i]]);
+        (samples.x_mm[i], samples.y_mm[i], z[i]) = (p[0], p[1], p[2]);
+    }
+}
+
+#[test]
+fn a_joint_that_counts_the_other_way_round() {
+    let mut reversed = with_backlash();
+    reversed.samples.q[0].iter_mut().for_each(|q| *q = -*q);
+    for column in [&mut reversed.samples.dir[0], &mut reversed.samples.speed[0]] {
+        column.iter_mut().flatten().for_each(|v| *v = -*v);
+    }
+    let answer = diagnosed(&reversed);
+    reported(&answer, "counts the other way");
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
+#[test]
+fn coordinates_in_the_wrong_unit() {
+    for (factor, unit) in [
+        (1e-3, "metres"),
+        (1.0 / 25.4, "inches"),
+        (1e3, "micrometres"),
+    ] {
+        let mut wrong = with_backlash();
+        moved(&mut wrong, |p| p.map(|v| v * factor));
+        let answer = diagnosed(&wrong);
+        reported(&answer, unit);
+        assert_eq!(names(&answer), ["backlash"], "{unit}");
+    }
+}
+
+#[test]
+fn joint_values_in_the_wrong_unit() {
+    let mut wrong = with_backlash();
+    wrong.samples.q[0]
+        .iter_mut()
+        .for_each(|q| *q = q.to_radians());
+    reported(&diagnosed(&wrong), "in radians but were read as degrees");
+}
+
+#[test]
+fn axes_that_were_swapped() {
+    for (order, what) in [
+        ([1, 0, 2], "x and y"),
+        ([0, 2, 1], "y and z"),
+        ([2, 1, 0], "x and z"),
+    ] {
+        let mut wrong = with_backlash();
+        moved(&mut wrong, |p| order.map(|k: usize| p[k]));
+        let answer = diagnosed(&wrong);
+        reported(&answer, what);
+        assert_eq!(names(&answer), ["backlash"], "{what}");
+    }
+}
+
+#[test]
+fn a_home_position_off_by_a_quarter_or_half_turn() {
+    for (turn, what) in [
+        (90.0, "off by 90"),
+        (-90.0, "off by -90"),
+        (180.0, "off by 180"),
+    ] {
+        let rig = measured(&Design::default(), &[], 0.0, 9);
+        let mut off = session(&rig);
+        let turn = f64::to_radians(turn);
+        off.samples.q[0].iter_mut().for_each(|q| *q -= turn);
+        let answer = diagnosed(&off);
+        reported(&answer, what);
+        assert_eq!(answer.verdict, Verdict::Noise, "{what}");
+    }
+}
+
+#[test]
+fn a_measuring_frame_that_was_never_aligned() {
+    let mut wrong = with_backlash();
+    let (s, c) = 0.5_f64.sin_cos();
+    moved(&mut wrong, |p| {
+        [
+            p[0] + 800.0,
+            c * p[1] - s * p[2] - 350.0,
+            s * p[1] + c * p[2] + 120.0,
+        ]
+    });
+    let answer = diagnosed(&wrong);
+    reported(&answer, "never aligned");
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
+#[test]
+fn a_reflector_that_was_lost() {
+    let mut lost = with_backlash();
+    let z = lost.samples.z_mm.as_mut().expect("the rig measures z");
+    for i in [3, 40] {
+        (lost.samples.x_mm[i], lost.samples.y_mm[i], z[i]) = (0.0, 0.0, 0.0);
+    }
+    let answer = diagnosed(&lost);
+    reported(&answer, "lost the reflector in samples 4, 41");
+    assert_eq!(names(&answer), ["backlash"]);
+    assert!(answer.outliers.is_empty(), "{:?}", answer.outliers);
+}
+
+#[test]
+fn the_other_reflector_or_a_point_that_does_not_move() {
+    let design = Design {
+        samples: 160,
+        reflectors: 2,
+        ..Design::default()
+    };
+    let rig = measured(&design, &["backlash"], 400.0, 9);
+    let mut wrong = rig.clone();
+    for i in [20, 61] {
+        // The same pose, seen on the other reflector.
+        wrong.measured[i] = rig.measured[i ^ 1];
+    }
+    let answer = diagnosed(&session(&wrong));
+    reported(&answer, "saw reflector T1 instead in sample 62");
+    reported(&answer, "saw reflector T2 instead in sample 21");
+    assert_eq!(names(&answer), ["backlash"]);
+
+    let mut stuck = rig.clone();
+    for i in [30, 31, 32, 33] {
+        stuck.measured[i] = rig.measured[30];
+    }
+    let answer = diagnosed(&session(&stuck));
+    reported(&answer, "locked on a point that does not move");
+    assert_eq!(names(&answer), ["backlash"]);
+}
+
+fn from_read_values(session: &Session) -> Diagnosis {
+    let options = Options {
+        joint_values: JointValues::Read,
+        ..Options::default()
+    };
+    diagnose(session, &options, &|_| true).expect("a diagnosis")
+}
+
+#[test]
+fn a_read_back_that_lags_is_reported_and_fakes_nothing() {
+    for (seed, one_speed) in [(1, false), (2, true)] {
+        let design = Design {
+            one_speed,
+            ..Design::default()
+        };
+        let mut rig = measured(&design, &[], 0.0, seed);
+        rig.read_back_lag_s = Some(0.008);
+        for answer in [diagnosed(&session(&rig)), from_read_values(&session(&rig))] {
+            reported(&answer, "lag the command by 8.00 ms");
+            assert_eq!(answer.verdict, Verdict::Noise, "{:?}", names(&answer));
+        }
+    }
+}
+
+#[test]
+fn an_effect_is_found_beside_a_read_back_that_lags() {
+    let mut rig = measured(&Design::default(), &["backlash"], 400.0, 5);
+    rig.read_back_lag_s = Some(0.008);
+    for answer in [diagnosed(&session(&rig)), from_read_values(&session(&rig))] {
+        reported(&answer, "lag the command");
+        assert_eq!(names(&answer), ["backlash"]);
+    }
+}
+
+#[test]
+fn a_joint_that_truly_lags_is_no_mistake_of_reading() {
+    let mut rig = measured(&Design::default(), &[], 0.0, 5);
+    rig.hidden = vec![Hidden::Lag(0.008)];
+    rig.measure(&mut Random(5));
+    rig.read_back_lag_s = Some(0.008);
+    let answer = diagnosed(&session(&rig));
+    assert!(
+        answer.data_problems.is_empty(),
+        "{:?}",
+        answer.data_problems
+    );
+    assert_eq!(names(&answer), ["tracking-lag"]);
+    assert_eq!(from_read_values(&session(&rig)).verdict, Verdict::Noise);
+}

@@ -1,0 +1,48 @@
+//! Everything below the window, from outside: what a caller of the library and a person at the
+//! terminal meet. One binary, so that the library is linked once; a file per subject.
+
+#[path = "../support/controllers.rs"]
+mod controllers;
+#[path = "../support/exporting.rs"]
+mod exporting;
+#[path = "../support/hidden_robot.rs"]
+mod hidden_robot;
+#[path = "../support/rig.rs"]
+mod rig;
+#[path = "../support/tiny_font.rs"]
+mod tiny_font;
+
+mod arms;
+mod arms_verdicts;
+mod bad_files;
+mod bundled_sessions;
+mod cli;
+mod compensation;
+mod corrected_robots;
+mod diagnosis;
+mod diagnosis_blunders;
+mod diagnosis_conditions;
+mod diagnosis_invariance;
+mod documents;
+mod effects;
+mod effects_as_data;
+mod export_consumers;
+mod exports;
+mod fuzz_smoke;
+mod house;
+mod imports;
+mod kinematics_reference;
+mod observations;
+mod paper;
+mod plan;
+mod plan_arms;
+mod programs;
+mod recordings;
+mod recovery;
+mod report;
+mod robots;
+mod sessions_on_disk;
+mod simulated_geometry;
+mod standards;
+mod streams;
+mod unexplained;

@@ -1,0 +1,268 @@
+//! Finding the gap in the window, without a display: search, read, add, switch off and on, undo,
+//! and save the measuring list.
+use crate::rig;
+
+use std::path::{Path, PathBuf};
+
+use crate::window::{Window, copied, press, says, status, window_of};
+use egui_kittest::kittest::Queryable;
+use truepose::gui::Runner;
+use truepose::sessions::Replacing;
+use truepose::simulation::format_v1::parse_scenario;
+use truepose::simulation::{simulate, unwatched};
+
+/// A session with a hidden effect: what the simulator makes of this scenario.
+fn session_with(effects: &str, speeds: &str, folder: &Path) -> PathBuf {
+    let scenario = format!(
+        r#"{{ "format": "truepose-scenario/1", "name": "hidden",
+  "robot": {{ "name": "column",
+    "joints": [ {{ "name": "column", "kind": "revolute", "axis": [0,0,1], "point_mm": [0,0,0], "limits": [-150, 150] }} ],
+    "tool": {{ "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] }} }},
+  "targets": {{ "T1": [0,0,0] }},
+  "instrument": {{ "name": "tracker", "sigma_mm": 0.03 }},
+  "poses": {{ "sweep": {{ "joint": 1, "from_deg": -150, "to_deg": 150, "step_deg": 6, "both_ways": true, "repeats": 1, "order": "random" }} }},
+  "conditions": {{ "speed_deg_s": [{speeds}], "seconds_per_pose": 6 }},
+  "effects": [ {effects} ],
+  "noise": {{ "sigma_mm": 0.03, "kind": "gauss" }}, "seed": 5 }}"#
+    );
+    let scenario = parse_scenario(scenario.as_bytes()).expect("a scenario");
+    let scenario = scenario.scenario;
+    let made = simulate(&scenario, scenario.seed, unwatched).expect("it can be simulated");
+    let path = folder.join("hidden.json");
+    let replacing = Replacing {
+        force: false,
+        inputs: &[],
+    };
+    truepose::sessions::save(&made.0, &path, replacing).expect("saved");
+    path
+}
+
+/// The gap that the status bar names last, mm; what stands behind it is the noise floor.
+fn gap_mm(window: &Window) -> f64 {
+    let line = status(window);
+    let gaps = line.split("· floor").next().unwrap_or_default();
+    let numbers = gaps.split([' ', '→']);
+    let mut numbers = numbers.filter_map(|word| word.parse::<f64>().ok());
+    let last = numbers.next_back();
+    last.expect("a number")
+}
+
+const BACKLASH: &str =
+    r#"{ "effect": "backlash", "joint": 1, "parameters": { "width_deg": 0.1 } }"#;
+/// Root mean square of three coordinates with 0.03 mm each.
+const FLOOR_MM: f64 = 0.052;
+
+#[test]
+fn a_hidden_effect_is_found_added_switched_off_and_undone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with(BACKLASH, "0", folder.path());
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(
+        &window,
+        "Explained: the remaining error is at the noise floor"
+    ));
+    window.get_by_label("Backlash");
+    assert!(says(&window, "chance that noise alone looks like this"));
+    assert!(says(&window, "likelier than the next candidate"));
+    tables_can_be_copied(&mut window);
+    let identified = gap_mm(&window);
+    assert!(identified > 2.0 * FLOOR_MM, "{identified}");
+
+    press(&mut window, "Add to model");
+    let explained = gap_mm(&window);
+    assert!((explained / FLOOR_MM - 1.0).abs() < 0.15, "{explained}");
+    assert!(says(&window, "with backlash"), "the waterfall has its bar");
+
+    // Worth something: switched off the gap is back, on again it is gone.
+    press(&mut window, "use backlash");
+    assert!((gap_mm(&window) - identified).abs() < 1e-3);
+    assert!(!says(&window, "with backlash"));
+    press(&mut window, "use backlash");
+    assert!((gap_mm(&window) - explained).abs() < 1e-3);
+
+    // One step back for each.
+    for (undo, expected) in [
+        ("Undo switch effect on", identified),
+        ("Undo switch effect off", explained),
+        ("Undo add to model", identified),
+    ] {
+        press(&mut window, undo);
+        assert!((gap_mm(&window) - expected).abs() < 1e-3, "{undo}");
+    }
+    press(&mut window, "Redo add to model");
+
+    // The table follows: it knows both sides now.
+    press(&mut window, "5 Export");
+    window.get_by_label("correction table as a curve");
+    assert!(says(&window, "dashed: moving negative"));
+}
+
+#[test]
+fn noise_outliers_and_sizes_that_no_machine_has_are_shown() {
+    let facts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/facts/facts.json");
+    let mut window = window_of([1280.0, 800.0], Some(facts), Runner::AtOnce);
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(&window, "Slow noise: the measuring frame wanders by"));
+    assert!(says(&window, "noise σ, stated"));
+    assert!(says(&window, "noise σ, as found"));
+    assert!(says(&window, "Excluded outliers: 3 of 160"));
+    assert!(says(
+        &window,
+        "amplitude: implausibly large: more than ten times what is usual"
+    ));
+    assert!(!says(&window, "did not converge"));
+    assert!(
+        !says(&window, "not determined"),
+        "an order of 3 has no interval"
+    );
+}
+
+/// Every table of the search goes into a spreadsheet as it is.
+fn tables_can_be_copied(window: &mut Window) {
+    let found = copied(window, "Copy table of found effects");
+    assert_eq!((found.len(), &*found[0][0]), (2, "effect"));
+    assert_eq!((&*found[1][0], &*found[1][2]), ("Backlash", "width"));
+    let width: f64 = found[1][3].parse().expect("a number");
+    assert!((width - 0.1).abs() < 0.02, "{width}");
+    window.run_steps(2);
+    window.get_by_label("Copied table of found effects");
+
+    let folded = "Detection limits";
+    window.get_by_label_contains(folded).scroll_to_me();
+    window.run_steps(6);
+    window.get_by_label_contains(folded).click();
+    window.run_steps(12);
+    crate::window::into_sight(window, "Copy table of detection limits");
+    let limits = copied(window, "Copy table of detection limits");
+    assert!(limits.len() > 5, "{limits:?}");
+    assert!(limits.iter().all(|row| row.len() == limits[0].len()));
+}
+
+#[test]
+fn poses_that_decide_are_saved_as_a_measuring_list() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with(BACKLASH, "10", folder.path());
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    // At one speed a lag looks like a backlash.
+    window.get_by_label("The samples cannot rule out");
+    assert!(says(&window, "tracking lag") && says(&window, "backlash"));
+    window.get_by_label("Measure these poses next");
+    window.get_by_label("Save measuring list…");
+    assert!(
+        !says(&window, "next_poses"),
+        "no names of files' keys on the screen"
+    );
+    crate::window::into_sight(&mut window, "Copy table of poses");
+    let poses = copied(&mut window, "Copy table of poses");
+    assert_eq!(poses[0][0], "q1, deg");
+    let list = folder.path().join("next.csv");
+    window.state_mut().type_list_path(&list);
+    window.run_steps(4);
+    press(&mut window, "Save");
+    let written = std::fs::read_to_string(&list).expect("the list is there");
+    let mut lines = written.lines();
+    let heading = lines.next().expect("a heading");
+    assert!(heading.starts_with("q1_deg,"), "{heading}");
+    let angles = lines.map(|line| line.split(',').next().map(str::parse::<f64>));
+    let angles: Vec<f64> = angles
+        .map(|a| a.expect("a cell").expect("an angle"))
+        .collect();
+    assert_eq!(angles.len() + 1, poses.len(), "as many as on the list");
+    assert!(!angles.is_empty() && angles.iter().all(|a| a.abs() <= 150.0));
+}
+
+#[test]
+fn noise_alone_is_said_to_be_noise() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with("", "0", folder.path());
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(&window, "Nothing is missing"));
+    assert!(says(&window, "Detection limits"));
+    assert!(!says(&window, "Add to model"));
+}
+
+#[test]
+fn a_search_can_be_stopped_and_leaves_everything_as_it_was() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let session = session_with(BACKLASH, "0", folder.path());
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::Threads);
+    // No clock: as many frames as it takes.
+    let until = |window: &mut Window, label: &str| {
+        for _ in 0..200_000 {
+            window.step();
+            if window.query_by_label(label).is_some() {
+                return;
+            }
+            std::thread::yield_now();
+        }
+        panic!("{label} never came");
+    };
+    until(&mut window, "hidden");
+    press(&mut window, "4 Diagnose");
+    window.get_by_label("Run diagnosis").click();
+    until(&mut window, "Stop the search");
+    window.get_by_label("Stop the search").click();
+    until(&mut window, "Run diagnosis");
+    assert!(!says(
+        &window,
+        "Explained: the remaining error is at the noise floor"
+    ));
+}
+
+#[test]
+fn what_no_name_explains_is_corrected_without_a_name_and_taken_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let design = rig::Design {
+        samples: 240,
+        ..rig::Design::default()
+    };
+    let mut random = rig::Random(11);
+    let mut hidden = rig::Rig::new(&design, &mut random);
+    let bump = rig::Hidden::Bump(1.5e-3, 0.6, 0.25);
+    hidden.hidden = vec![bump, rig::Hidden::Backlash(1.2e-3)];
+    hidden.measure(&mut random);
+    let session = folder.path().join("bump.json");
+    std::fs::write(&session, hidden.json("bump")).expect("written");
+    let mut window = window_of([1280.0, 800.0], Some(session), Runner::AtOnce);
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    assert!(says(
+        &window,
+        "Partly explained: an error is left without a name"
+    ));
+    let identified = gap_mm(&window);
+    assert!(says(&window, "cross-validated RMS error, corrected"));
+    // It stands below the fold of the list.
+    window.get_by_label("Add smooth correction").scroll_to_me();
+    window.run_steps(4);
+    press(&mut window, "Add smooth correction");
+
+    // The name that was found comes along, and what is left is noise.
+    let corrected = gap_mm(&window);
+    assert!((corrected / FLOOR_MM - 1.0).abs() < 0.1, "{corrected}");
+    assert!(says(&window, "with backlash"), "the waterfall has its bar");
+    assert!(says(&window, "with unexplained"), "and the correction too");
+    assert!(!says(&window, "Add smooth correction"));
+
+    press(&mut window, "smooth correction in the model");
+    let named = gap_mm(&window);
+    assert!(named > 1.3 * corrected && named < identified, "{named}");
+    assert!(!says(&window, "with unexplained"));
+    press(&mut window, "Undo switch effect off");
+    assert!((gap_mm(&window) - corrected).abs() < 1e-3);
+    press(&mut window, "Undo add to model");
+    assert!((gap_mm(&window) - identified).abs() < 1e-3);
+    press(&mut window, "Redo add to model");
+
+    // The table carries it, and says which part of it has no name.
+    press(&mut window, "5 Export");
+    window.get_by_label("correction table as a curve");
+    assert!(says(&window, "unexplained smooth correction"));
+}

@@ -1,0 +1,39 @@
+//! The window, driven without a display as a person drives it. One binary, so that the library is
+//! linked once; a file per subject.
+
+#![cfg(feature = "gui")]
+
+#[path = "../support/rig.rs"]
+mod rig;
+#[path = "../support/tiny_font.rs"]
+#[allow(dead_code, reason = "the tests of the core use the rest")]
+mod tiny_font;
+#[path = "../support/touring.rs"]
+mod touring;
+#[path = "../support/window.rs"]
+mod window;
+
+mod accessible;
+mod charts;
+mod data;
+mod degenerate;
+mod disk;
+mod export;
+mod files;
+mod follow;
+mod frame;
+mod gap;
+mod identify;
+mod import;
+mod letters;
+mod many;
+mod models;
+mod pictures;
+mod preferences;
+mod regions;
+mod report;
+mod session;
+mod setup;
+mod sizes;
+mod walk_through;
+mod workspace;

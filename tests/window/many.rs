@@ -1,0 +1,121 @@
+//! The window on many samples, and the layers of the workspace as a person switches them.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use crate::window::{Window, window};
+use egui_kittest::kittest::Queryable;
+use truepose::gui::{App, Runner};
+
+const HEAD: &str = r#"{ "format": "truepose-session/1", "name": "many", "robot": { "name": "axis",
+ "joints": [ { "name": "pan", "kind": "revolute", "axis": [0,0,1], "point_mm": [0,0,0] } ],
+ "tool": { "position_mm": [250,0,300], "quaternion_wxyz": [1,0,0,0] } }, "tolerance_mm": 0.5,
+ "instrument": { "name": "tracker", "sigma_mm": 0.03 }, "samples": { "file": "many.csv" } }"#;
+
+/// A full turn of one reflector, a fifth of a millimetre too far out.
+fn write_session(folder: &Path, samples: u32) -> PathBuf {
+    let mut csv = "q1_deg,x_mm,y_mm,z_mm,dir1,load_kg\n".to_owned();
+    for i in 0..samples {
+        let q = f64::from(i) / f64::from(samples) * 360.0 - 180.0;
+        let (sin, cos) = q.to_radians().sin_cos();
+        let direction = if i % 2 == 0 { 1 } else { -1 };
+        let (x, y) = (250.2 * cos, 250.2 * sin);
+        writeln!(csv, "{q:.6},{x:.5},{y:.5},300,{direction},{}", i % 3).expect("memory suffices");
+    }
+    std::fs::write(folder.join("many.csv"), csv).expect("the folder can be written to");
+    let path = folder.join("many.json");
+    std::fs::write(&path, HEAD).expect("the folder can be written to");
+    path
+}
+
+/// Triangles and callbacks of one frame with layers.
+fn triangles(samples: u32) -> usize {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = write_session(folder.path(), samples);
+    let ctx = egui::Context::default();
+    let mut app = App::new(&ctx, Some(path), Runner::AtOnce).drawn_by_nobody();
+    let mut count = 0;
+    for _ in 0..6 {
+        let screen = egui::vec2(1280.0, 800.0);
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, screen)),
+            ..egui::RawInput::default()
+        };
+        let mut output = ctx.run_ui(input, |ui| app.show(ui));
+        output.textures_delta.clear();
+        let primitives = ctx.tessellate(output.shapes, output.pixels_per_point);
+        let of = |p: &egui::ClippedPrimitive| match &p.primitive {
+            egui::epaint::Primitive::Mesh(mesh) => mesh.indices.len() / 3,
+            egui::epaint::Primitive::Callback(_) => 1,
+        };
+        count = primitives.iter().map(of).sum();
+    }
+    count
+}
+
+#[test]
+fn a_frame_of_many_samples_is_no_larger_than_one_of_some() {
+    let (some, many) = (triangles(5_000), triangles(100_000));
+    assert!(many < some + some / 10, "{some} and {many} triangles");
+}
+
+#[test]
+fn the_pointer_finds_a_sample_among_many_in_both_plots() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(Some(write_session(folder.path(), 30_000)));
+    let plot = window.get_by_label("workspace plot, 30000 samples").rect();
+    let chart = window.get_by_label("deviation chart, tangential").rect();
+    for (name, rect) in [("workspace", plot), ("chart", chart)] {
+        let named = (0_u8..80).any(|k| {
+            let part = f32::from(k) / 80.0;
+            let x = rect.center().x + 0.05 * rect.width();
+            let y = rect.top() + part * rect.height();
+            window.hover_at(egui::pos2(x, y));
+            window.run_steps(3);
+            window.query_by_label_contains("card of sample").is_some()
+        });
+        assert!(named, "no sample was named in the {name}");
+        window.hover_at(egui::pos2(5.0, 5.0));
+        window.run_steps(3);
+    }
+}
+
+/// How often each of these stands somewhere in the window.
+fn counts(window: &Window, names: &[&str]) -> Vec<usize> {
+    let count = |name: &&str| window.query_all_by_label(name).count();
+    names.iter().map(count).collect()
+}
+
+#[test]
+fn the_heat_map_and_the_colours_are_switched_in_the_bar() {
+    let mut window = window(None);
+    window.get_by_label("heat map").click();
+    window.run_steps(4);
+    let names = ["deviation", "direction", "load", "temperature", "time"];
+    let before = counts(&window, &names);
+    window.get_by_label("Colour of vectors").click();
+    window.run_steps(4);
+    let listed = counts(&window, &names);
+    for (name, (before, listed)) in names.iter().zip(before.iter().zip(&listed)) {
+        assert_eq!(*listed, before + 1, "{name}");
+    }
+    let temperature = window.get_all_by_label("temperature").last();
+    temperature.expect("it is listed").click();
+    window.run_steps(4);
+    window.get_by_label("x z").click();
+    window.run_steps(4);
+    window.get_by_label("workspace plot, 208 samples");
+    assert!(window.unnamed_widgets().is_empty());
+}
+
+#[test]
+fn a_condition_that_never_changes_is_no_colour() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(Some(write_session(folder.path(), 90)));
+    let names = ["load", "temperature"];
+    let before = counts(&window, &names);
+    window.get_by_label("Colour of vectors").click();
+    window.run_steps(4);
+    let listed = counts(&window, &names);
+    assert_eq!(listed, [before[0] + 1, before[1]]);
+}

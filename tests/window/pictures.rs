@@ -1,0 +1,142 @@
+//! Small pictures of the window, so that nobody changes its look without seeing it: every step with
+//! its work done, light and dark, and the sheets. They need something to draw with; without an
+//! adapter they say so and pass, and the rest of the window's tests does without.
+//!
+//! `UPDATE_SNAPSHOTS=1 cargo test --test window pictures::` renews them.
+use std::path::PathBuf;
+
+use egui::Theme;
+use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, SnapshotOptions};
+use truepose::gui::{App, Runner};
+
+type Window = Harness<'static, App>;
+
+/// The smallest window, 640 pixels wide: small files, and everything that there is in sight.
+const SIZE: [f32; 2] = [1024.0, 700.0];
+const PIXELS_PER_POINT: f32 = 0.625;
+
+/// Whether there is an adapter; `.wgpu()` panics where there is none.
+fn can_draw() -> bool {
+    let instance = egui_wgpu::wgpu::Instance::default();
+    let adapters = instance.enumerate_adapters(egui_wgpu::wgpu::Backends::all());
+    let found = !pollster::block_on(adapters).is_empty();
+    let in_ci = std::env::var("CI").is_ok_and(|ci| ci == "true");
+    assert!(found || !in_ci, "CI has to have an adapter to draw with");
+    found
+}
+
+fn window(theme: Theme, path: Option<PathBuf>) -> Option<Window> {
+    if !can_draw() {
+        eprintln!("skipped: no adapter to draw with");
+        return None;
+    }
+    let mut window = Harness::builder()
+        .with_size(SIZE)
+        .with_pixels_per_point(PIXELS_PER_POINT)
+        .with_theme(theme)
+        .wgpu()
+        .build_eframe(|cc| {
+            let app = App::new(&cc.egui_ctx, path, Runner::AtOnce);
+            app.drawn_by(cc.wgpu_render_state.as_ref())
+        });
+    window.run_steps(4);
+    Some(window)
+}
+
+fn press(window: &mut Window, label: &str) {
+    window.get_by_label(label).scroll_to_me();
+    window.run_steps(6);
+    window.get_by_label(label).click();
+    window.run_steps(4);
+}
+
+/// Holds the window against its picture. Software renderers round a few pixels in ten thousand
+/// differently.
+fn looks_like(window: &mut Window, name: &str) {
+    window.remove_cursor();
+    window.run_steps(4);
+    let alike = SnapshotOptions::new().max_failed_pixels(250);
+    window.snapshot_options(name, &alike);
+}
+
+/// The whole job, with a picture of every step.
+fn the_job(theme: Theme, name: &str) {
+    let Some(mut window) = window(theme, None) else {
+        return;
+    };
+    looks_like(&mut window, &format!("1-session-{name}"));
+    press(&mut window, "2 Regions");
+    looks_like(&mut window, &format!("2-regions-{name}"));
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    looks_like(&mut window, &format!("3-identify-{name}"));
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    press(&mut window, "Add all 5 to the model");
+    looks_like(&mut window, &format!("4-gap-{name}"));
+    press(&mut window, "5 Export");
+    looks_like(&mut window, &format!("5-export-{name}"));
+}
+
+#[test]
+fn the_job_in_light() {
+    the_job(Theme::Light, "light");
+}
+
+#[test]
+fn the_job_in_dark() {
+    the_job(Theme::Dark, "dark");
+}
+
+#[test]
+fn the_search_before_it_begins_in_light() {
+    let Some(mut window) = window(Theme::Light, None) else {
+        return;
+    };
+    press(&mut window, "4 Diagnose");
+    looks_like(&mut window, "4-gap-before-light");
+}
+
+#[test]
+fn the_heat_map_and_the_load_in_light() {
+    let Some(mut window) = window(Theme::Light, None) else {
+        return;
+    };
+    press(&mut window, "heat map");
+    press(&mut window, "Colour of vectors");
+    // A chart is called so too; the list that is open comes last.
+    let loads = window.get_all_by_label("load");
+    loads.last().expect("an entry of the list").click();
+    window.run_steps(4);
+    looks_like(&mut window, "layers-light");
+}
+
+fn sheet(theme: Theme, menu: &str, item: &str, picture: &str) {
+    let Some(mut window) = window(theme, None) else {
+        return;
+    };
+    press(&mut window, menu);
+    window.get_by_label(item).click();
+    window.run_steps(6);
+    looks_like(&mut window, picture);
+}
+
+#[test]
+fn the_preferences_in_dark() {
+    sheet(Theme::Dark, "Edit", "Preferences…", "preferences-dark");
+}
+
+#[test]
+fn the_words_in_light() {
+    sheet(Theme::Light, "Help", "Glossary", "words-light");
+}
+
+#[test]
+fn the_import_in_light() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/sessions/paper-run.csv");
+    let Some(mut window) = window(Theme::Light, Some(file.into())) else {
+        return;
+    };
+    looks_like(&mut window, "import-light");
+}

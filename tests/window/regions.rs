@@ -1,0 +1,328 @@
+//! The step that divides the joint's range, as a person works in it: even, by hand, where the data
+//! ask for it; typed, split, merged, deleted, renamed, and what is said when it cannot be.
+
+use crate::window::{Window, copy_of, keys, press, says, there, type_into, window};
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+
+/// The window on the session that it opens with: six regions of 50° from −150° to 150°.
+fn regions() -> Window {
+    let mut window = window(None);
+    press(&mut window, "2 Regions");
+    window
+}
+
+fn value(window: &Window, label: &str) -> String {
+    let field = window.get_by_label(label);
+    let value = field.accesskit_node().value();
+    value.expect("it is a field").clone()
+}
+
+/// From and to of a region, as its fields say it.
+fn ends(window: &Window, region: &str) -> (String, String) {
+    let of = |end: &str| value(window, &format!("{end}, region {region}"));
+    (of("From"), of("To"))
+}
+
+fn pair(from: &str, to: &str) -> (String, String) {
+    (from.to_owned(), to.to_owned())
+}
+
+/// Types without leaving the field.
+fn begin_to_type(window: &mut Window, label: &str, text: &str) {
+    window.get_by_label(label).focus();
+    window.run_steps(2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run_steps(1);
+    window.get_by_label(label).type_text(text);
+    window.run_steps(3);
+}
+
+/// Uses a region's menu.
+fn with_region(window: &mut Window, region: &str, what: &str) {
+    press(window, &format!("Change region {region}"));
+    // Behind it stands the key that does the same.
+    window.get_by_label_contains(what).click();
+    window.run_steps(4);
+}
+
+#[test]
+fn the_number_of_even_regions_is_taken_at_once_and_undone_in_one_step() {
+    let mut window = regions();
+    press(&mut window, "Uniform");
+    type_into(&mut window, "Number of regions", "4");
+    assert_eq!(ends(&window, "4"), pair("75", "150"));
+    assert!(says(&window, "4 regions"));
+    assert!(says(&window, "Correction of each region"));
+    keys(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(ends(&window, "6"), pair("100", "150"));
+}
+
+#[test]
+fn the_adaptive_division_says_what_it_decided_and_can_be_edited() {
+    let mut window = regions();
+    press(&mut window, "Adaptive");
+    assert!(says(
+        &window,
+        "where the deviation changes by more than the noise"
+    ));
+    assert!(says(&window, "They leave"));
+    let (_, to) = ends(&window, "1");
+    type_into(&mut window, "To, region 1", "-120.5");
+    assert_eq!(ends(&window, "1").1, "−120.5");
+    assert!(
+        !says(&window, "They leave"),
+        "it is not what was decided any more"
+    );
+    keys(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(ends(&window, "1").1, to);
+    assert!(says(&window, "They leave"));
+}
+
+#[test]
+fn the_identification_follows_while_a_boundary_is_typed_and_escape_takes_it_back() {
+    let mut window = regions();
+    begin_to_type(&mut window, "To, region 2", "-40");
+    // Not finished yet, and the neighbour has moved already.
+    assert_eq!(ends(&window, "3").0, "−40");
+    assert!(says(&window, "Correction of each region"));
+    keys(&mut window, Modifiers::NONE, Key::Escape);
+    assert_eq!(ends(&window, "2"), pair("−100", "−50"));
+    assert_eq!(ends(&window, "3").0, "−50");
+    begin_to_type(&mut window, "To, region 2", "-45");
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(ends(&window, "2").1, "−45");
+    keys(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(ends(&window, "2").1, "−50");
+    assert!(
+        !there(&window, "Undo move boundary"),
+        "one step back was all"
+    );
+}
+
+#[test]
+fn what_cannot_be_taken_over_names_its_row_stays_in_the_field_and_changes_nothing() {
+    for (field, text, parts) in [
+        (
+            "To, region 2",
+            "20",
+            [
+                "region 3 would begin at 20°, after its end at 0°",
+                "−0.5° or less",
+            ],
+        ),
+        (
+            "From, region 3",
+            "-100",
+            ["region 2 would begin and end at −100°", "−99.5° or more"],
+        ),
+        (
+            "From, region 2",
+            "−50,2",
+            ["region 2 would be 0.2° wide", "−50.5° or less"],
+        ),
+        (
+            "To, region 6",
+            "190",
+            ["190° is outside of the joint's range −150° … 150°", "in it"],
+        ),
+        (
+            "To, region 6",
+            "-250",
+            [
+                "−250° is outside of the joint's range",
+                "110° is the same direction",
+            ],
+        ),
+        (
+            "To, region 1",
+            "NaN",
+            ["'NaN' is no angle", "a number of degrees"],
+        ),
+        ("To, region 1", "-5o", ["'-5o' is no angle", "such as −30"]),
+        ("To, region 1", " ", ["the angle is missing", "such as −30"]),
+        ("From, region 1", "1e400", ["is no angle", "such as −30"]),
+    ] {
+        let mut window = regions();
+        let before: Vec<_> = (1..=6).map(|k| ends(&window, &k.to_string())).collect();
+        begin_to_type(&mut window, field, text);
+        keys(&mut window, Modifiers::NONE, Key::Enter);
+        for part in parts {
+            assert!(says(&window, part), "{field} {text}: nothing says {part}");
+        }
+        let (end, region) = field.split_once(", region ").expect("a field's name");
+        let row = format!("Region {region}, {}: ", end.to_lowercase());
+        assert!(says(&window, &row), "{field} {text}: the row is not named");
+        assert_eq!(value(&window, field), text, "what was typed is there still");
+        // Nothing was lost by looking elsewhere, and the document is as it was.
+        press(&mut window, "1 Session");
+        press(&mut window, "2 Regions");
+        assert_eq!(value(&window, field), text);
+        begin_to_type(&mut window, field, "0");
+        keys(&mut window, Modifiers::NONE, Key::Escape);
+        let after: Vec<_> = (1..=6).map(|k| ends(&window, &k.to_string())).collect();
+        assert_eq!(after, before, "{field} {text}");
+        assert!(!says(&window, "Until then"));
+    }
+}
+
+#[test]
+fn a_region_that_is_deleted_leaves_a_gap_into_which_nothing_may_overlap() {
+    let mut window = regions();
+    with_region(&mut window, "3", "Delete");
+    assert!(!there(&window, "From, region 3"));
+    assert!(says(&window, "−50° … 0°: in no region; "));
+    type_into(&mut window, "To, region 2", "10");
+    assert!(says(&window, "region 2 would overlap region 4, 0° … 50°"));
+    assert!(says(&window, "type at most 0°, or merge the two"));
+    assert_eq!(ends(&window, "2").0, "−100");
+    // Mended as it says: the gap is closed, and the two share their boundary from then on.
+    type_into(&mut window, "To, region 2", "0");
+    assert!(!says(&window, "in no region"));
+    type_into(&mut window, "To, region 2", "5");
+    assert_eq!(ends(&window, "4").0, "5");
+}
+
+#[test]
+fn typing_beyond_a_gap_does_not_take_the_neighbour_along_on_the_way() {
+    let mut window = regions();
+    with_region(&mut window, "3", "Delete");
+    // On the way to −5.5 stand −, −5, and −5.5; on the way to 0 nothing else.
+    begin_to_type(&mut window, "To, region 2", "0");
+    assert_eq!(ends(&window, "4").0, "0");
+    window.key_press(Key::Backspace);
+    window.run_steps(2);
+    window.get_by_label("To, region 2").type_text("-5");
+    window.run_steps(3);
+    assert_eq!(ends(&window, "4"), pair("0", "50"), "it only was touched");
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(ends(&window, "2").1, "−5");
+}
+
+#[test]
+fn regions_are_split_merged_and_renamed_from_the_menu_and_by_keys() {
+    let mut window = regions();
+    with_region(&mut window, "2", "Split in half");
+    assert_eq!(ends(&window, "7"), pair("−75", "−50"));
+    with_region(&mut window, "2", "Merge with next");
+    assert_eq!(ends(&window, "2"), pair("−100", "−50"));
+    assert!(!there(&window, "From, region 7"));
+
+    let menu = |window: &mut Window, region: &str, key: Key| {
+        window
+            .get_by_label(&format!("Change region {region}"))
+            .focus();
+        window.run_steps(2);
+        keys(window, Modifiers::NONE, key);
+    };
+    menu(&mut window, "2", Key::S);
+    assert_eq!(ends(&window, "7"), pair("−75", "−50"));
+    menu(&mut window, "2", Key::M);
+    assert!(!there(&window, "From, region 7"));
+    menu(&mut window, "6", Key::M);
+    assert_eq!(
+        ends(&window, "5"),
+        pair("50", "150"),
+        "the last goes to the one before"
+    );
+    menu(&mut window, "5", Key::Delete);
+    assert!(!there(&window, "From, region 5"));
+    menu(&mut window, "1", Key::R);
+    window.run_steps(2);
+    let field = window.get_by_label("Name of region 1");
+    assert!(field.is_focused(), "the cursor is in the name");
+    keys(&mut window, Modifiers::COMMAND, Key::A);
+    window.get_by_label("Name of region 1").type_text("parking");
+    window.run_steps(2);
+    keys(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(ends(&window, "parking"), pair("−150", "−100"));
+}
+
+#[test]
+fn two_regions_cannot_have_one_name() {
+    let mut window = regions();
+    type_into(&mut window, "Name of region 1", "2");
+    assert!(says(
+        &window,
+        "another region is called 2; choose another name"
+    ));
+    assert_eq!(ends(&window, "1"), pair("−150", "−100"));
+}
+
+#[test]
+fn the_samples_of_a_region_are_shown_in_plot_and_table() {
+    let mut window = regions();
+    press(&mut window, "Show the 40 samples of region 1");
+    assert!(says(&window, "angle, °"), "the table is there");
+    assert!(says(&window, "−150"), "and in it the first of them");
+}
+
+#[test]
+fn a_region_with_no_sample_or_one_says_so_in_words() {
+    let mut window = regions();
+    // Samples stand 11.25° apart: what lies between two of them is empty.
+    type_into(&mut window, "To, region 1", "-149");
+    press(&mut window, "Uniform");
+    type_into(&mut window, "Number of regions", "60");
+    assert!(says(
+        &window,
+        "no sample, so no correction: measure here, or merge it"
+    ));
+}
+
+#[test]
+fn a_session_at_one_angle_says_why_there_are_no_regions() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = copy_of("paper-30", folder.path());
+    let mut document: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(&path).expect("readable")).expect("JSON");
+    let document = document.as_object_mut().expect("a session");
+    document.remove("regions");
+    if let Some(joint) = document["robot"]["joints"][0].as_object_mut() {
+        joint.remove("limits");
+    }
+    std::fs::write(&path, serde_json::to_vec(document).expect("JSON")).expect("written");
+    let samples = path.with_extension("csv");
+    let text = std::fs::read_to_string(&samples).expect("readable");
+    let head = text.lines().next().expect("a header").to_owned();
+    let row = text.lines().nth(1).expect("a sample");
+    std::fs::write(&samples, format!("{head}\n{row}\n{row}\n")).expect("written");
+
+    let mut window = window(Some(path));
+    press(&mut window, "2 Regions");
+    assert!(
+        says(&window, "because all samples are at one angle"),
+        "it says why"
+    );
+    assert!(
+        says(&window, "Give the joint its limits in step 1"),
+        "and what to do"
+    );
+    press(&mut window, "Continue to identify");
+}
+
+#[test]
+fn a_long_name_pushes_nothing_out_of_the_window() {
+    let mut window = window(None);
+    press(&mut window, "2 Regions");
+    press(&mut window, "Manual");
+    let name = "left side; a very long name of a region that goes on and on";
+    type_into(&mut window, "Name of region 1", name);
+    press(&mut window, "Identify by region");
+    press(&mut window, "2 Regions");
+    assert!(there(&window, &format!("Name of region {name}")));
+    let whole = window.ctx.content_rect();
+    let heads = ["region", "Δθ, °", "Δl1, mm", "RMS error, mm"];
+    let heads = heads.map(|head| window.get_by_label(head).rect());
+    assert!(
+        heads
+            .windows(2)
+            .all(|pair| pair[0].right() < pair[1].left())
+    );
+    // What has no place is not drawn.
+    let drawn = window.root().children_recursive();
+    for node in drawn.filter(|node| node.accesskit_node().bounding_box().is_some()) {
+        let (rect, label) = (node.rect(), node.accesskit_node().label());
+        assert!(rect.right() <= whole.right() + 1.0, "{label:?} at {rect}");
+    }
+}

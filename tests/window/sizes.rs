@@ -1,0 +1,485 @@
+//! The window at every size it is used at, from a small laptop to a wall: nothing sticks out of its
+//! panel, nothing lies on something else, no text is cut, the plots stay readable and what comes
+//! next stays in sight.
+
+use crate::window::{STEPS, Window, press, there, window_of};
+use egui::accesskit::Role;
+use egui::{Color32, FontFamily, FontId, Rect};
+use egui_kittest::kittest::{NodeT, Queryable};
+use truepose::gui::Runner;
+
+/// Width and height in points; the last four are 1920 × 1080, 1366 × 768, 1280 × 800 and 1024 × 700
+/// with text of 150 %.
+const SIZES: [[f32; 2]; 8] = [
+    [1024.0, 700.0],
+    [1280.0, 800.0],
+    [1920.0, 1080.0],
+    [3840.0, 2160.0],
+    [1280.0, 720.0],
+    [911.0, 512.0],
+    [853.0, 533.0],
+    [683.0, 467.0],
+];
+
+/// Inner margin of the side panels, points.
+const MARGIN: f32 = 16.0;
+/// Rounding to whole pixels, points.
+const ROUNDING: f32 = 1.5;
+/// The least that the workspace and a chart may be, points: in a low window, where one of them is
+/// shown, and else.
+const LEAST_LOW: [[f32; 2]; 2] = [[300.0, 150.0], [300.0, 150.0]];
+const LEAST: [[f32; 2]; 2] = [[300.0, 220.0], [300.0, 130.0]];
+
+fn window(size: [f32; 2]) -> Window {
+    window_of(size, None, Runner::AtOnce)
+}
+
+/// Something on the screen.
+#[derive(Debug, Clone)]
+struct Thing {
+    role: Role,
+    says: String,
+    rect: Rect,
+}
+
+fn things(window: &Window) -> Vec<Thing> {
+    let nodes = window.root().children_recursive();
+    // What has no place is not drawn.
+    let thing = |node: egui_kittest::Node<'_>| {
+        let inner = node.accesskit_node();
+        inner.bounding_box()?;
+        let says = inner.label().or(inner.value()).unwrap_or_default();
+        Some(Thing {
+            role: inner.role(),
+            says,
+            rect: node.rect(),
+        })
+    };
+    nodes.filter_map(thing).collect()
+}
+
+/// Whether something can be pressed or filled in.
+fn interactive(role: Role) -> bool {
+    matches!(
+        role,
+        Role::Button
+            | Role::CheckBox
+            | Role::RadioButton
+            | Role::ComboBox
+            | Role::Slider
+            | Role::SpinButton
+            | Role::TextInput
+            | Role::Link
+            | Role::Tab
+    )
+}
+
+/// Where the panels are, as what stands in them says.
+struct Panels {
+    left: f32,
+    right: Option<f32>,
+    whole: Rect,
+}
+
+impl Panels {
+    fn of(window: &Window, all: &[Thing]) -> Self {
+        let tabs = all.iter().filter(|t| t.role == Role::Tab);
+        let left = tabs.map(|t| t.rect.right()).fold(0.0, f32::max) + MARGIN;
+        let heads = ["Results", "Diagnosis", "Export"];
+        let head = all
+            .iter()
+            .filter(|t| t.role == Role::Label && t.rect.left() > left);
+        let head = head.filter(|t| heads.contains(&t.says.as_str()));
+        Self {
+            left,
+            right: head.map(|t| t.rect.left() - MARGIN).next(),
+            whole: window.ctx.content_rect(),
+        }
+    }
+
+    /// The panel that this is in, from left to right; the bars have the whole width.
+    fn around(&self, rect: Rect) -> [f32; 2] {
+        let bar = rect.center().y < 42.0 || rect.center().y > self.whole.bottom() - 32.0;
+        let right = self.right.unwrap_or(self.whole.right());
+        match rect.center().x {
+            _ if bar => [0.0, self.whole.right()],
+            x if x < self.left => [0.0, self.left],
+            x if x < right => [self.left, right],
+            _ => [right, self.whole.right()],
+        }
+    }
+}
+
+/// The narrowest that this text can be on one line as high as this; `None`: it has more lines.
+fn natural_width(window: &Window, text: &str, height: f32) -> Option<f32> {
+    let mut found: Option<f32> = None;
+    for size in [10.0, 11.5, 12.0, 13.0, 16.0, 26.0] {
+        for family in [FontFamily::Proportional, FontFamily::Name("strong".into())] {
+            let font = FontId::new(size, family);
+            window.ctx.fonts_mut(|fonts| {
+                let galley = fonts.layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER);
+                if (galley.size().y - height).abs() < 0.8 {
+                    let width = galley.size().x;
+                    found = Some(found.map_or(width, |least| least.min(width)));
+                }
+            });
+        }
+    }
+    found
+}
+
+/// Everything that has to hold wherever the work stands.
+fn look(window: &Window, at: &str) {
+    let all = things(window);
+    let panels = Panels::of(window, &all);
+    let whole = panels.whole;
+    for thing in &all {
+        let Thing { role, says, rect } = thing;
+        let is_text = *role == Role::Label;
+        if !(is_text || interactive(*role)) || rect.width() < 1.0 {
+            continue;
+        }
+        // Lines of a file that is shown scroll sideways.
+        if is_text && says.contains(',') && !says.contains(' ') {
+            continue;
+        }
+        let [from, to] = panels.around(*rect);
+        assert!(
+            rect.left() >= from - ROUNDING && rect.right() <= to + ROUNDING,
+            "{at}: {role:?} {says:?} at {rect} sticks out of its panel {from} … {to}"
+        );
+        if is_text && !says.contains('\n') {
+            let natural = natural_width(window, says, rect.height());
+            assert!(
+                natural.is_none_or(|width| width <= rect.width() + ROUNDING),
+                "{at}: {says:?} is cut: {natural:?} in {}",
+                rect.width()
+            );
+        }
+    }
+    // Lists scroll: what is in them may be out of sight. Bars do not, and nothing lies on anything.
+    let middle: Vec<&Thing> = all
+        .iter()
+        .filter(|t| interactive(t.role) && t.role != Role::Slider)
+        .filter(|t| {
+            t.rect.left() >= panels.left && panels.right.is_none_or(|r| t.rect.right() <= r)
+        })
+        .collect();
+    for (k, a) in middle.iter().enumerate() {
+        assert!(whole.contains_rect(a.rect.shrink(1.0)), "{at}: {a:?}");
+        for b in &middle[..k] {
+            let common = a.rect.intersect(b.rect);
+            let apart = common.width() <= ROUNDING || common.height() <= ROUNDING;
+            assert!(apart, "{at}: {a:?} lies on {b:?}");
+        }
+    }
+    let low = whole.height() < 600.0;
+    let [workspace, chart] = if low { LEAST_LOW } else { LEAST };
+    for (name, least) in [
+        ("workspace plot", workspace),
+        ("deviation chart", chart),
+        ("gap by step", chart),
+    ] {
+        let figures = all.iter().filter(|t| t.role == Role::Figure);
+        for plot in figures.filter(|t| t.says.starts_with(name)) {
+            let size = plot.rect.size();
+            assert!(
+                size.x >= least[0] && size.y >= least[1],
+                "{at}: {name} is only {size}"
+            );
+            assert!(whole.contains_rect(plot.rect.shrink(1.0)), "{at}: {plot:?}");
+        }
+    }
+}
+
+/// What comes next is in sight, whole, and as wide as its panel allows.
+fn next_is_in_sight(window: &Window, label: &str, at: &str) {
+    let button = window.get_by_label(label).rect();
+    let whole = window.ctx.content_rect();
+    assert!(whole.contains_rect(button), "{at}: {label} at {button}");
+    assert!(button.height() >= 36.0, "{at}: {label} at {button}");
+    let all = things(window);
+    let tabs = all.iter().filter(|t| t.role == Role::Tab);
+    let lowest = tabs.map(|t| t.rect.bottom()).fold(0.0, f32::max);
+    assert!(
+        button.top() >= lowest + 60.0,
+        "{at}: no room for the controls of the step above {label}"
+    );
+    assert!(
+        button.bottom() <= 1040.0,
+        "{at}: {label} is far away, at {button}"
+    );
+}
+
+#[test]
+fn every_step_fits_at_every_size_before_anything_is_identified() {
+    let next = [
+        "Continue to regions",
+        "Identify by region",
+        "Identify",
+        "Run diagnosis",
+        "Go to identify",
+    ];
+    for size in SIZES {
+        let mut window = window(size);
+        for (step, next) in STEPS.into_iter().zip(next) {
+            press(&mut window, step);
+            let at = format!("{size:?}, {step}");
+            look(&window, &at);
+            next_is_in_sight(&window, next, &at);
+        }
+    }
+}
+
+#[test]
+fn every_step_fits_at_every_size_when_all_is_found() {
+    // The search is done once: sizes follow it in one window.
+    let mut window = window([1280.0, 800.0]);
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    press(&mut window, "4 Diagnose");
+    press(&mut window, "Run diagnosis");
+    press(&mut window, "Add all 5 to the model");
+    for size in SIZES {
+        window.set_size(size.into());
+        window.run_steps(5);
+        for step in STEPS {
+            press(&mut window, step);
+            look(&window, &format!("{size:?}, {step}, found"));
+        }
+        press(&mut window, "4 Diagnose");
+        next_is_in_sight(&window, "Continue to export", &format!("{size:?}"));
+    }
+}
+
+#[test]
+fn results_give_way_to_the_plots_where_there_is_no_room_and_come_back_on_demand() {
+    let mut window = window([911.0, 512.0]);
+    assert!(!there(&window, "Results") && there(&window, "Show results"));
+    press(&mut window, "Show results");
+    assert!(there(&window, "Results") && there(&window, "Hide results"));
+    look(&window, "911 × 512, results");
+    press(&mut window, "Hide results");
+    assert!(!there(&window, "Results"));
+    // With text of 200 % they take the place of the plots.
+    window.set_size([683.0, 384.0].into());
+    window.run_steps(4);
+    press(&mut window, "Show results");
+    assert!(there(&window, "Results"));
+    assert!(window.query_by_label_contains("workspace plot").is_none());
+    press(&mut window, "Hide results");
+    assert!(window.query_by_label_contains("workspace plot").is_some());
+}
+
+#[test]
+fn what_is_longer_than_its_panel_scrolls() {
+    let mut window = window([911.0, 512.0]);
+    let button = window.get_by_label("Continue to regions").rect();
+    let last = "Instrument";
+    let below = window.get_by_label(last).rect();
+    assert!(
+        below.top() > button.top(),
+        "{below} has room without scrolling"
+    );
+    press(&mut window, last);
+    let now = window.get_by_label(last).rect();
+    assert!(now.bottom() <= button.top(), "{now} is not in sight");
+}
+
+#[test]
+fn samples_stand_beside_the_results_on_a_large_screen() {
+    let mut window = window([3840.0, 2160.0]);
+    let results = window.get_by_label("Results").rect();
+    let samples = window.get_by_label("Samples").rect();
+    assert!(samples.left() > results.right() + 200.0);
+    window.set_size([1920.0, 1080.0].into());
+    window.run_steps(4);
+    press(&mut window, "Samples");
+    assert!(there(&window, "sample"));
+}
+
+#[test]
+fn every_sheet_fits_and_is_left_by_its_button_by_enter_and_by_escape() {
+    let sheets = [
+        ("Edit", "Preferences…", "Preferences"),
+        ("Help", "Glossary", "Glossary"),
+        ("Help", "Keyboard and mouse", "Keyboard and mouse"),
+        ("Help", "About truepose", "About truepose"),
+    ];
+    let buttons = |window: &Window| window.query_all_by_label("Done").count();
+    for size in [[911.0, 512.0], [1024.0, 700.0]] {
+        let mut window = window(size);
+        let whole = window.ctx.content_rect();
+        for (menu, item, sheet) in sheets {
+            for leave in ["button", "Enter", "Escape"] {
+                let at = format!("{size:?}, {sheet}, {leave}");
+                press(&mut window, menu);
+                window.get_by_label(item).click();
+                window.run_steps(5);
+                assert_eq!(buttons(&window), 1, "{at}");
+                match leave {
+                    "Enter" => window.key_press(egui::Key::Enter),
+                    "Escape" => window.key_press(egui::Key::Escape),
+                    _ => {
+                        window.get_by_label("Done").scroll_to_me();
+                        window.run_steps(6);
+                        let done = window.get_by_label("Done").rect();
+                        assert!(whole.contains_rect(done), "{at}: {done}");
+                        window.get_by_label("Done").click();
+                    }
+                }
+                window.run_steps(4);
+                assert_eq!(buttons(&window), 0, "{at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn whatever_has_the_keyboard_shows_it_and_tab_reaches_every_control_of_a_step() {
+    let mut window = window([1280.0, 800.0]);
+    let mut reached = std::collections::BTreeSet::new();
+    for _ in 0..60 {
+        window.key_press(egui::Key::Tab);
+        window.run_steps(2);
+        let focused = window.root().children_recursive();
+        let focused = focused.filter(egui_kittest::Node::is_focused);
+        let names = focused.filter_map(|node| node.accesskit_node().label());
+        reached.extend(names);
+    }
+    for name in [
+        "1 Session",
+        "5 Export",
+        "Open…",
+        "New by simulation…",
+        "Continue to regions",
+        "Hide results",
+        "heat map",
+        "Samples",
+    ] {
+        assert!(reached.contains(name), "{name} is not among {reached:?}");
+    }
+}
+
+#[test]
+fn the_chart_keeps_its_share_of_a_window_that_is_made_larger_and_smaller() {
+    let mut window = window_of([1280.0, 800.0], None, Runner::AtOnce);
+    let share = |window: &Window, height: f32| {
+        let chart = window.get_by_label("deviation chart, tangential");
+        chart.rect().height() / height
+    };
+    let first = share(&window, 800.0);
+    window.set_size(egui::vec2(3840.0, 2160.0));
+    window.run_steps(6);
+    let large = share(&window, 2160.0);
+    assert!(large > first, "{first} → {large}");
+    window.set_size(egui::vec2(1280.0, 800.0));
+    window.run_steps(6);
+    let back = share(&window, 800.0);
+    assert!((back - first).abs() < 0.01, "{first} → {back}");
+}
+
+/// The height of the plot of this name, if it is there.
+fn height(window: &Window, name: &str) -> Option<f32> {
+    let all = things(window);
+    let mut figures = all.iter().filter(|t| t.role == Role::Figure);
+    let plot = figures.find(|t| t.says.starts_with(name))?;
+    Some(plot.rect.height())
+}
+
+#[test]
+fn a_chart_that_was_in_a_small_window_is_as_high_as_before_in_a_large_one() {
+    let mut window = window([1280.0, 800.0]);
+    let chart = |window: &Window| height(window, "deviation chart");
+    let first = chart(&window).expect("a chart");
+    let sizes = [
+        [1024.0, 700.0],
+        [683.0, 467.0],
+        [1024.0, 700.0],
+        [853.0, 533.0],
+        [1280.0, 720.0],
+        [1280.0, 800.0],
+    ];
+    for size in sizes {
+        window.set_size(size.into());
+        window.run_steps(6);
+        if let Some(now) = chart(&window) {
+            assert!(now >= 130.0, "{size:?}: {now}");
+        }
+    }
+    let back = chart(&window).expect("a chart");
+    assert!((back - first).abs() < 2.0, "{first} → {back}");
+}
+
+#[test]
+fn in_a_low_window_one_plot_is_shown_and_a_switch_brings_the_other() {
+    for size in [[683.0, 467.0], [911.0, 512.0]] {
+        let mut window = window(size);
+        let shown = |window: &Window| {
+            ["workspace plot", "deviation chart"].map(|name| height(window, name))
+        };
+        let [workspace, chart] = shown(&window);
+        assert!(
+            workspace.is_some_and(|h| h >= 150.0) && chart.is_none(),
+            "{workspace:?}"
+        );
+        press(&mut window, "Chart");
+        let [workspace, chart] = shown(&window);
+        assert!(
+            chart.is_some_and(|h| h >= 150.0) && workspace.is_none(),
+            "{chart:?}"
+        );
+        look(&window, &format!("{size:?}, chart"));
+        // Whoever looks from another side wants to see it.
+        window.key_press_modifiers(
+            egui::Modifiers::COMMAND.plus(egui::Modifiers::SHIFT),
+            egui::Key::Num2,
+        );
+        window.run_steps(4);
+        assert!(shown(&window)[0].is_some());
+        press(&mut window, "Chart");
+        press(&mut window, "Workspace");
+        // Where there is room for both there is no switch.
+        window.set_size([1280.0, 800.0].into());
+        window.run_steps(4);
+        assert!(shown(&window).iter().all(Option::is_some));
+        assert!(!there(&window, "Chart"));
+    }
+}
+
+#[test]
+fn a_long_message_leaves_the_plots_their_room_and_can_be_closed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = crate::window::copy_of("lamp-commissioning", folder.path());
+    let rows = path.with_extension("csv");
+    let text = std::fs::read_to_string(&rows).expect("a copy");
+    let wrong: Vec<String> = text
+        .lines()
+        .enumerate()
+        .map(|(k, line)| {
+            if k > 0 && k < 40 {
+                format!("wrong{line}")
+            } else {
+                line.to_owned()
+            }
+        })
+        .collect();
+    std::fs::write(&rows, wrong.join("\n")).expect("a copy");
+    for (size, least) in [
+        ([683.0, 467.0], 90.0),
+        ([1024.0, 700.0], 150.0),
+        ([1280.0, 800.0], 150.0),
+    ] {
+        let mut window = window(size);
+        crate::window::open(&mut window, &path);
+        let plot = height(&window, "workspace plot").expect("a plot");
+        assert!(plot >= least, "{size:?}: {plot}");
+        let dismiss = window.get_by_label("Dismiss").rect();
+        assert!(
+            window.ctx.content_rect().contains_rect(dismiss),
+            "{dismiss}"
+        );
+        press(&mut window, "Dismiss");
+        assert!(!there(&window, "Dismiss"));
+    }
+}
