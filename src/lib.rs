@@ -53,6 +53,7 @@ pub mod model;
 
 pub mod observations;
 
+pub mod answers;
 pub mod fit;
 pub mod simulation;
 

@@ -21,12 +21,12 @@
 //! paper's method everything is in the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MeasuringFrame, Owner, Role, Term};
-use crate::fit::alignment::best_rigid_motion;
 use crate::fit::gap::{Deviations, Spread};
 use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::lanes::{add_scaled, minus};
 use crate::model::format_v1::model_hash;
+use crate::model::rigid_motion::best_rigid_motion;
 use crate::model::{Calibration, Model, Positions};
 use crate::sessions::{Session, hash_of_samples};
 

@@ -5,11 +5,11 @@
 use crate::fit::base_model;
 
 use super::aliases::{self, Rival};
-use super::answer::FloorFrom;
 use super::floor::floor;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::{Found, mean_sigma_mm};
+use crate::answers::diagnosis::FloorFrom;
 
 /// So many names are several.
 const SEVERAL: usize = 2;

@@ -3,15 +3,16 @@
 
 use nalgebra::DMatrix;
 
+pub use crate::answers::diagnosis::NotTestable;
 use crate::effects::{CATALOGUE, Setting, Survey, Term, find, form_in, rank};
 use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
 
-use super::anonymous::{Direction, Profile, Shape, Variable};
 use super::ground::{Ground, ground, tangential};
 use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
+use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What a candidate is.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,17 +51,6 @@ impl Candidate {
     pub fn named(&self) -> bool {
         matches!(self.what, What::Named(_))
     }
-}
-
-/// An effect that this session cannot show, and why.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NotTestable {
-    /// The effect's name.
-    pub effect: &'static str,
-    /// Joint, counted from 0; `None` where it belongs to none.
-    pub joint: Option<usize>,
-    /// Why.
-    pub because: String,
 }
 
 /// Which names may be used.

@@ -14,12 +14,10 @@ use crate::observations::figures::{KindFigures, apart_beside};
 use crate::sessions::Session;
 
 use super::aliases;
-use super::answer::{Diagnosis, Equivalent, Gaps, HeldOut};
 use super::candidates::NotTestable;
 use super::final_set::worth;
 use super::floor::floor;
 use super::limits;
-use super::next_pose::NextPose;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::remainder::unexplained;
@@ -34,6 +32,8 @@ use super::unseen::held_out;
 use super::values::Values;
 use super::verdict;
 use super::{DiagnoseError, Progress, Watch};
+use crate::answers::diagnosis::{Diagnosis, Equivalent, Gaps, HeldOut};
+use crate::answers::pose::NextPose;
 use crate::set_up_errors::Mended;
 
 /// What stays undecided, for whoever proposes poses.

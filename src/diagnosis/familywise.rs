@@ -22,6 +22,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+pub use crate::answers::diagnosis::FamilyP;
+
 use super::regression::{Fit, Regression, weight_of};
 use super::significance::Significance;
 use crate::effects::rank as rank_in_catalogue;
@@ -87,15 +89,6 @@ struct Tail {
 const CHUNK: usize = 250;
 /// Chances between these are worth more simulations.
 const CLOSE: [f64; 2] = [4e-4, 0.04];
-
-/// The chance that noise alone reaches as much in the whole search.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FamilyP {
-    /// The chance; never below one over the number of simulations.
-    pub p: f64,
-    /// Whether it is a bound: "fewer than".
-    pub bound: bool,
-}
 
 impl Regression<'_> {
     /// The chance that noise alone reaches `minus_ln_p` in the search. `fit` is a model in which

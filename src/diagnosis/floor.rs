@@ -3,9 +3,9 @@
 
 use crate::sessions::Sigma;
 
-use super::answer::{Floor, FloorFrom};
 use super::prepare::Prepared;
 use super::regression::Fit;
+use crate::answers::diagnosis::{Floor, FloorFrom};
 
 /// From returns to the same pose, else the instrument, else the residuals of the final fit.
 pub(crate) fn floor(prepared: &Prepared, fit: &Fit) -> Floor {

@@ -7,11 +7,11 @@
 
 use crate::effects::{Over, Term};
 
-use super::anonymous::{Direction, Profile, Shape, Variable};
 use super::prepare::Prepared;
 use super::regression::{Fit, PRICE_OF_A_NAME, Regression};
 use super::search::Found;
 use super::smooth;
+use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 /// What the curve pays: as a name for being there, and a factor of e for each of its numbers (length,
 /// size, roughness). Names are as many as they are; no further preference is needed.

@@ -6,10 +6,10 @@ use crate::effects::Survey;
 use crate::kinematics::JointKind;
 use crate::model::Model;
 
-use super::anonymous::{Direction, Shape, Variable};
 use super::regression::Placed;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
+use crate::model::shapes::{Direction, Shape, Variable};
 
 /// What shapes are made from: the values of every variable and the directions, row by row.
 #[derive(Debug, Clone)]

@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
-use crate::fit::cells::{cells, folds_of_groups};
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
+use crate::sessions::cells::{cells, folds_of_groups};
 
 /// Which fold each sample of the rows is in.
 #[derive(Debug, Clone)]

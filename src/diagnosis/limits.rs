@@ -6,51 +6,12 @@
 //! model; the limit is the a whose λ takes a noncentral χ² with k degrees of freedom over c in
 //! 95 of 100 sessions.
 
+pub use crate::answers::limits::Limit;
 use crate::effects::{Form, Setting};
 
 use super::regression::{Fit, Regression, weight_of};
 use super::search::CHANCE;
 use super::significance::Significance;
-
-/// Sizes below this, in any unit of a parameter, are rounding: without noise nothing hides.
-const ROUNDING: f64 = 1e-9;
-/// Above this the poses do not show the effect at all, but for rounding: a kilometre, many turns.
-const ABSURD: f64 = 1e6;
-
-/// From which size an effect would have been seen.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Sight {
-    /// Above this, in the parameter's unit.
-    Above(f64),
-    /// At any: there is no noise that it could hide in.
-    AtAnySize,
-    /// At none: these poses do not show it, however large it is.
-    AtNoSize,
-}
-
-impl Sight {
-    /// What a detection limit says.
-    pub fn of(size: f64) -> Self {
-        match size {
-            size if size < ROUNDING => Self::AtAnySize,
-            size if size <= ABSURD => Self::Above(size),
-            // What is not a number belongs here as well.
-            _ => Self::AtNoSize,
-        }
-    }
-}
-
-/// What one effect would have had to be.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Limit {
-    /// The effect's name.
-    pub effect: &'static str,
-    /// Joint, counted from 0; `None` where it belongs to none.
-    pub joint: Option<usize>,
-    /// For each parameter its name and the size above which it would have been seen; [`Sight::of`]
-    /// says what a size means.
-    pub sizes: Vec<(&'static str, f64)>,
-}
 
 /// Limits of every name that was tried and is not in the model.
 pub(crate) fn limits(regression: &Regression, fit: &Fit) -> Vec<Limit> {
@@ -176,7 +137,8 @@ fn noncentrality(critical: f64, k: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sight, noncentrality};
+    use super::noncentrality;
+    use crate::answers::limits::Sight;
 
     #[test]
     fn absurd_sizes_are_no_limits() {

@@ -5,7 +5,7 @@
 //!
 //! 1. [`crate::set_up_errors`]: mistakes of setting up are tried first and mended for what follows.
 //! 2. [`crate::fit::noise`]: residuals of the robust base fit, whitened by axis and in time.
-//! 3. [`candidates`]: every testable name with every setting, and [`anonymous`] shapes beside them.
+//! 3. [`candidates`]: every testable name with every setting, and anonymous [shapes](crate::model::shapes) beside them.
 //! 4. [`familywise`]: what the whole search would find in noise alone.
 //! 5. `search`: forward, swaps, drops, pairs; `held_out` proves each step on unseen samples.
 //! 6. [`aliases`]: rivals that the samples cannot rule out. Poses that can are proposed by a planner
@@ -23,8 +23,6 @@
 )]
 
 pub mod aliases;
-pub mod anonymous;
-pub mod answer;
 pub mod candidates;
 pub mod familywise;
 pub mod limits;
@@ -41,7 +39,6 @@ mod held_out;
 mod incomplete;
 pub(crate) mod regression;
 
-mod next_pose;
 pub(crate) mod prepare;
 pub(crate) mod projected;
 mod remainder;
@@ -56,15 +53,15 @@ mod unseen;
 mod values;
 mod verdict;
 
-pub use crate::sessions::Mend;
-pub use answer::{
+pub use crate::answers::diagnosis::Correction;
+pub use crate::answers::diagnosis::{
     Diagnosis, Equivalent, Floor, FloorFrom, Found, Gaps, HeldOut, Unexplained, Verdict,
 };
+pub use crate::answers::limits::{Limit, Sight};
+pub use crate::answers::pose::NextPose;
+pub use crate::sessions::Mend;
 pub use candidates::Allowed;
 pub(crate) use conclude::Planner;
-pub use limits::{Limit, Sight};
-pub use next_pose::NextPose;
-pub use smooth::Correction;
 
 use crate::effects::Owner;
 use crate::effects::{JointValues, Term};
@@ -210,11 +207,8 @@ fn against_rivals<'a>(
     let slow = prepared.slow_noise();
     let instead = prepared.slow_noise_instead(&found.fit);
     let instead = instead.filter(|n| slow.as_ref().is_none_or(|s| !s.whitens_like(n)));
-    let white = prepared
-        .regression
-        .noise
-        .slow
-        .map(|_| prepared.white_noise());
+    let noise = &prepared.regression.noise;
+    let white = noise.slow.map(|_| noise.made_white());
     let (mut prepared, fit) = prepared.settled(&found.fit);
     found.fit = fit;
     free_curve::rival(&prepared, &mut found);
@@ -230,7 +224,7 @@ fn against_rivals<'a>(
         others.push(loser.fit);
     }
     if prepared.regression.noise.slow.is_some() {
-        let white = prepared.with_noise(prepared.white_noise());
+        let white = prepared.with_noise(prepared.regression.noise.made_white());
         if let Some(curve) = free_curve::instead_of_slow(&white, &found) {
             (prepared, found) = (white, curve);
         }

@@ -9,7 +9,6 @@ use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
-use crate::fit::cells::cells;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::linear::Basis;
 use crate::fit::observed;
@@ -19,6 +18,7 @@ use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outli
 use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::sessions::Session;
+use crate::sessions::cells::cells;
 
 use super::candidates::Table;
 use super::held_out::Folds;
@@ -216,18 +216,6 @@ impl<'a> Prepared<'a> {
         let moves =
             estimated(regression, &fit.model, [&still].into_iter()).slow_evidence > LEAST_MOVE;
         (noise.slow.is_some() && moves).then_some(noise)
-    }
-
-    /// Noise of the same size that is white.
-    pub(crate) fn white_noise(&self) -> Noise {
-        let noise = &self.regression.noise;
-        let slow = noise.slow.map_or([0.0; 3], |s| s.rms_mm);
-        let total = |axis: usize| noise.sigma_mm[axis].hypot(slow[axis]);
-        Noise {
-            sigma_mm: [total(0), total(1), total(2)],
-            slow: None,
-            ..noise.clone()
-        }
     }
 
     /// The same samples and candidates with another noise.

@@ -17,7 +17,6 @@ use crate::effects::{Form, Setting, Term};
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
-use super::anonymous::Shape;
 use super::candidates::{Candidate, Table, What};
 use super::familywise::Familywise;
 use super::projected::{Grams, Projected};
@@ -25,6 +24,7 @@ use super::significance::Significance;
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
 use crate::fit::noise::{Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
+use crate::model::shapes::Shape;
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple
 /// as it is small.

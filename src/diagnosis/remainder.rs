@@ -3,13 +3,13 @@
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
 
-use super::answer::Unexplained;
 use super::base_misfit::left_mm;
 use super::candidates::What;
 use super::floor::floor;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::search::{Found as SearchEnd, mean_sigma_mm};
+use crate::answers::diagnosis::Unexplained;
 
 pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Session) -> Unexplained {
     let regression = &prepared.regression;

@@ -9,12 +9,12 @@
 use crate::effects::{Over, Setting, Term};
 
 use super::aliases;
-use super::anonymous::{Profile, Shape, Variable};
 use super::candidates::What;
 use super::held_out::Folds;
 use super::regression::{Fit, Placed, Regression, Score};
 use super::{Cancelled, Progress, Watch};
 use crate::fit::linear::Basis;
+use crate::model::shapes::{Profile, Shape, Variable};
 
 /// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a
 /// step for each effect that is there: with 1 in 500 a right answer gets a wrong addition in less

@@ -3,9 +3,9 @@
 
 use crate::effects::Survey;
 
-use super::anonymous::{Direction, Profile, Shape, Variable};
 use super::ground::Ground;
 use crate::fit::regression::Rows;
+use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
 const HIGHEST_ORDER: u32 = 360;
 /// A shape must act on at least so many samples.

@@ -2,12 +2,12 @@
 
 use crate::effects::Term;
 
-use super::answer::{Floor, Found};
 use super::familywise::FamilyP;
 use super::final_set::worth;
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::values::Values;
+use crate::answers::diagnosis::{Floor, Found};
 
 /// Within so much, as a logarithm, of the next name that one is refitted before they are compared.
 const CLOSE: f64 = 6.0;

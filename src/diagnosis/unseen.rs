@@ -4,10 +4,10 @@
 use crate::fit::base_model;
 use crate::fit::gap::{Deviations, Spread, deviations};
 
-use super::answer::{Gaps, HeldOut};
 use super::prepare::Prepared;
 use super::regression::Fit;
 use super::values::Values;
+use crate::answers::diagnosis::{Gaps, HeldOut};
 
 pub(crate) fn held_out(
     prepared: &Prepared,

@@ -18,11 +18,11 @@ use crate::fit::noise::StatedNoise;
 use crate::observations::Layer;
 use crate::observations::figures::{LeftOfKind, left_of_kinds};
 
-use super::answer::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 use super::floor::{PureError, pure_error};
 use super::prepare::Prepared;
 use super::search::{CHANCE, Found};
 use super::values::Values;
+use crate::answers::diagnosis::{Floor, FloorFrom, HeldOut, Unexplained, Verdict};
 
 /// More than this many times the floor is not the floor …
 const MOST_OVER_THE_FLOOR: f64 = 1.15;

@@ -18,15 +18,34 @@ use crate::sessions::{Region, Session, Sigma};
 
 use super::plane::Plane;
 use super::problem::Problem;
-use super::regions::{RegionError, between, range_to_divide};
+use crate::sessions::division::{
+    DEFAULT_REGIONS, RegionChoice, RegionError, between, range_to_divide, uniform,
+};
 
 /// Boundaries are looked for between so many cells at most.
 const MOST_CELLS: usize = 1200;
 /// A region rests on at least so many samples.
 const FEWEST_SAMPLES: usize = 3;
 
+impl RegionChoice {
+    /// The regions for a session with one joint.
+    ///
+    /// # Errors
+    /// [`RegionError`] where the choice makes no sense for the session.
+    pub fn resolve(&self, session: &Session) -> Result<Vec<Region>, RegionError> {
+        match self {
+            Self::FromSession if session.regions.is_empty() => uniform(session, DEFAULT_REGIONS),
+            Self::FromSession => Ok(session.regions.clone()),
+            Self::Uniform(number) => uniform(session, *number),
+            Self::Boundaries(boundaries) => between(boundaries),
+            Self::Given(regions) => Ok(regions.clone()),
+            Self::Adaptive => adaptive(session),
+        }
+    }
+}
+
 /// The regions that the samples ask for, over the joint's limits, else over the data's range.
-pub(super) fn adaptive(session: &Session) -> Result<Vec<Region>, RegionError> {
+fn adaptive(session: &Session) -> Result<Vec<Region>, RegionError> {
     let range = range_to_divide(session).ok_or(RegionError::NoRange)?;
     let problem = Problem::new(session, JointValues::Commanded);
     let plane = Plane::new(&problem);

@@ -46,14 +46,14 @@ use crate::model::Model;
 use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
-use super::alignment::best_rigid_motion;
 use super::estimator::fit_without_outliers;
 use super::observed;
-use super::outcome::NotIdentifiable;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
 use super::unidentifiable::coefficient_names;
+use crate::answers::identification::NotIdentifiable;
+use crate::model::rigid_motion::best_rigid_motion;
 
 /// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
 const NEVER_ALIGNED_RAD: f64 = 0.1;

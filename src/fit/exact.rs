@@ -19,13 +19,16 @@ use super::estimator::fit_without_outliers;
 use super::expected::expected_error;
 use super::gap::{Deviations, Spread, deviations};
 use super::levels::levels;
-use super::outcome::{Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality};
 use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
 use super::unidentifiable::{name_on_joint, undetermined_combinations};
-use super::{alignment, base_model, observed, scan};
+use super::{base_model, observed, scan};
+use crate::answers::identification::{
+    Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
+};
+use crate::model::rigid_motion;
 
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
@@ -335,7 +338,7 @@ pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
             let in_setup = |i: usize| problem.used[i] && setups.index[i] as usize == setup;
             let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
             term.label = Some(setups.names[setup].as_str().into());
-            if let Some(frame) = alignment::best_rigid_motion(session, &predicted, in_setup) {
+            if let Some(frame) = rigid_motion::best_rigid_motion(session, &predicted, in_setup) {
                 let rotation = frame.rotation.scaled_axis();
                 let shift = frame.translation.vector;
                 term.coefficients = [rotation.as_slice(), shift.as_slice()].concat();

@@ -10,36 +10,14 @@
 
 use nalgebra::DMatrix;
 
+pub use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
 
 use super::problem::Problem;
 
-/// The error that a model is expected to make, from the uncertainty of its parameters.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Expected {
-    /// Root mean square over the joint ranges, mm.
-    pub rms_mm: f64,
-    /// The largest there, mm.
-    pub max_mm: f64,
-    /// Where it is largest, rad or mm.
-    pub worst_q: Vec<f64>,
-    /// Root mean square at the poses that were measured, mm.
-    pub measured_rms_mm: f64,
-}
-
-impl Expected {
-    /// Whether the samples show the measured poses much better than the joint ranges.
-    pub fn extrapolates(&self) -> bool {
-        self.rms_mm > POORLY * self.measured_rms_mm
-    }
-}
-
 /// Poses over the joint ranges.
 const POSES: usize = 400;
-/// So many times the uncertainty at the measured poses is poor.
-const POORLY: f64 = 3.0;
-
 /// The expected error of a model with the covariance of its coefficients.
 pub fn expected_error(
     problem: &Problem,

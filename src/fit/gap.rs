@@ -3,6 +3,7 @@
 //!
 //! Suspected outliers count in the largest deviation and not in the root mean square.
 
+pub use crate::answers::errors::Spread;
 use crate::model::Model;
 use crate::observations::figures;
 
@@ -53,41 +54,4 @@ pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
         }
     });
     deviations
-}
-
-/// Root mean square and largest of some lengths; `None` where there is none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spread {
-    /// Root mean square, without suspected outliers, mm.
-    pub rms_mm: f64,
-    /// Largest, suspected outliers included, mm.
-    pub max_mm: f64,
-}
-
-impl Spread {
-    /// Over the samples that `counts` picks; those that `outlier` picks count in the largest only.
-    pub fn of(
-        lengths_mm: &[f64],
-        counts: impl Fn(usize) -> bool,
-        outlier: impl Fn(usize) -> bool,
-    ) -> Option<Self> {
-        let (mut sum, mut n, mut max_mm) = (0.0, 0_usize, None);
-        for (i, length) in lengths_mm.iter().enumerate() {
-            if length.is_nan() || !counts(i) {
-                continue;
-            }
-            max_mm = Some(length.max(max_mm.unwrap_or(0.0)));
-            if !outlier(i) {
-                sum += length * length;
-                n += 1;
-            }
-        }
-        let max_mm = max_mm?;
-        let rms_mm = if n > 0 {
-            (sum / n as f64).sqrt()
-        } else {
-            max_mm
-        };
-        Some(Self { rms_mm, max_mm })
-    }
 }

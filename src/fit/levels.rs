@@ -9,57 +9,15 @@
 //! seen. The frame of an instrument that was never aligned belongs to every level: no controller has
 //! to know it.
 
+pub use crate::answers::errors::{Errors, Level};
 use crate::effects::{Effect, LinkGeometry, MeasuringFrame, Role, Setting};
 use crate::model::Model;
 
 use super::base_model;
-use super::cells::{cells, folds_of_groups};
 use super::gap::deviations;
 use super::problem::Problem;
 use super::solver::solve;
-
-/// One level of correction and the errors that it leaves.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Level {
-    /// What the controller would have to take.
-    pub what: &'static str,
-    /// Combinations of coefficients that the samples determine.
-    pub parameters: usize,
-    /// Root mean square error in the fit, mm.
-    pub rms_mm: f64,
-    /// On samples that the fit has not seen; `None` with too few samples.
-    pub cross_validated: Option<Errors>,
-}
-
-/// Lengths of deviations, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Errors {
-    /// Mean.
-    pub mean_mm: f64,
-    /// Root mean square.
-    pub rms_mm: f64,
-    /// 95 of 100 are no longer.
-    pub p95_mm: f64,
-    /// Longest.
-    pub max_mm: f64,
-}
-
-impl Errors {
-    /// Of some lengths; `None` of none.
-    pub fn of(mut lengths_mm: Vec<f64>) -> Option<Self> {
-        lengths_mm.retain(|l| l.is_finite());
-        lengths_mm.sort_by(f64::total_cmp);
-        let n = lengths_mm.len();
-        let max_mm = *lengths_mm.last()?;
-        let count = n as f64;
-        Some(Self {
-            mean_mm: lengths_mm.iter().sum::<f64>() / count,
-            rms_mm: (lengths_mm.iter().map(|l| l * l).sum::<f64>() / count).sqrt(),
-            p95_mm: lengths_mm[(n * 95).div_ceil(100).clamp(1, n) - 1],
-            max_mm,
-        })
-    }
-}
+use crate::sessions::cells::{cells, folds_of_groups};
 
 /// Samples that levels are compared on.
 const MOST_SAMPLES: usize = 1000;

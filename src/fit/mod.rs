@@ -1,9 +1,7 @@
 //! From measured samples to a model: the paper's corrections by region ([`identify_regional`]),
 //! and the exact nonlinear fit ([`identify_exact`]).
 
-pub mod alignment;
 pub mod base_model;
-pub mod cells;
 pub mod expected;
 pub mod gap;
 pub mod levels;
@@ -13,7 +11,6 @@ pub mod normal;
 pub mod outliers;
 pub mod priors;
 pub mod problem;
-pub mod regions;
 pub mod regression;
 pub mod scan;
 pub mod solver;
@@ -23,21 +20,21 @@ mod adaptive;
 mod estimator;
 mod exact;
 pub(crate) mod observed;
-mod outcome;
 mod plane;
 mod regional;
 mod unidentifiable;
 
+pub use crate::answers::identification::{
+    Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
+    RegionResult, measured_ranges,
+};
+pub use crate::sessions::division as regions;
 pub use estimator::{fit_without_outliers, noise_beside};
 pub use exact::{
     DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with,
     identify_without_priors, parameters_of, report, testable_effects,
 };
 pub(crate) use exact::{free_frames, outliers};
-pub use outcome::{
-    Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
-    RegionResult, measured_ranges,
-};
 pub use plane::{RegionSums, sum_by_region};
 pub use regional::identify_regional;
 

@@ -11,10 +11,10 @@ use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
 
-use super::outcome::NotIdentifiable;
 use super::priors::key;
 use super::problem::Problem;
 use super::unidentifiable::coefficient_names;
+use crate::answers::identification::NotIdentifiable;
 
 /// Frames, places and the turn of the tool of a robot with several joints.
 pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {

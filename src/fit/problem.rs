@@ -1,6 +1,7 @@
 //! A least-squares problem: the samples of a session, which of them count, and how much each
 //! axis weighs.
 
+pub use crate::answers::errors::Unusable;
 use crate::effects::block::Block;
 use crate::effects::{Inputs, JointValues};
 use crate::lanes::{LANES, Lanes};
@@ -64,25 +65,6 @@ impl std::fmt::Debug for Watch<'_> {
         } else {
             "Unwatched"
         })
-    }
-}
-
-/// Why a sample cannot take part at all.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unusable {
-    /// A joint value or a coordinate is missing.
-    MissingCell,
-    /// The instrument lost the reflector: it wrote (0, 0, 0).
-    LostReflector,
-}
-
-impl Unusable {
-    /// In words.
-    pub fn says(self) -> &'static str {
-        match self {
-            Self::MissingCell => "a joint value or a coordinate is missing",
-            Self::LostReflector => "the instrument lost the reflector: it wrote 0, 0, 0",
-        }
     }
 }
 

@@ -21,12 +21,12 @@ use crate::sessions::{Region, Session};
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
 use super::gap::{Deviations, Spread};
-use super::outcome::{Gap, Identification, Quality, RegionResult};
 use super::outliers::suspects;
 use super::plane::{Plane, RegionSums, sum_by_region};
 use super::problem::Problem;
-use super::regions::{Assignment, RegionChoice};
 use super::uncertainty::half_width_factor;
+use crate::answers::identification::{Gap, Identification, Quality, RegionResult};
+use crate::sessions::division::{Assignment, RegionChoice};
 
 /// The paper's identification of a session with a single revolute joint.
 ///

@@ -13,7 +13,7 @@ use crate::kinematics::JointKind;
 use crate::model::Calibration;
 use crate::units::deg_from_rad;
 
-use super::outcome::Estimate;
+use crate::answers::identification::Estimate;
 
 /// The factor by which a standard error becomes half of a 95 % interval.
 pub fn half_width_factor(degrees_of_freedom: usize) -> f64 {

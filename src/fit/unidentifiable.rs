@@ -6,8 +6,8 @@ use crate::effects::{Effect, Setting};
 use crate::kinematics::Robot;
 use crate::model::Model;
 
-use super::outcome::NotIdentifiable;
 use super::solver::Solution;
+use crate::answers::identification::NotIdentifiable;
 
 /// An effect's name, with its joint where the robot has several.
 pub(super) fn name_on_joint(effect: &dyn Effect, joint: usize, robot: &Robot) -> String {

@@ -11,8 +11,8 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use crate::fit::alignment::rigid_motion;
 use crate::importers::clock::FARTHEST_MM;
+use crate::model::rigid_motion::rigid_motion;
 
 /// Up to so many points every triple is tried.
 const ALL_TRIPLES: usize = 24;

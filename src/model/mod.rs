@@ -11,6 +11,8 @@
 
 mod calibration;
 pub mod format_v1;
+pub mod rigid_motion;
+pub mod shapes;
 
 pub use calibration::{Calibration, GapStep, RegionalCorrection};
 

@@ -365,7 +365,7 @@ pub fn frame(
     }
     known_places(layer, &seen, &inside, &mut points, &mut turns);
     if spread_in_two(&points) {
-        return crate::fit::alignment::rigid_motion(&points);
+        return crate::model::rigid_motion::rigid_motion(&points);
     }
     if turns.len() < 3 {
         return None;

@@ -8,8 +8,8 @@ use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
 use super::kinds::{self, KindRow};
-use crate::diagnosis::anonymous::Where;
 use crate::diagnosis::{Diagnosis, FloorFrom, Gaps, Limit, NextPose, Sight, Verdict};
+use crate::model::shapes::Where;
 
 mod correction;
 mod start;

@@ -1,6 +1,6 @@
 //! Where something unexplained is, in words: not by the names of columns, which are for files.
 
-use crate::diagnosis::anonymous::Where;
+use crate::model::shapes::Where;
 
 impl Where {
     /// In words, as they stand behind "where".

@@ -11,8 +11,10 @@
 //! `domain`; they know nothing of files.
 
 pub(crate) mod assemble;
+pub mod cells;
 pub(crate) mod columns;
 mod csv;
+pub mod division;
 mod domain;
 pub(crate) mod files;
 pub(crate) mod format_v1;

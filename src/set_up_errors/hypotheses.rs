@@ -3,11 +3,11 @@
 use nalgebra::Isometry3;
 
 use crate::effects::{JointValues, Term, joint_zero};
-use crate::fit::alignment::best_rigid_motion;
 use crate::fit::problem::Problem;
 use crate::fit::solver::solve;
 use crate::kinematics::JointKind;
 use crate::model::Model;
+use crate::model::rigid_motion::best_rigid_motion;
 use crate::sessions::Mend;
 use crate::sessions::Session;
 use crate::units::{deg_from_rad, rad_from_deg};

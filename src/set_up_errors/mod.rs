@@ -13,6 +13,7 @@ mod read_back;
 
 use std::borrow::Cow;
 
+pub use crate::answers::diagnosis::DataProblem;
 use crate::effects::{Role, Term, joint_zero, tool_radius};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
@@ -28,21 +29,6 @@ use crate::sessions::Mend;
 
 use hypotheses::{Hypothesis, hypotheses};
 use losses::{losses, mislocked};
-
-/// A mistake in the data, its evidence, and how to mend it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DataProblem {
-    /// What is wrong.
-    pub what: String,
-    /// What speaks for it.
-    pub evidence: String,
-    /// What to do.
-    pub proposal: String,
-    /// The same as a change of the session, where that is mechanical.
-    pub mend: Option<Mend>,
-    /// The samples that it is about, counted from 0; empty where it is about all of them.
-    pub samples: Vec<usize>,
-}
 
 /// A session with its blunders mended, and what they were.
 #[derive(Debug, Clone)]

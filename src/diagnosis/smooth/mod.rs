@@ -23,33 +23,11 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::units::deg_from_rad;
 
-use super::anonymous::{Profile, Shape, Variable};
-use super::answer::Unexplained;
 use super::prepare::Prepared;
+use crate::answers::diagnosis::{Correction, Unexplained};
+use crate::model::shapes::{Profile, Shape, Variable};
 use columns::{Columns, Folds};
 use likelihood::{Kernel, NamesAlone, Sizes, Sums};
-
-/// A smooth correction, and what it brings.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Correction {
-    /// The model's term under the name `unexplained`.
-    pub term: Term,
-    /// Gap over the samples that were fitted, without and with it, mm.
-    pub gap_mm: [f64; 2],
-    /// Gap on samples that the fit has not seen, without and with it, mm.
-    pub held_out_mm: [f64; 2],
-    /// How they were held out.
-    pub how: String,
-    /// In words.
-    pub says: String,
-}
-
-impl Correction {
-    /// Its curve.
-    pub fn curve(&self) -> Option<&Curve> {
-        self.term.curve()
-    }
-}
 
 /// Most knots over a range …
 const MOST_KNOTS: usize = 61;

@@ -23,37 +23,19 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::sessions::{Session, Sigma};
+use crate::sessions::Sigma;
 
 use super::regression::Rows;
 use filter::{Axis, steps};
 use restricted::{AxisSums, Restricted};
-use slow_part::Trial;
 
 mod filter;
 mod restricted;
 mod slow_part;
-mod words;
 
+pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use filter::carried;
 pub use filter::{Filter, Step};
-pub use words::{Slow, StatedNoise};
-
-/// See the module.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Noise {
-    /// Standard deviation of the white part along x, y, z, mm.
-    pub sigma_mm: [f64; 3],
-    /// The slow part, where the residuals show one.
-    pub slow: Option<Slow>,
-    /// Whether the axes were found, or stated, to differ.
-    pub unequal: bool,
-    /// Twice the logarithm by which the slow part makes the residuals likelier.
-    pub slow_evidence: f64,
-    /// What else it may be, with its share of the probability: a time constant and the variances
-    /// of the slow part in units of the white one's (all zero: white). Intervals average over it.
-    pub(crate) alternatives: Vec<Trial>,
-}
 
 /// Twice the logarithm of a likelihood ratio (two degrees of freedom) from which on the axes
 /// differ: p < 0.0004.
@@ -75,25 +57,6 @@ pub(crate) const PRICE_OF_A_VARIANCE: f64 = 1.0;
 pub const SMALLEST_SIGMA_MM: f64 = 1e-6;
 
 impl Noise {
-    /// White noise of one size on all axes.
-    pub fn white(sigma_mm: f64) -> Self {
-        Self {
-            sigma_mm: [sigma_mm; 3],
-            slow: None,
-            unequal: false,
-            slow_evidence: 0.0,
-            alternatives: Vec::new(),
-        }
-    }
-
-    /// This noise beside the one that is stated for the instrument, where one is.
-    pub fn against_stated(&self, session: &Session) -> Option<StatedNoise> {
-        let stated = session.instrument.sigma_mm?;
-        let planar = session.samples.z_mm.is_none();
-        let axes = if planar { &[0, 1][..] } else { &[0, 1, 2] };
-        Some(StatedNoise::of(stated, self.sigma_mm, axes))
-    }
-
     /// From raw residuals and the columns of the fit that left them.
     pub fn estimate(
         stated: Option<Sigma>,
@@ -156,30 +119,6 @@ impl Noise {
             .scale(&sums, &noise.sigma_mm)
             .max(SMALLEST_SIGMA_MM);
         noise.scaled(scale)
-    }
-
-    /// Noise of the same size that is known to be white.
-    #[must_use]
-    pub fn made_white(&self) -> Self {
-        let slow = self.slow.map_or([0.0; 3], |s| s.rms_mm);
-        let total = |axis: usize| self.sigma_mm[axis].hypot(slow[axis]);
-        Self {
-            sigma_mm: [total(0), total(1), total(2)],
-            slow: None,
-            alternatives: Vec::new(),
-            ..self.clone()
-        }
-    }
-
-    /// The same noise so many times as large.
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        let mut noise = self.clone();
-        noise.sigma_mm = noise.sigma_mm.map(|s| s * factor);
-        if let Some(slow) = &mut noise.slow {
-            slow.rms_mm = slow.rms_mm.map(|s| s * factor);
-        }
-        noise
     }
 
     /// Sizes of the axes relative to each other, where they clearly differ.
@@ -277,27 +216,5 @@ impl Noise {
             && (share(self) - share(other)).abs() < 0.1
             && (time(self) - time(other)).abs() < 0.5
             && (0..3).all(|axis| (size(self, axis) - size(other, axis)).abs() < 0.05)
-    }
-
-    /// Root mean square of both parts over some axes, mm.
-    pub fn total_mm(&self, axes: &[usize]) -> f64 {
-        let one = |a: &usize| {
-            let slow = self.slow.map_or(0.0, |s| s.rms_mm[*a]);
-            self.sigma_mm[*a].powi(2) + slow * slow
-        };
-        (axes.iter().map(one).sum::<f64>() / axes.len().max(1) as f64).sqrt()
-    }
-
-    /// Correlation of the noise from one sample to the next, `step_s` apart.
-    pub fn correlation(&self, step_s: f64) -> f64 {
-        self.slow.map_or(0.0, |slow| {
-            let (mut all, mut own) = (0.0, 0.0);
-            for axis in 0..3 {
-                let s2 = slow.rms_mm[axis].powi(2);
-                own += s2;
-                all += s2 + self.sigma_mm[axis].powi(2);
-            }
-            own / f64::max(all, f64::MIN_POSITIVE) * (-step_s / slow.time_constant_s).exp()
-        })
     }
 }

@@ -3,9 +3,7 @@
 
 use super::restricted::Restricted;
 use super::{Noise, PRICE_OF_A_VARIANCE};
-
-/// Likelihood, time constant and variances of the slow part in units of the white one's.
-pub(super) type Trial = (f64, f64, [f64; 3]);
+use crate::answers::noise::Trial;
 
 /// Variances of the slow part that are tried first, in units of the white part's.
 const RATIOS: [f64; 4] = [0.1, 0.6, 4.0, 60.0];

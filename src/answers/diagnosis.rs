@@ -1,18 +1,15 @@
 //! What a diagnosis answers: its types.
 
-use crate::effects::{Inputs, JointValues};
-use crate::fit::{Estimate, Identification, Outlier};
+use crate::effects::curve::Curve;
+use crate::effects::{Inputs, JointValues, Term};
+use crate::model::shapes::{Shape, Where};
 use crate::model::{Calibration, GapStep, Model};
-use crate::sessions::Session;
+use crate::sessions::{Mend, Session};
 
-use super::anonymous::{Shape, Where};
-use super::candidates::NotTestable;
-use super::familywise::FamilyP;
+use super::identification::{Estimate, Identification, Outlier};
 use super::limits::Limit;
-use super::next_pose::NextPose;
-use super::smooth::Correction;
-use crate::fit::noise::{Noise, StatedNoise};
-use crate::set_up_errors::DataProblem;
+use super::noise::{Noise, StatedNoise};
+use super::pose::NextPose;
 
 /// The short answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -219,4 +216,61 @@ impl Diagnosis {
             ..self.identification.calibration(session, &inputs)
         }
     }
+}
+
+/// A smooth correction, and what it brings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Correction {
+    /// The model's term under the name `unexplained`.
+    pub term: Term,
+    /// Gap over the samples that were fitted, without and with it, mm.
+    pub gap_mm: [f64; 2],
+    /// Gap on samples that the fit has not seen, without and with it, mm.
+    pub held_out_mm: [f64; 2],
+    /// How they were held out.
+    pub how: String,
+    /// In words.
+    pub says: String,
+}
+
+impl Correction {
+    /// Its curve.
+    pub fn curve(&self) -> Option<&Curve> {
+        self.term.curve()
+    }
+}
+
+/// The chance that noise alone reaches as much in the whole search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FamilyP {
+    /// The chance; never below one over the number of simulations.
+    pub p: f64,
+    /// Whether it is a bound: "fewer than".
+    pub bound: bool,
+}
+
+/// An effect that this session cannot show, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotTestable {
+    /// The effect's name.
+    pub effect: &'static str,
+    /// Joint, counted from 0; `None` where it belongs to none.
+    pub joint: Option<usize>,
+    /// Why.
+    pub because: String,
+}
+
+/// A mistake in the data, its evidence, and how to mend it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataProblem {
+    /// What is wrong.
+    pub what: String,
+    /// What speaks for it.
+    pub evidence: String,
+    /// What to do.
+    pub proposal: String,
+    /// The same as a change of the session, where that is mechanical.
+    pub mend: Option<Mend>,
+    /// The samples that it is about, counted from 0; empty where it is about all of them.
+    pub samples: Vec<usize>,
 }

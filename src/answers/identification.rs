@@ -9,11 +9,8 @@ use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::observations::figures::KindFigures;
 use crate::sessions::Session;
 
-use super::expected::Expected;
-use super::gap::Spread;
-use super::levels::Level;
+use super::errors::{Expected, Level, Spread, Unusable};
 use super::noise::Noise;
-use super::problem::Unusable;
 
 /// A parameter with its interval, in the user's units.
 #[derive(Debug, Clone, PartialEq)]

@@ -46,27 +46,10 @@ pub enum RegionError {
 /// More regions than this are a slip of the keyboard.
 pub const MOST_REGIONS: usize = 100_000;
 /// Regions where neither session nor operator says otherwise: the paper's number.
-const DEFAULT_REGIONS: usize = 6;
-
-impl RegionChoice {
-    /// The regions for a session with one joint.
-    ///
-    /// # Errors
-    /// [`RegionError`] where the choice makes no sense for the session.
-    pub fn resolve(&self, session: &Session) -> Result<Vec<Region>, RegionError> {
-        match self {
-            Self::FromSession if session.regions.is_empty() => uniform(session, DEFAULT_REGIONS),
-            Self::FromSession => Ok(session.regions.clone()),
-            Self::Uniform(number) => uniform(session, *number),
-            Self::Boundaries(boundaries) => between(boundaries),
-            Self::Given(regions) => Ok(regions.clone()),
-            Self::Adaptive => super::adaptive::adaptive(session),
-        }
-    }
-}
+pub(crate) const DEFAULT_REGIONS: usize = 6;
 
 /// Equal regions over the joint's limits, else over the data's range, named 1…N upwards.
-fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, RegionError> {
+pub(crate) fn uniform(session: &Session, number: usize) -> Result<Vec<Region>, RegionError> {
     if !(1..=MOST_REGIONS).contains(&number) {
         return Err(RegionError::Number(number));
     }
@@ -90,7 +73,7 @@ pub fn range_to_divide(session: &Session) -> Option<Range> {
 }
 
 /// Regions between neighbouring boundaries, named 1…N upwards.
-pub(super) fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
+pub(crate) fn between(boundaries: &[f64]) -> Result<Vec<Region>, RegionError> {
     if boundaries.len() < 2 {
         return Err(RegionError::TooFewBoundaries(boundaries.len()));
     }

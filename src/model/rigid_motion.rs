@@ -3,7 +3,7 @@
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-use crate::model::Positions;
+use super::Positions;
 use crate::sessions::Session;
 
 /// `measured ≈ motion · predicted` over the samples that `counts` picks; `None` with fewer than

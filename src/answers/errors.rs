@@ -1,0 +1,123 @@
+//! Sizes of errors: over samples, levels of correction, and the range of a robot.
+
+/// One level of correction and the errors that it leaves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// What the controller would have to take.
+    pub what: &'static str,
+    /// Combinations of coefficients that the samples determine.
+    pub parameters: usize,
+    /// Root mean square error in the fit, mm.
+    pub rms_mm: f64,
+    /// On samples that the fit has not seen; `None` with too few samples.
+    pub cross_validated: Option<Errors>,
+}
+
+/// Lengths of deviations, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Errors {
+    /// Mean.
+    pub mean_mm: f64,
+    /// Root mean square.
+    pub rms_mm: f64,
+    /// 95 of 100 are no longer.
+    pub p95_mm: f64,
+    /// Longest.
+    pub max_mm: f64,
+}
+
+impl Errors {
+    /// Of some lengths; `None` of none.
+    pub fn of(mut lengths_mm: Vec<f64>) -> Option<Self> {
+        lengths_mm.retain(|l| l.is_finite());
+        lengths_mm.sort_by(f64::total_cmp);
+        let n = lengths_mm.len();
+        let max_mm = *lengths_mm.last()?;
+        let count = n as f64;
+        Some(Self {
+            mean_mm: lengths_mm.iter().sum::<f64>() / count,
+            rms_mm: (lengths_mm.iter().map(|l| l * l).sum::<f64>() / count).sqrt(),
+            p95_mm: lengths_mm[(n * 95).div_ceil(100).clamp(1, n) - 1],
+            max_mm,
+        })
+    }
+}
+
+/// The error that a model is expected to make, from the uncertainty of its parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expected {
+    /// Root mean square over the joint ranges, mm.
+    pub rms_mm: f64,
+    /// The largest there, mm.
+    pub max_mm: f64,
+    /// Where it is largest, rad or mm.
+    pub worst_q: Vec<f64>,
+    /// Root mean square at the poses that were measured, mm.
+    pub measured_rms_mm: f64,
+}
+
+impl Expected {
+    /// Whether the samples show the measured poses much better than the joint ranges.
+    pub fn extrapolates(&self) -> bool {
+        self.rms_mm > POORLY * self.measured_rms_mm
+    }
+}
+
+/// So many times the uncertainty at the measured poses is poor.
+const POORLY: f64 = 3.0;
+
+/// Root mean square and largest of some lengths; `None` where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Root mean square, without suspected outliers, mm.
+    pub rms_mm: f64,
+    /// Largest, suspected outliers included, mm.
+    pub max_mm: f64,
+}
+
+impl Spread {
+    /// Over the samples that `counts` picks; those that `outlier` picks count in the largest only.
+    pub fn of(
+        lengths_mm: &[f64],
+        counts: impl Fn(usize) -> bool,
+        outlier: impl Fn(usize) -> bool,
+    ) -> Option<Self> {
+        let (mut sum, mut n, mut max_mm) = (0.0, 0_usize, None);
+        for (i, length) in lengths_mm.iter().enumerate() {
+            if length.is_nan() || !counts(i) {
+                continue;
+            }
+            max_mm = Some(length.max(max_mm.unwrap_or(0.0)));
+            if !outlier(i) {
+                sum += length * length;
+                n += 1;
+            }
+        }
+        let max_mm = max_mm?;
+        let rms_mm = if n > 0 {
+            (sum / n as f64).sqrt()
+        } else {
+            max_mm
+        };
+        Some(Self { rms_mm, max_mm })
+    }
+}
+
+/// Why a sample cannot take part at all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unusable {
+    /// A joint value or a coordinate is missing.
+    MissingCell,
+    /// The instrument lost the reflector: it wrote (0, 0, 0).
+    LostReflector,
+}
+
+impl Unusable {
+    /// In words.
+    pub fn says(self) -> &'static str {
+        match self {
+            Self::MissingCell => "a joint value or a coordinate is missing",
+            Self::LostReflector => "the instrument lost the reflector: it wrote 0, 0, 0",
+        }
+    }
+}

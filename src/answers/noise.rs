@@ -1,0 +1,175 @@
+//! Noise as it was found: its sizes, and what is said of it. The equations stand in
+//! [`crate::fit::noise`].
+
+use crate::sessions::{Session, Sigma};
+
+/// Share of the probability (a log-likelihood while they are compared), time constant in seconds, and
+/// variances of the slow part in units of the white one's.
+pub(crate) type Trial = (f64, f64, [f64; 3]);
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of the white part along x, y, z, mm.
+    pub sigma_mm: [f64; 3],
+    /// The slow part, where the residuals show one.
+    pub slow: Option<Slow>,
+    /// Whether the axes were found, or stated, to differ.
+    pub unequal: bool,
+    /// Twice the logarithm by which the slow part makes the residuals likelier.
+    pub slow_evidence: f64,
+    /// What else it may be, with its share of the probability: a time constant and the variances
+    /// of the slow part in units of the white one's (all zero: white). Intervals average over it.
+    pub(crate) alternatives: Vec<Trial>,
+}
+
+impl Noise {
+    /// White noise of one size on all axes.
+    pub fn white(sigma_mm: f64) -> Self {
+        Self {
+            sigma_mm: [sigma_mm; 3],
+            slow: None,
+            unequal: false,
+            slow_evidence: 0.0,
+            alternatives: Vec::new(),
+        }
+    }
+
+    /// Noise of the same size that is known to be white.
+    #[must_use]
+    pub fn made_white(&self) -> Self {
+        let slow = self.slow.map_or([0.0; 3], |s| s.rms_mm);
+        let total = |axis: usize| self.sigma_mm[axis].hypot(slow[axis]);
+        Self {
+            sigma_mm: [total(0), total(1), total(2)],
+            slow: None,
+            alternatives: Vec::new(),
+            ..self.clone()
+        }
+    }
+
+    /// The same noise so many times as large.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut noise = self.clone();
+        noise.sigma_mm = noise.sigma_mm.map(|s| s * factor);
+        if let Some(slow) = &mut noise.slow {
+            slow.rms_mm = slow.rms_mm.map(|s| s * factor);
+        }
+        noise
+    }
+
+    /// Root mean square of both parts over some axes, mm.
+    pub fn total_mm(&self, axes: &[usize]) -> f64 {
+        let one = |a: &usize| {
+            let slow = self.slow.map_or(0.0, |s| s.rms_mm[*a]);
+            self.sigma_mm[*a].powi(2) + slow * slow
+        };
+        (axes.iter().map(one).sum::<f64>() / axes.len().max(1) as f64).sqrt()
+    }
+
+    /// Correlation of the noise from one sample to the next, `step_s` apart.
+    pub fn correlation(&self, step_s: f64) -> f64 {
+        self.slow.map_or(0.0, |slow| {
+            let (mut all, mut own) = (0.0, 0.0);
+            for axis in 0..3 {
+                let s2 = slow.rms_mm[axis].powi(2);
+                own += s2;
+                all += s2 + self.sigma_mm[axis].powi(2);
+            }
+            own / f64::max(all, f64::MIN_POSITIVE) * (-step_s / slow.time_constant_s).exp()
+        })
+    }
+
+    /// This noise beside the one that is stated for the instrument, where one is.
+    pub fn against_stated(&self, session: &Session) -> Option<StatedNoise> {
+        let stated = session.instrument.sigma_mm?;
+        let planar = session.samples.z_mm.is_none();
+        let axes = if planar { &[0, 1][..] } else { &[0, 1, 2] };
+        Some(StatedNoise::of(stated, self.sigma_mm, axes))
+    }
+}
+
+/// A part of the noise that wanders slowly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slow {
+    /// Root mean square along x, y, z, mm.
+    pub rms_mm: [f64; 3],
+    /// Time over which it forgets where it was, s (samples, where the session has no clock).
+    pub time_constant_s: f64,
+}
+
+impl Slow {
+    /// In words, where everything that has a name is in the model.
+    pub fn says(&self) -> String {
+        format!("the measuring frame wanders by {}", self.extent())
+    }
+
+    /// In words, where the model may lack what changes with time as the poses do.
+    pub fn says_of_remaining_error(&self) -> String {
+        format!(
+            "a part of the remaining error goes on from sample to sample, {}: a diagnosis looks \
+             for effects in it",
+            self.extent()
+        )
+    }
+
+    fn extent(&self) -> String {
+        let length = self.rms_mm.iter().map(|s| s * s).sum::<f64>().sqrt();
+        format!(
+            "{length:.4} mm (root mean square) within {:.1} min",
+            self.time_constant_s / 60.0
+        )
+    }
+}
+
+/// The size of the white noise as it is stated for the instrument, and as it was found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedNoise {
+    /// As stated, root mean square over the axes, mm.
+    pub stated_mm: f64,
+    /// As found, mm.
+    pub found_mm: f64,
+}
+
+/// Stated and found noise that differ by more than this factor are told.
+const WORTH_TELLING: f64 = 1.15;
+
+impl StatedNoise {
+    /// Stated and found noise of the measured axes.
+    pub fn of(stated: Sigma, found_mm: [f64; 3], axes: &[usize]) -> Self {
+        let stated_mm = match stated {
+            Sigma::Overall(sigma) => sigma,
+            Sigma::PerAxis(sigma) => over(sigma, axes),
+        };
+        Self {
+            stated_mm,
+            found_mm: over(found_mm, axes),
+        }
+    }
+
+    /// Whether the two differ by more than 15 %.
+    pub fn differs(&self) -> bool {
+        let ratio = self.found_mm / self.stated_mm;
+        !(WORTH_TELLING.recip()..=WORTH_TELLING).contains(&ratio)
+    }
+
+    /// In words.
+    pub fn says(&self) -> String {
+        let Self {
+            stated_mm,
+            found_mm,
+        } = self;
+        format!(
+            "σ = {found_mm:.4} mm as found, {stated_mm:.4} mm as stated for the instrument \
+             ({:.2} times)",
+            found_mm / stated_mm
+        )
+    }
+}
+
+/// Root mean square over some axes.
+fn over(sigma: [f64; 3], axes: &[usize]) -> f64 {
+    let sum: f64 = axes.iter().map(|a| sigma[*a].powi(2)).sum();
+    (sum / axes.len().max(1) as f64).sqrt()
+}
