@@ -67,7 +67,7 @@ impl Expected {
 const POORLY: f64 = 3.0;
 
 /// Root mean square and largest of some lengths; `None` where there is none.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Spread {
     /// Root mean square, without suspected outliers, mm.
     pub rms_mm: f64,

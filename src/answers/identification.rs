@@ -84,7 +84,7 @@ pub struct NotIdentifiable {
 }
 
 /// The gap before and after.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Gap {
     /// Of the nominal robot.
     pub before: Spread,

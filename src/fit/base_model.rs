@@ -35,7 +35,7 @@
 
 use std::borrow::Cow;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Isometry3};
 
 use crate::effects::{
     Effect, Inputs, LinkGeometry, MeasuringFrame, Role, Setting, Term, ToolOrientation,
@@ -51,8 +51,8 @@ use super::observed;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
-use super::unidentifiable::coefficient_names;
 use crate::answers::identification::NotIdentifiable;
+use crate::model::names::coefficient_names;
 use crate::model::rigid_motion::best_rigid_motion;
 
 /// A turn or a move beyond this is no error of an alignment: nobody aligned the frame.
@@ -72,6 +72,7 @@ const ROUNDING_MM: f64 = 1e-6;
 const MOST_SAMPLES: usize = 3000;
 /// Noise where nobody says, mm: what a tracker has.
 const USUAL_NOISE_MM: f64 = 0.05;
+const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 /// How often priors may be weighed anew and let go.
 const MOST_ROUNDS: usize = 8;
 /// A variance that changes by no more than this, as a logarithm, has settled.
@@ -128,23 +129,40 @@ pub fn start(session: &Session, problem: &Problem, exists: impl Fn(&str) -> bool
 /// A frame for each setup, or the one of the instrument, from the best rigid motion.
 fn frames(session: &Session, problem: &Problem) -> Vec<Term> {
     let nominal = Model::nominal(session.robot.clone()).predict(&problem.inputs);
+    frames_from(session, |inside| {
+        best_rigid_motion(session, &nominal, |i| problem.used[i] && inside(i))
+    })
+}
+
+/// A free frame for each setup where the session has setups, started from the best rigid motion.
+pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
+    match &session.samples.setups {
+        Some(_) => frames(session, problem),
+        None => Vec::new(),
+    }
+}
+
+/// A frame for each setup, or the one of the instrument; `motion` says where it is from the samples
+/// that it is asked for.
+pub(super) fn frames_from(
+    session: &Session,
+    motion: impl Fn(&dyn Fn(usize) -> bool) -> Option<Isometry3<f64>>,
+) -> Vec<Term> {
     let setups = session.samples.setups.as_ref();
-    let count = setups.map_or(1, |s| s.names.len());
     let frame = |setup: usize| {
-        let inside = |i: usize| {
-            let here = setups.is_none_or(|s| s.index[i] as usize == setup);
-            problem.used[i] && here
-        };
         let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
         term.label = setups.map(|s| s.names[setup].as_str().into());
-        if let Some(motion) = best_rigid_motion(session, &nominal, inside) {
+        let inside = |i: usize| setups.is_none_or(|s| s.index[i] as usize == setup);
+        if let Some(motion) = motion(&inside) {
             let turn = motion.rotation.scaled_axis();
             let shift = motion.translation.vector;
             term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
         }
         term
     };
-    (0..count).map(frame).collect()
+    (0..setups.map_or(1, |s| s.names.len()))
+        .map(frame)
+        .collect()
 }
 
 /// Each target's own part, where the session shows several.
@@ -317,30 +335,18 @@ fn may_turn(problem: &Problem, start: &Model) -> bool {
 
 /// The model with its links where they are.
 fn links_held(model: &Model) -> Model {
-    let terms = model.terms().iter().map(|term| {
-        let mut term = term.clone();
+    model.with_each(|_, term| {
         if term.effect.about().id == LinkGeometry.about().id {
             for k in 0..term.coefficients.len() {
                 term.held = term.held.with(k);
             }
         }
-        term
-    });
-    Model::new(model.robot.clone(), terms.collect())
+    })
 }
 
 /// The values of one model with what is held in another of the same terms.
 fn with_held_of(values: &Model, held: &Model) -> Model {
-    let terms = values
-        .terms()
-        .iter()
-        .zip(held.terms())
-        .map(|(term, other)| {
-            let mut term = term.clone();
-            term.held = other.held;
-            term
-        });
-    Model::new(values.robot.clone(), terms.collect())
+    values.with_each(|index, term| term.held = held.terms()[index].held)
 }
 
 fn name_of(robot: &Robot, term: &Term, coefficient: usize) -> String {
@@ -515,26 +521,7 @@ fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
     if let Some(layer) = &problem.observed {
         return observed::columns(layer, model, MOST_SAMPLES);
     }
-    let used: Vec<usize> = (0..problem.used.len())
-        .filter(|i| problem.used[*i])
-        .collect();
-    let chosen: Vec<usize> = if used.len() <= MOST_SAMPLES {
-        used
-    } else {
-        // A step of the golden ratio inside each stretch, so that no rhythm of the poses is hit.
-        let stretch = used.len() as f64 / MOST_SAMPLES as f64;
-        let at = |k: usize| {
-            let inside = (k as f64 * 0.618_033_988_749_894_9).fract();
-            ((k as f64 + inside) * stretch).floor()
-        };
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a place among the samples"
-        )]
-        let index = |k: usize| (at(k) as usize).min(used.len() - 1);
-        (0..MOST_SAMPLES).map(|k| used[index(k)]).collect()
-    };
+    let chosen = spread(&problem.used, MOST_SAMPLES);
     let inputs: Inputs = problem.inputs.select(&chosen);
     let largest = problem.axis_weights.iter().copied().fold(0.0, f64::max);
     let mut rows = DMatrix::zeros(3 * chosen.len(), model.coefficient_count());
@@ -549,6 +536,24 @@ fn columns(problem: &Problem, model: &Model) -> DMatrix<f64> {
         }
     });
     rows
+}
+
+/// At most so many of those that count, in order: a step of the golden ratio inside each stretch, so
+/// that no rhythm of the poses is hit.
+pub(super) fn spread(used: &[bool], most: usize) -> Vec<usize> {
+    let used: Vec<usize> = (0..used.len()).filter(|i| used[*i]).collect();
+    if used.len() <= most {
+        return used;
+    }
+    let stretch = used.len() as f64 / most as f64;
+    let at = |k: usize| ((k as f64 + (k as f64 * GOLDEN_RATIO).fract()) * stretch).floor();
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a place among the samples"
+    )]
+    let index = |k: usize| (at(k) as usize).min(used.len() - 1);
+    (0..most).map(|k| used[index(k)]).collect()
 }
 
 /// What the session states of its targets' places, as rows of their own.

@@ -8,8 +8,8 @@ use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
 use crate::effects::{
-    CATALOGUE, Effect, Inputs, JointValues, MeasuringFrame, OF_A_SINGLE_AXIS, Role, Setting,
-    Survey, Term, find, form_in, role,
+    CATALOGUE, Effect, Inputs, JointValues, OF_A_SINGLE_AXIS, Role, Setting, Survey, Term, find,
+    form_in, role,
 };
 use crate::model::Model;
 use crate::sessions::{Session, Sigma};
@@ -23,12 +23,12 @@ use super::outliers::suspects;
 use super::problem::{Problem, Watch, unusable};
 use super::solver::{Solution, Stopped, spectrum_at};
 use super::uncertainty::{estimates, half_width_factor};
-use super::unidentifiable::{name_on_joint, undetermined_combinations};
+use super::unidentifiable::undetermined_combinations;
 use super::{base_model, observed, scan};
 use crate::answers::identification::{
     Estimate, Gap, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
 };
-use crate::model::rigid_motion;
+use crate::model::names::name_on_joint;
 
 /// The effects that every calibration identifies.
 pub const DEFAULT_EFFECTS: [&str; 2] = OF_A_SINGLE_AXIS;
@@ -223,7 +223,7 @@ pub(super) fn prepare<'a>(
     } else if let Some(layer) = &problem.observed {
         terms.extend(observed::terms_beside(session, layer));
     } else {
-        terms.extend(free_frames(session, &problem));
+        terms.extend(base_model::free_frames(session, &problem));
     }
     let nominal = Model::nominal(session.robot.clone());
     let base = base || problem.observed.is_some();
@@ -273,17 +273,7 @@ pub fn report(
         parameters: parameters_of(problem, &solution, covariance.as_ref()).concat(),
         regions: Vec::new(),
         not_identifiable,
-        gap: gap_over(&|i| problem.fit[i]).unwrap_or(Gap {
-            before: Spread {
-                rms_mm: 0.0,
-                max_mm: 0.0,
-            },
-            after: Spread {
-                rms_mm: 0.0,
-                max_mm: 0.0,
-            },
-            samples: 0,
-        }),
+        gap: gap_over(&|i| problem.fit[i]).unwrap_or_default(),
         held_out: held_out.and_then(|h| gap_over(&|i| problem.usable[i] && h[i])),
         levels: Vec::new(),
         expected: None,
@@ -324,28 +314,6 @@ fn same_everywhere(places: &[(usize, Option<String>)]) -> Option<String> {
         .iter()
         .all(|(_, obstacle)| obstacle.as_ref() == Some(&first))
         .then_some(first)
-}
-
-/// One free measuring frame per setup, started from the best rigid fit.
-pub(crate) fn free_frames(session: &Session, problem: &Problem) -> Vec<Term> {
-    let Some(setups) = &session.samples.setups else {
-        return Vec::new();
-    };
-    let nominal = Model::nominal(session.robot.clone());
-    let predicted = nominal.predict(&problem.inputs);
-    (0..setups.names.len())
-        .map(|setup| {
-            let in_setup = |i: usize| problem.used[i] && setups.index[i] as usize == setup;
-            let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
-            term.label = Some(setups.names[setup].as_str().into());
-            if let Some(frame) = rigid_motion::best_rigid_motion(session, &predicted, in_setup) {
-                let rotation = frame.rotation.scaled_axis();
-                let shift = frame.translation.vector;
-                term.coefficients = [rotation.as_slice(), shift.as_slice()].concat();
-            }
-            term
-        })
-        .collect()
 }
 
 fn noise_by_axis(problem: &Problem, after: &Deviations, rank: usize) -> Option<[f64; 3]> {

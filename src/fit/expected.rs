@@ -14,6 +14,7 @@ pub use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
 
+use super::base_model::spread;
 use super::problem::Problem;
 
 /// Poses over the joint ranges.
@@ -26,11 +27,7 @@ pub fn expected_error(
 ) -> Option<Expected> {
     let inputs = over_the_ranges(problem);
     let over = errors(model, &inputs, covariance)?;
-    let used: Vec<usize> = (0..problem.used.len())
-        .filter(|i| problem.used[*i])
-        .collect();
-    let stride = used.len().div_ceil(POSES).max(1);
-    let some: Vec<usize> = used.into_iter().step_by(stride).collect();
+    let some = spread(&problem.used, POSES);
     let measured = errors(model, &problem.inputs.select(&some), covariance)?;
     let rms = |all: &[f64]| {
         let square: f64 = all.iter().map(|e| e * e).sum();

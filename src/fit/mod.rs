@@ -29,12 +29,13 @@ pub use crate::answers::identification::{
     RegionResult, measured_ranges,
 };
 pub use crate::sessions::division as regions;
+pub(crate) use base_model::free_frames;
 pub use estimator::{fit_without_outliers, noise_beside};
+pub(crate) use exact::outliers;
 pub use exact::{
     DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_with,
     identify_without_priors, parameters_of, report, testable_effects,
 };
-pub(crate) use exact::{free_frames, outliers};
 pub use plane::{RegionSums, sum_by_region};
 pub use regional::identify_regional;
 

@@ -4,17 +4,18 @@
 use nalgebra::DMatrix;
 
 use crate::effects::places::PlaceKind;
-use crate::effects::{Held, MeasuringFrame, Role, Term, ToolOrientation};
+use crate::effects::{Held, Role, Term, ToolOrientation};
 use crate::model::Model;
 use crate::observations::figures::{KindFigures, by_kind};
 use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
 
+use super::base_model::{frames_from, spread};
 use super::priors::key;
 use super::problem::Problem;
-use super::unidentifiable::coefficient_names;
 use crate::answers::identification::NotIdentifiable;
+use crate::model::names::coefficient_names;
 
 /// Frames, places and the turn of the tool of a robot with several joints.
 pub(super) fn terms(session: &Session, layer: &Layer) -> Vec<Term> {
@@ -44,22 +45,10 @@ pub(crate) fn terms_beside(session: &Session, layer: &Layer) -> Vec<Term> {
 
 /// A frame for each setup, or the one of the instrument.
 fn frames(session: &Session, layer: &Layer, nominal: &Model) -> Vec<Term> {
-    let setups = session.samples.setups.as_ref();
     let open = gauge::open(layer).base;
-    let frame = |setup: usize| {
-        let inside = |i: usize| setups.is_none_or(|s| s.index[i] as usize == setup);
-        let mut term = Term::absent(&MeasuringFrame, 0, setup as f64);
-        term.label = setups.map(|s| s.names[setup].as_str().into());
-        let motion = (!open).then(|| start::frame(layer, nominal, inside));
-        if let Some(motion) = motion.flatten() {
-            let turn = motion.rotation.scaled_axis();
-            let shift = motion.translation.vector;
-            term.coefficients = [turn.as_slice(), shift.as_slice()].concat();
-        }
-        term
-    };
-    let count = setups.map_or(1, |s| s.names.len());
-    (0..count).map(frame).collect()
+    frames_from(session, |inside| {
+        (!open).then(|| start::frame(layer, nominal, inside))?
+    })
 }
 
 /// The places of a model and nothing else: the nominal robot beside what its measurements refer to.
@@ -151,14 +140,11 @@ pub(super) fn with_base_held(
 }
 
 fn with_length_held(model: &Model) -> Model {
-    let terms = model.terms().iter().map(|term| {
-        let mut term = term.clone();
+    model.with_each(|_, term| {
         if term.effect.about().role == Role::ToolRadius {
             term.held = Held::default().with(0);
         }
-        term
-    });
-    Model::new(model.robot.clone(), terms.collect())
+    })
 }
 
 /// The size that the priors hold, as a row beside the columns of a Jacobian in mm.
@@ -181,11 +167,9 @@ pub(super) fn add_size(problem: &Problem, model: &Model, reach_mm: f64, rows: &m
 /// what unknown places measure of them, and the frame for the places.
 pub(super) fn columns(layer: &Layer, model: &Model, most: usize) -> DMatrix<f64> {
     let open = gauge::open(layer).base;
-    let count = layer.used.iter().filter(|used| **used).count();
-    let mut kept = layer.used.clone();
-    for (seen, used) in kept.iter_mut().filter(|used| **used).enumerate() {
-        // Evenly: one stays wherever k·most/count steps on.
-        *used = count <= most || (seen + 1) * most / count > seen * most / count;
+    let mut kept = vec![false; layer.used.len()];
+    for item in spread(&layer.used, most) {
+        kept[item] = true;
     }
     let mut all: Vec<Vec<f64>> = vec![Vec::new(); model.coefficient_count()];
     layer.visit(model, true, |block: &mut RowBlock| {

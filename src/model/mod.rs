@@ -11,6 +11,7 @@
 
 mod calibration;
 pub mod format_v1;
+pub(crate) mod names;
 pub mod rigid_motion;
 pub mod shapes;
 
@@ -125,6 +126,16 @@ impl Model {
     pub fn with_term(&self, term: Term) -> Self {
         let terms = self.terms.iter().cloned().chain([term]).collect();
         Self::new(self.robot.clone(), terms)
+    }
+
+    /// The same model with its terms changed one by one, each with its place among them.
+    #[must_use]
+    pub fn with_each(&self, change: impl Fn(usize, &mut Term)) -> Self {
+        let mut model = self.clone();
+        for (index, term) in model.terms.iter_mut().enumerate() {
+            change(index, term);
+        }
+        model
     }
 
     /// The same model without some of its effects.

@@ -139,9 +139,7 @@ mod tests {
                 rms_mm: [rms; 3],
                 time_constant_s: tau,
             }),
-            unequal: false,
-            slow_evidence: 0.0,
-            alternatives: Vec::new(),
+            ..Noise::white(1.0)
         };
         let filter = noise.filter_over(&times, &[0]);
         let y = DVector::from_fn(7, |k, _| (k as f64 + 1.0).sin());
