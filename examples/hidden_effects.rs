@@ -25,6 +25,8 @@ mod component;
 mod final_set;
 #[path = "hidden_effects/form.rs"]
 mod form;
+#[path = "hidden_effects/ideal_noise.rs"]
+mod ideal_noise;
 #[path = "hidden_effects/intervals.rs"]
 mod intervals;
 #[path = "hidden_effects/known.rs"]

@@ -6,6 +6,7 @@ use truepose::diagnosis::{Diagnosis, Options};
 use crate::absorbed::left_by_neighbours;
 use crate::asked::{as_json, diagnosed_with, in_short, in_the_set};
 use crate::cells::{Column, count, details, in_parallel, row, rows_of};
+use crate::ideal_noise::takes_it_for_an_offset;
 use crate::rig::noise::{Noise, Path, Slow, WHITE};
 use crate::rig::{Design, Hidden, Random, Rig};
 use crate::{design, names, single_names};
@@ -43,6 +44,8 @@ struct Seen {
     machine: bool,
     /// Nothing of the machine but what the mean of the wander looks like.
     mean_alone: bool,
+    /// A test that knows the noise takes it for a base offset.
+    ideal_offset: bool,
     frame: bool,
     flagged: bool,
     reported: bool,
@@ -77,11 +80,16 @@ pub fn wandering(n: usize) {
             "≤ 1 %",
         );
     }
-    let columns: [Column<Seen>; 5] = [
+    let columns: [Column<Seen>; 6] = [
         ("a part of the machine named", |s| s.machine, "≤ 1 %"),
         (
             "of the machine a base offset or an instrument scale alone, the mean of the wander",
             |s| s.mean_alone,
+            "",
+        ),
+        (
+            "an ideal test that knows the noise takes it for a base offset",
+            |s| s.ideal_offset,
             "",
         ),
         ("a frame effect named", |s| s.frame, ""),
@@ -112,7 +120,8 @@ fn nothing_hidden(path: Option<Path>, k: usize) -> Seen {
     let slow = path.map(|path| Slow::random(path, &mut random));
     rig.measure_with(&Noise { slow, ..WHITE }, &mut random);
     let answer = diagnosed_with(&rig, &Options::default());
-    let seen = seen(&rig, &answer, &[]);
+    let mut seen = seen(&rig, &answer, &[]);
+    seen.ideal_offset = slow.is_some_and(|slow| takes_it_for_an_offset(&rig, &slow));
     if seen.machine || seen.frame || seen.flagged {
         told(&rig, &answer, slow, k);
     }
@@ -186,6 +195,7 @@ fn seen(rig: &Rig, answer: &Diagnosis, truth: &[&str]) -> Seen {
     let mean = |id: &str| id == "base-offset" || id == "instrument-scale";
     let of_the_machine = |id: &&&str| !truth.contains(*id) && !of_the_frame(id);
     Seen {
+        ideal_offset: false,
         mean_alone: wrong(false) && found.iter().filter(of_the_machine).all(|id| mean(id)),
         shuffled: rig.design.shuffled,
         aliased: false,

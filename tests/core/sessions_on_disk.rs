@@ -96,7 +96,11 @@ fn a_kill_in_the_middle_of_saving_leaves_whole_files() {
     let mut seen = Vec::new();
     for round in 0..12_u64 {
         let mut child = Command::new(std::env::current_exe().unwrap())
-            .args(["--exact", "sessions_on_disk::child_that_saves_for_ever", "--nocapture"])
+            .args([
+                "--exact",
+                "sessions_on_disk::child_that_saves_for_ever",
+                "--nocapture",
+            ])
             .env("TRUEPOSE_TEST_SAVES_TO", &path)
             .stdout(std::process::Stdio::null())
             .spawn()
