@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::arm::{Arm, Candidate};
-use super::comparison::inverse;
+use super::arm::Arm;
+use super::candidates::Candidate;
 use super::exchange::{Criterion, Information, choose, exchange};
 use super::imagined::{Shown, shown};
 use super::outlook::{ExpectedError, Prospect, Workspace};
@@ -40,27 +40,19 @@ pub(crate) struct Bench {
 impl Arm {
     /// Candidates beside what was measured. Without a model it is found what they can show.
     fn bench(&self, candidates: Vec<Candidate>, model: Option<Model>) -> Bench {
-        let whole = self.with(&candidates);
+        let whole = self.with(&candidates, &self.writing(None));
         let before = self.session.samples.len();
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
         problem.priors = self.priors.clone();
         let model = model.unwrap_or_else(|| base_model::gauged(&problem, &self.base));
         let (columns, known) = self.known(&model);
         let mut shown = shown(&whole, &model, &columns);
-        let mut precision = known + &shown.beside;
+        let information = shown.information(before, known);
         shown.beside += self.stated(&model, &columns);
-        let measured = shown.rows.rows(0, shown.first[before]);
-        precision.gemm_tr(1.0, &measured, &measured, 1.0);
-        let first = shown.first[before];
-        let rows = shown
-            .rows
-            .rows(first, shown.rows.nrows() - first)
-            .into_owned();
-        let starts = shown.first[before..].iter().map(|f| f - first).collect();
         let mut workspace = Workspace::new(&problem, &model, &columns);
         workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.beside));
         Bench {
-            information: Information::new(rows, starts, inverse(&precision)),
+            information,
             workspace,
             candidates,
             model,
@@ -113,9 +105,9 @@ impl Arm {
         self.bench(candidates, Some(bench.model.clone()))
     }
 
-    /// So many poses, chosen of a bench and improved around what was chosen; the bench that they stand
-    /// on at the end, and which of it they are.
-    pub(crate) fn designed(&self, bench: &Bench, count: usize) -> (Bench, Vec<usize>) {
+    /// So many poses, chosen of a bench and improved around what was chosen: all of the bench that comes
+    /// out.
+    pub(crate) fn designed(&self, bench: &Bench, count: usize) -> Bench {
         let chosen = bench.chosen(count);
         let mut own: Vec<Candidate> = chosen
             .iter()
@@ -131,9 +123,7 @@ impl Arm {
             exchange(&mut information, &mut order, PASSES);
             own = order.iter().map(|k| next.candidates[*k].clone()).collect();
         }
-        let end = self.bench(own, Some(bench.model.clone()));
-        let all = (0..end.candidates.len()).collect();
-        (end, all)
+        self.bench(own, Some(bench.model.clone()))
     }
 
     /// What was chosen, and poses around it.
