@@ -66,9 +66,9 @@ impl Arm {
     fn stated(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
         let mut without = self.priors.clone();
         without.weak = false;
-        let each = model.terms().iter().flat_map(|term| {
-            let own = 0..term.coefficients.len();
-            own.map(|k| without.sigma(model, term, k).map_or(0.0, |s| s.powi(-2)))
+        let each = model.columns().map(|(term, k)| {
+            let sigma = without.sigma(model, term, k);
+            sigma.map_or(0.0, |s| s.powi(-2))
         });
         let each: Vec<f64> = each.collect();
         let of = columns.iter().map(|k| each[*k]);
@@ -77,18 +77,16 @@ impl Arm {
 
     /// The coefficients that are not held, and what is known of them beforehand.
     pub(crate) fn known(&self, model: &Model) -> (Vec<usize>, DMatrix<f64>) {
-        let (mut columns, mut precision) = (Vec::new(), Vec::new());
-        let mut first = 0;
-        for term in model.terms() {
-            let kind = model.robot.joints[term.joint].kind;
-            for k in (0..term.coefficients.len()).filter(|k| !term.held.contains(*k)) {
-                let turns = term.effect.about().form.turns(k, kind);
+        let free = model.columns().enumerate();
+        let free = free.filter(|(_, (term, k))| !term.held.contains(*k));
+        let (columns, precision) = free
+            .map(|(column, (term, k))| {
+                let kind = model.robot.joints[term.joint].kind;
+                let anything = ANYTHING[usize::from(term.effect.about().form.turns(k, kind))];
                 let sigma = self.priors.sigma(model, term, k);
-                columns.push(first + k);
-                precision.push(sigma.unwrap_or(ANYTHING[usize::from(turns)]).powi(-2));
-            }
-            first += term.coefficients.len();
-        }
+                (column, sigma.unwrap_or(anything).powi(-2))
+            })
+            .unzip();
         let precision = DVector::from_vec(precision);
         (columns, DMatrix::from_diagonal(&precision))
     }

@@ -211,11 +211,7 @@ fn information(
     let model = Model::new(arm.session.robot.clone(), all);
     let (columns, mut precision) = arm.known(&model);
     let shown = shown(&whole, &model, &columns);
-    let owner = model
-        .terms()
-        .iter()
-        .flat_map(|t| vec![of_base(t); t.coefficients.len()]);
-    let owner: Vec<bool> = owner.collect();
+    let owner: Vec<bool> = model.columns().map(|(term, _)| of_base(term)).collect();
     for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
         let mean = shown.rows.column(to).norm_squared() / shown.rows.nrows().max(1) as f64;
         precision[(to, to)] = if mean > 0.0 {

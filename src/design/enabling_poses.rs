@@ -98,8 +98,10 @@ fn small(field: &Field, model: &Model, effect: &'static dyn Effect, joint: usize
     let high = q.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let mut term = standing(effect, joint, 1, &[0.03 * (high - low)], 0.0).swap_remove(0);
     let absent = model.with_term(term.clone());
-    let before = absent.terms().iter().take_while(|t| !t.same_column(&term));
-    let first: usize = before.map(|t| t.coefficients.len()).sum();
+    let first = absent
+        .columns()
+        .take_while(|(t, _)| !t.same_column(&term))
+        .count();
     let size = term.coefficients.len();
     let mut energy = vec![0.0; size];
     for Prediction { columns, .. } in field.predictions(model, &absent) {

@@ -262,17 +262,15 @@ impl Pair {
     fn new(base: &Model, one: &Term, other: &Term) -> Self {
         let both = base.with_term(one.clone()).with_term(other.clone());
         let (mut own, mut theirs, mut rest) = (Vec::new(), Vec::new(), Vec::new());
-        let mut first = 0;
-        for term in both.terms() {
-            let columns = first..first + term.coefficients.len();
-            first = columns.end;
-            if term.same_column(one) {
-                own.extend(columns);
+        for (column, (term, _)) in both.columns().enumerate() {
+            let to = if term.same_column(one) {
+                &mut own
             } else if term.same_column(other) {
-                theirs.extend(columns);
+                &mut theirs
             } else {
-                rest.extend(columns);
-            }
+                &mut rest
+            };
+            to.push(column);
         }
         Self {
             both,
