@@ -52,13 +52,13 @@ impl Arm {
         let mut workspace = Workspace::new(&problem, &model, &columns);
         workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.beside));
         Bench {
-            information,
-            workspace,
             candidates,
+            information,
             model,
             columns,
             shown,
             before,
+            workspace,
         }
     }
 

@@ -18,9 +18,7 @@ use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::candidates::{
-    Arrival, Candidate, Writing, anywhere, ranges, typed, usual_speed, with_another,
-};
+use super::candidates::{Arrival, Candidate, Writing, anywhere, typed, usual_speed, with_another};
 use super::comparison::Prediction;
 use super::exchange::{Criterion, Information, choose};
 use super::imagined::SECONDS_PER_POSE;
@@ -56,27 +54,22 @@ pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
 /// What was measured already, as a model's columns show it.
 pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prediction>;
 
-/// The poses in measuring order.
-pub(crate) fn design(robot: &Robot, targets: &[Target], request: &Request) -> Vec<Candidate> {
-    let ranges = ranges(robot, None);
-    extension(robot, targets, &ranges, request, &|_| Vec::new())
-}
-
-/// More poses beside what is known.
-pub(crate) fn extension(
+/// The poses in measuring order, beside what is known; so many of the targets are mounted already.
+pub(crate) fn design(
     robot: &Robot,
     targets: &[Target],
+    mounted: usize,
     ranges: &[Range],
     request: &Request,
     known: Known,
-) -> Vec<Candidate> {
+) -> Vec<NextPose> {
     let n = request.poses;
     let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
     let columns = Columns::new(robot, targets, ranges, n, &mut random);
     let covariance = columns.known(&known(&columns.model));
     let nothing = Information::new(DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
     let mut slots = Slots {
-        schedule: Schedule::new(robot, targets.len(), request, &mut random),
+        schedule: schedule(robot, targets.len(), request, &mut random),
         kinds: robot.joints.iter().map(|j| j.kind).collect(),
         planned: Vec::with_capacity(n),
         candidates: Vec::new(),
@@ -87,12 +80,21 @@ pub(crate) fn extension(
     };
     slots.offer();
     choose(&mut slots, n);
-    slots.planned
+    let writing = Writing {
+        targets,
+        mounted,
+        speeds: true,
+        loads: slots.planned.iter().any(|c| c.load_kg != 0.0),
+        temperatures: true,
+    };
+    let poses = slots.planned.iter().map(|c| writing.pose(c, why(c)));
+    poses.collect()
 }
 
 /// The schedule, slot by slot: each has candidates of its own.
 struct Slots<'r> {
-    schedule: Schedule,
+    /// Circumstances of every slot, without places and sides.
+    schedule: Vec<Candidate>,
     kinds: Vec<JointKind>,
     ranges: &'r [Range],
     columns: Columns,
@@ -105,12 +107,10 @@ struct Slots<'r> {
 impl Slots<'_> {
     /// Candidates for the next slot.
     fn offer(&mut self) {
-        let slot = self.planned.len();
-        if slot >= self.schedule.count {
+        let Some(like) = self.schedule.get(self.planned.len()).cloned() else {
             return;
-        }
-        let like = self.schedule.conditions(slot);
-        self.candidates = self.next_candidates(&like, self.schedule.arrivals[slot]);
+        };
+        self.candidates = self.next_candidates(&like);
         let covariance = self.information.covariance.clone();
         let now = self
             .columns
@@ -136,67 +136,51 @@ impl Criterion for Slots<'_> {
     }
 }
 
-/// Conditions of every pose, before its joint values.
-struct Schedule {
-    count: usize,
-    unit: Vec<f64>,
-    load_kg: f64,
-    speeds: Vec<f64>,
-    targets: Vec<u32>,
-    /// As they are wanted; a return may be to any pose.
-    arrivals: Vec<Arrival>,
-}
-
-impl Schedule {
-    fn new(robot: &Robot, targets: usize, request: &Request, random: &mut ChaCha8Rng) -> Self {
-        let n = request.poses;
-        // Stretches of ten hold every speed for every reflector once, in random order.
-        let mut speeds = Vec::new();
-        let mut of = Vec::new();
-        while speeds.len() < n {
-            let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len())
-                .map(|k| {
-                    let target = (k / SPEEDS.len()) % targets.max(1);
-                    (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
-                })
-                .collect();
-            stretch.shuffle(random);
-            speeds.extend(stretch.iter().map(|s| s.0));
-            of.extend(stretch.iter().map(|s| s.1));
-        }
-        let arrival = |i: usize| match i % 5 {
-            1 if i >= 5 => Arrival::Short(SHORT[(i / 5) % SHORT.len()]),
-            // Returns wait until there is something to return to.
-            4 if 4 * i > n => Arrival::Return(0),
-            _ => Arrival::Long,
+/// Circumstances of every pose, before its joint values: speeds without their signs, arrivals as they are
+/// wanted (a return may be to any pose).
+fn schedule(
+    robot: &Robot,
+    targets: usize,
+    request: &Request,
+    random: &mut ChaCha8Rng,
+) -> Vec<Candidate> {
+    let n = request.poses;
+    // Stretches of ten hold every speed for every reflector once, in random order.
+    let mut in_turn: Vec<(f64, u32)> = Vec::new();
+    while in_turn.len() < n {
+        let one = |k: usize| {
+            let target = (k / SPEEDS.len()) % targets.max(1);
+            (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
         };
-        Self {
-            count: n,
-            unit: robot.joints.iter().map(|j| usual_speed(j.kind)).collect(),
-            load_kg: request.load_kg,
-            speeds,
-            targets: of,
-            arrivals: (0..n).map(arrival).collect(),
-        }
+        let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
+        stretch.shuffle(random);
+        in_turn.extend(stretch);
     }
-
-    /// Everything but where and from which side; speeds without their signs.
-    fn conditions(&self, i: usize) -> Candidate {
-        let part = |parts: usize| i * parts / self.count.max(1);
+    let units: Vec<f64> = robot.joints.iter().map(|j| usual_speed(j.kind)).collect();
+    let slot = |(i, (speed, target)): (usize, (f64, u32))| {
+        let part = |parts: usize| i * parts / n;
         Candidate {
-            speed: self.unit.iter().map(|u| u * self.speeds[i]).collect(),
-            load_kg: LOADS[part(LOADS.len())] * self.load_kg,
+            speed: units.iter().map(|unit| unit * speed).collect(),
+            arrival: match i % 5 {
+                1 if i >= 5 => Arrival::Short(SHORT[(i / 5) % SHORT.len()]),
+                // Returns wait until there is something to return to.
+                4 if 4 * i > n => Arrival::Return(0),
+                _ => Arrival::Long,
+            },
+            load_kg: LOADS[part(LOADS.len())] * request.load_kg,
             warmth_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
-            target: self.targets[i],
+            target,
             time_s: SECONDS_PER_POSE * i as f64,
-            ..Candidate::at(vec![0.0; self.unit.len()])
+            ..Candidate::at(vec![0.0; units.len()])
         }
-    }
+    };
+    in_turn.into_iter().take(n).enumerate().map(slot).collect()
 }
 
 impl Slots<'_> {
     /// Poses that may come next.
-    fn next_candidates(&mut self, like: &Candidate, wanted: Arrival) -> Vec<Candidate> {
+    fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
+        let wanted = like.arrival;
         let (ranges, kinds, before) = (self.ranges, &self.kinds, &self.planned);
         let random = &mut self.random;
         let last = before.last();
@@ -262,16 +246,8 @@ impl Slots<'_> {
     }
 }
 
-/// The poses of a design with the reason for each; so many of the targets are mounted already.
-pub(crate) fn written(planned: &[Candidate], targets: &[Target], mounted: usize) -> Vec<NextPose> {
-    let writing = Writing {
-        targets,
-        mounted,
-        speeds: true,
-        loads: planned.iter().any(|c| c.load_kg != 0.0),
-        temperatures: true,
-    };
-    let why = |candidate: &Candidate| match candidate.arrival {
+fn why(candidate: &Candidate) -> String {
+    match candidate.arrival {
         Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
         Arrival::Short(_) => {
             "a short approach after a reversal: lost motion against backlash".to_owned()
@@ -280,6 +256,5 @@ pub(crate) fn written(planned: &[Candidate], targets: &[Target], mounted: usize)
             "measure while moving: tracking lag against backlash".to_owned()
         }
         Arrival::Long => "a place that tells most, unequal steps".to_owned(),
-    };
-    planned.iter().map(|c| writing.pose(c, why(c))).collect()
+    }
 }

@@ -283,8 +283,9 @@ fn first_poses(
         load_kg,
         seed: options.diagnosis.seed,
     };
-    let planned = first_measurement::design(robot, targets, &request);
-    Ok((first_measurement::written(&planned, targets, 1), None))
+    let (ranges, nothing) = (ranges(robot, None), |_: &Model| Vec::new());
+    let poses = first_measurement::design(robot, targets, 1, &ranges, &request, &nothing);
+    Ok((poses, None))
 }
 
 /// Two effects, unless one of them cannot be seen by any measurement.
@@ -344,7 +345,6 @@ fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize
     let inputs = Inputs::new(&extended, prepared.options().joint_values);
     let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
     let known = |model: &Model| predictions(model, model, &inputs, &axes);
-    let planned =
-        first_measurement::extension(&session.robot, &plan.targets, &ranges, &request, &known);
-    first_measurement::written(&planned, &plan.targets, session.targets.len())
+    let (targets, mounted) = (&plan.targets, session.targets.len());
+    first_measurement::design(&session.robot, targets, mounted, &ranges, &request, &known)
 }

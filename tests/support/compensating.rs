@@ -1,6 +1,8 @@
 //! The whole of `compensate` on programs that may be damaged: reading, frames and tools, joint values,
 //! corrected commands, writing and reading back. The smoke test and the fuzzer share it.
 
+#![allow(unreachable_pub, reason = "included in a test and in the fuzzer alike")]
+
 use truepose::effects::{Term, find as effect};
 use truepose::kinematics::{Pose, Range, pose_from_parts};
 use truepose::model::{Calibration, Model};
