@@ -391,9 +391,9 @@ fn two_joints_bring_the_tool_as_near_as_they_can_in_every_language() {
         ("fanuc-ls", "/POS\n"),
     ] {
         let line = |(k, q): (usize, &Vec<f64>)| {
-            let lines = lines_of_two(q, k).into_iter();
-            let own = lines.filter(|l| l.0 == language).map(|l| (l.1, l.2));
-            own.last().unwrap()
+            let mut lines = lines_of_two(q, k).into_iter();
+            let own = lines.find(|l| l.0 == language).unwrap();
+            (own.1, own.2)
         };
         let lines: Vec<(String, [usize; 2])> = all.iter().enumerate().map(line).collect();
         let program: Vec<&str> = lines.iter().map(|l| l.0.as_str()).collect();

@@ -1,7 +1,11 @@
 //! The whole of `compensate` on programs that may be damaged: reading, frames and tools, joint values,
 //! corrected commands, writing and reading back. The smoke test and the fuzzer share it.
 
-#![allow(unreachable_pub, reason = "included in a test and in the fuzzer alike")]
+#![allow(
+    dead_code,
+    unreachable_pub,
+    reason = "included in a test and in the fuzzer alike"
+)]
 
 use truepose::effects::{Term, find as effect};
 use truepose::kinematics::{Pose, Range, pose_from_parts};
