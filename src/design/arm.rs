@@ -11,10 +11,12 @@ use nalgebra::Point3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::candidate_poses::{anywhere, ranges, typed};
+use super::candidates::{Candidate, Writing, anywhere, ranges, typed};
+use super::conditions::Varied;
 use super::imagined::{extend, extended, place_of, unmeasured};
+use super::plan::PlanOptions;
 use super::sight;
-use crate::diagnosis::{DiagnoseError, NextPose, Options};
+use crate::diagnosis::{DiagnoseError, NextPose};
 use crate::effects::Inputs;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::places::{Place, PlaceKind, stated};
@@ -37,15 +39,6 @@ const MOST_WAYS: usize = 24;
 /// So many tries for each candidate that is wanted.
 const TRIES: usize = 12;
 
-/// Where the instrument stands, for robots that were not measured, and how targets are seen.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Sight {
-    /// In the robot's base frame, mm.
-    pub(crate) from: Option<Point3<f64>>,
-    /// A target is seen within this angle of where it faces, rad.
-    pub(crate) cone_rad: Option<f64>,
-}
-
 /// One way of measuring.
 struct Way {
     /// The sample that was measured so; none: a point of a robot that was not measured.
@@ -56,9 +49,6 @@ struct Way {
     /// From where it is seen, measuring frame.
     from: Option<Point3<f64>>,
 }
-
-/// A pose, and in which of the ways it is measured.
-pub(crate) type Candidate = (NextPose, usize);
 
 /// What was measured of a sample: kinds, and the places that they refer to.
 type Measured = Vec<(usize, Option<Place>)>;
@@ -71,6 +61,8 @@ pub(crate) struct Arm {
     pub(crate) base: Model,
     pub(crate) priors: Priors,
     pub(crate) ranges: Vec<Range>,
+    /// So many of the targets are there already.
+    mounted: usize,
     ways: Vec<Way>,
     cone_rad: Option<f64>,
     seed: u64,
@@ -80,15 +72,14 @@ impl Arm {
     /// A session as it is fitted.
     pub(crate) fn of_session(
         session: &Session,
-        sigma_mm: Option<f64>,
-        options: &Options,
-        sight: &Sight,
+        options: &PlanOptions,
     ) -> Result<Self, DiagnoseError> {
-        let mut problem = Problem::observing(session, options.joint_values);
+        let diagnosis = &options.diagnosis;
+        let mut problem = Problem::observing(session, diagnosis.joint_values);
         if problem.samples() == 0 {
             return Err(DiagnoseError::NothingToFit);
         }
-        let start = base_model::start(session, &problem, |id| options.allowed.exists(id));
+        let start = base_model::start(session, &problem, |id| diagnosis.allowed.exists(id));
         let fitted = base_model::fit(&mut problem, &start, true).solution.model;
         let priors = problem.priors.clone();
         let ranges = ranges(&session.robot, Some(&problem.inputs));
@@ -97,9 +88,9 @@ impl Arm {
             .instrument
             .tracker
             .map(|t| t.position_mm)
-            .or(sight.from);
+            .or(options.instrument_mm);
         let per_axis = matches!(session.instrument.sigma_mm, Some(Sigma::PerAxis(_)));
-        if let Some(sigma_mm) = sigma_mm {
+        if let Some(sigma_mm) = options.sigma_mm {
             session.instrument.sigma_mm = Some(Sigma::Overall(sigma_mm));
             session.instrument.tracker = None;
         } else if session.has_plain_points() && !per_axis {
@@ -113,9 +104,10 @@ impl Arm {
         }
         Ok(Self {
             base: valued(&start, &fitted),
+            mounted: session.targets.len(),
             ways: ways(&session, from),
-            cone_rad: sight.cone_rad,
-            seed: options.seed,
+            cone_rad: options.cone_rad,
+            seed: diagnosis.seed,
             session,
             priors,
             ranges,
@@ -127,25 +119,27 @@ impl Arm {
         robot: &Robot,
         targets: &[Target],
         sigma_mm: f64,
-        seed: u64,
-        sight: &Sight,
+        options: &PlanOptions,
     ) -> Self {
         let way = |target: usize| Way {
             like: None,
             target: u32::try_from(target).unwrap_or(0),
             held: None,
-            from: sight.from,
+            from: options.instrument_mm,
         };
         let mut arm = Self {
             session: unmeasured(robot, targets, Some(sigma_mm)),
             base: Model::nominal(robot.clone()),
             priors: Priors::unmeasured(Instrument::default().targets_sigma_mm),
             ranges: ranges(robot, None),
+            // Beside the tool's origin a target has to be mounted first.
+            mounted: 1,
             ways: (0..targets.len()).map(way).collect(),
-            cone_rad: sight.cone_rad,
-            seed,
+            cone_rad: options.cone_rad,
+            seed: options.diagnosis.seed,
         };
-        let some = arm.with(&arm.candidates(8 * targets.len(), false, &mut arm.random(0)));
+        let some = arm.candidates(8 * targets.len(), false, &mut arm.random(0));
+        let some = arm.with(&some, &arm.writing(None));
         let problem = Problem::observing(&some, crate::effects::JointValues::Commanded);
         arm.base = base_model::start(&some, &problem, |_| true);
         arm
@@ -197,14 +191,14 @@ impl Arm {
     ) -> Vec<Candidate> {
         let each = AROUND.div_ceil(chosen.len().max(1)).max(2);
         let mut drawn = Vec::with_capacity(each * chosen.len());
-        for (pose, way) in chosen {
+        for like in chosen {
             for _ in 0..each {
                 let one = |(q, range): (&f64, &Range)| {
-                    let step =
-                        near * (range.to - range.from) * (2.0 * random.random::<f64>() - 1.0);
-                    (q + step).clamp(range.from, range.to)
+                    let share = near * (2.0 * random.random::<f64>() - 1.0);
+                    (q + share * (range.to - range.from)).clamp(range.from, range.to)
                 };
-                drawn.push((pose.q.iter().zip(&self.ranges).map(one).collect(), *way));
+                let q = like.q.iter().zip(&self.ranges).map(one);
+                drawn.push((q.collect(), like.way));
             }
         }
         let count = drawn.len();
@@ -214,7 +208,6 @@ impl Arm {
     /// Of these the first that can be measured.
     fn admitted(&self, drawn: Vec<(Vec<f64>, usize)>, count: usize) -> Vec<Candidate> {
         let mut all = Vec::new();
-        let several = self.session.targets.len() > 1;
         let mut drawn = drawn.into_iter();
         while all.len() < count {
             let some: Vec<(Vec<f64>, usize)> = drawn.by_ref().take(count).collect();
@@ -228,31 +221,34 @@ impl Arm {
             let posed: Vec<(&[f64], u32)> = posed.collect();
             let from: Vec<_> = some.iter().map(|(_, w)| self.ways[*w].from).collect();
             let seen = sight::seen(&self.session, &self.base, &posed, &from, self.cone_rad);
-            for ((q, way), _) in some.into_iter().zip(seen).filter(|own| own.1) {
-                let target = self.session.targets.get(self.ways[way].target as usize);
-                let pose = NextPose {
-                    dir: vec![0.0; q.len()],
-                    q,
-                    target: target.filter(|_| several).map(|t| t.name.clone()),
-                    target_mm: None,
-                    speed: None,
-                    load_kg: None,
-                    temperature_c: None,
-                    why: "joint values that tell most".to_owned(),
-                };
-                all.push((pose, way));
-            }
+            let visible = some.into_iter().zip(seen).filter(|own| own.1);
+            all.extend(visible.map(|((q, way), _)| Candidate {
+                target: self.ways[way].target,
+                way,
+                ..Candidate::at(q)
+            }));
         }
         all.truncate(count);
         all
     }
 
+    /// How poses are written down of which these circumstances are varied.
+    pub(crate) fn writing(&self, varied: Option<Varied>) -> Writing<'_> {
+        Writing {
+            targets: &self.session.targets,
+            mounted: self.mounted,
+            speeds: varied.is_some_and(|v| v.speeds),
+            loads: varied.is_some_and(|v| v.load_kg.is_some()),
+            temperatures: varied.is_some_and(|v| v.heats),
+        }
+    }
+
     /// The session with these poses measured too.
-    pub(crate) fn with(&self, candidates: &[Candidate]) -> Session {
-        let poses: Vec<NextPose> = candidates.iter().map(|c| c.0.clone()).collect();
-        let like: Vec<_> = candidates.iter().map(|c| self.ways[c.1].like).collect();
+    pub(crate) fn with(&self, candidates: &[Candidate], writing: &Writing) -> Session {
+        let poses = candidates.iter().map(|c| writing.pose(c, String::new()));
+        let like: Vec<_> = candidates.iter().map(|c| self.ways[c.way].like).collect();
         let mut whole = self.session.clone();
-        extend(&mut whole, &self.base, &poses, &like);
+        extend(&mut whole, &self.base, &poses.collect::<Vec<_>>(), &like);
         whole
     }
 

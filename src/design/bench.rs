@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::arm::{Arm, Candidate};
-use super::comparison::inverse;
+use super::arm::Arm;
+use super::candidates::Candidate;
 use super::exchange::{Criterion, Information, choose, exchange};
 use super::imagined::{Shown, shown};
 use super::outlook::{ExpectedError, Prospect, Workspace};
@@ -40,33 +40,25 @@ pub(crate) struct Bench {
 impl Arm {
     /// Candidates beside what was measured. Without a model it is found what they can show.
     fn bench(&self, candidates: Vec<Candidate>, model: Option<Model>) -> Bench {
-        let whole = self.with(&candidates);
+        let whole = self.with(&candidates, &self.writing(None));
         let before = self.session.samples.len();
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
         problem.priors = self.priors.clone();
         let model = model.unwrap_or_else(|| base_model::gauged(&problem, &self.base));
         let (columns, known) = self.known(&model);
         let mut shown = shown(&whole, &model, &columns);
-        let mut precision = known + &shown.beside;
+        let information = shown.information(before, known);
         shown.beside += self.stated(&model, &columns);
-        let measured = shown.rows.rows(0, shown.first[before]);
-        precision.gemm_tr(1.0, &measured, &measured, 1.0);
-        let first = shown.first[before];
-        let rows = shown
-            .rows
-            .rows(first, shown.rows.nrows() - first)
-            .into_owned();
-        let starts = shown.first[before..].iter().map(|f| f - first).collect();
         let mut workspace = Workspace::new(&problem, &model, &columns);
         workspace.can_show(&(shown.rows.tr_mul(&shown.rows) + &shown.beside));
         Bench {
-            information: Information::new(rows, starts, inverse(&precision)),
-            workspace,
             candidates,
+            information,
             model,
             columns,
             shown,
             before,
+            workspace,
         }
     }
 
@@ -74,9 +66,9 @@ impl Arm {
     fn stated(&self, model: &Model, columns: &[usize]) -> DMatrix<f64> {
         let mut without = self.priors.clone();
         without.weak = false;
-        let each = model.terms().iter().flat_map(|term| {
-            let own = 0..term.coefficients.len();
-            own.map(|k| without.sigma(model, term, k).map_or(0.0, |s| s.powi(-2)))
+        let each = model.columns().map(|(term, k)| {
+            let sigma = without.sigma(model, term, k);
+            sigma.map_or(0.0, |s| s.powi(-2))
         });
         let each: Vec<f64> = each.collect();
         let of = columns.iter().map(|k| each[*k]);
@@ -85,18 +77,16 @@ impl Arm {
 
     /// The coefficients that are not held, and what is known of them beforehand.
     pub(crate) fn known(&self, model: &Model) -> (Vec<usize>, DMatrix<f64>) {
-        let (mut columns, mut precision) = (Vec::new(), Vec::new());
-        let mut first = 0;
-        for term in model.terms() {
-            let kind = model.robot.joints[term.joint].kind;
-            for k in (0..term.coefficients.len()).filter(|k| !term.held.contains(*k)) {
-                let turns = term.effect.about().form.turns(k, kind);
+        let free = model.columns().enumerate();
+        let free = free.filter(|(_, (term, k))| !term.held.contains(*k));
+        let (columns, precision) = free
+            .map(|(column, (term, k))| {
+                let kind = model.robot.joints[term.joint].kind;
+                let anything = ANYTHING[usize::from(term.effect.about().form.turns(k, kind))];
                 let sigma = self.priors.sigma(model, term, k);
-                columns.push(first + k);
-                precision.push(sigma.unwrap_or(ANYTHING[usize::from(turns)]).powi(-2));
-            }
-            first += term.coefficients.len();
-        }
+                (column, sigma.unwrap_or(anything).powi(-2))
+            })
+            .unzip();
         let precision = DVector::from_vec(precision);
         (columns, DMatrix::from_diagonal(&precision))
     }
@@ -113,9 +103,9 @@ impl Arm {
         self.bench(candidates, Some(bench.model.clone()))
     }
 
-    /// So many poses, chosen of a bench and improved around what was chosen; the bench that they stand
-    /// on at the end, and which of it they are.
-    pub(crate) fn designed(&self, bench: &Bench, count: usize) -> (Bench, Vec<usize>) {
+    /// So many poses, chosen of a bench and improved around what was chosen: all of the bench that comes
+    /// out.
+    pub(crate) fn designed(&self, bench: &Bench, count: usize) -> Bench {
         let chosen = bench.chosen(count);
         let mut own: Vec<Candidate> = chosen
             .iter()
@@ -131,9 +121,7 @@ impl Arm {
             exchange(&mut information, &mut order, PASSES);
             own = order.iter().map(|k| next.candidates[*k].clone()).collect();
         }
-        let end = self.bench(own, Some(bench.model.clone()));
-        let all = (0..end.candidates.len()).collect();
-        (end, all)
+        self.bench(own, Some(bench.model.clone()))
     }
 
     /// What was chosen, and poses around it.

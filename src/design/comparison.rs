@@ -17,9 +17,12 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::exchange::Criterion;
+use crate::diagnosis::prepare::Prepared;
+use crate::diagnosis::regression::Regression;
 use crate::effects::Inputs;
 use crate::model::Model;
+
+use super::candidates::Offer;
 
 /// Information that every direction has at least, as a share of what the columns could bring.
 const LEAST_INFORMATION: f64 = 1e-9;
@@ -31,7 +34,7 @@ pub(crate) struct Axes {
     pub(crate) sigma_mm: [f64; 3],
 }
 
-/// One choice in a comparison, in units of the noise.
+/// One candidate in a comparison, in units of the noise.
 #[derive(Debug, Clone)]
 pub(crate) struct Prediction {
     /// Difference of the predictions.
@@ -40,80 +43,197 @@ pub(crate) struct Prediction {
     pub(crate) columns: DMatrix<f64>,
 }
 
+/// What each input shows of `truth` where `other` is refitted.
+pub(crate) fn predictions(
+    truth: &Model,
+    other: &Model,
+    inputs: &Inputs,
+    axes: &Axes,
+) -> Vec<Prediction> {
+    let predicted = truth.predict(inputs);
+    let mut all = Vec::with_capacity(inputs.len());
+    other.visit(inputs, true, |start, block| {
+        for i in 0..block.len {
+            let at = predicted.get(start + i);
+            let own = axes.axes.iter();
+            let difference = own.map(|a| (at[*a] - block.point[*a][i]) / axes.sigma_mm[*a]);
+            all.push(Prediction {
+                difference: DVector::from_iterator(axes.axes.len(), difference),
+                columns: DMatrix::from_fn(axes.axes.len(), block.columns.len(), |row, k| {
+                    let axis = axes.axes[row];
+                    block.columns[k][axis][i] / axes.sigma_mm[axis]
+                }),
+            });
+        }
+    });
+    all
+}
+
+/// Where models are compared: on the samples so far and on candidates.
+pub(crate) struct Field<'p> {
+    pub(crate) regression: &'p Regression<'p>,
+    pub(crate) inputs: Inputs<'static>,
+    axes: Axes,
+}
+
+impl<'p> Field<'p> {
+    pub(crate) fn new(prepared: &'p Prepared, offer: &Offer) -> Self {
+        let regression = &prepared.regression;
+        Self {
+            regression,
+            inputs: offer.inputs(prepared),
+            axes: Axes {
+                axes: regression.rows.axes.clone(),
+                sigma_mm: regression.noise.sigma_mm,
+            },
+        }
+    }
+
+    /// What each candidate shows of `truth` where `other` is refitted.
+    pub(crate) fn predictions(&self, truth: &Model, other: &Model) -> Vec<Prediction> {
+        predictions(truth, other, &self.inputs, &self.axes)
+    }
+
+    /// Gram matrix of a model's columns over the samples.
+    pub(crate) fn gram(&self, model: &Model) -> DMatrix<f64> {
+        let rows = &self.regression.rows;
+        let (_, columns) = rows.extract(model);
+        let white = self.regression.noise.whitened(rows, &columns);
+        white.tr_mul(&white)
+    }
+
+    /// `truth` against `other`, refitted to what the samples say already, and to nothing of `truth` in
+    /// them.
+    pub(crate) fn comparison(&self, truth: &Model, other: &Model, enough: f64) -> Comparison {
+        let seen = self.predictions(truth, other);
+        Comparison::new(seen, &self.gram(other), enough)
+    }
+
+    /// The same where `truth` was there already while the samples were measured, and `other` was fitted to
+    /// what it made of them; the samples count so much.
+    pub(crate) fn comparison_from_the_start(
+        &self,
+        truth: &Model,
+        other: &Model,
+        enough: f64,
+        weight: f64,
+    ) -> Comparison {
+        let Regression { rows, noise, .. } = self.regression;
+        let (without, columns) = rows.extract(other);
+        let (with, _) = rows.extract(truth);
+        let difference = noise.whitened_vector(rows, &(without - with));
+        let white = noise.whitened(rows, &columns);
+        let known = white.tr_mul(&white) * weight;
+        let seen = self.predictions(truth, other);
+        let mut comparison = Comparison::new(seen, &known, enough);
+        let pull = white.tr_mul(&difference) * weight;
+        let refit = &mut comparison.refit;
+        let at_first = &refit.covariance * &pull;
+        refit.risen[0] = (difference.norm_squared() * weight - at_first.dot(&pull)).max(0.0);
+        refit.refits.set_column(0, &at_first);
+        comparison
+    }
+}
+
+/// A model that is refitted to what candidates show, in one or in many draws of what is measured.
+#[derive(Debug, Clone)]
+pub(crate) struct Refit {
+    pub(crate) predictions: Vec<Prediction>,
+    pub(crate) covariance: DMatrix<f64>,
+    /// Parameters by draws.
+    refits: DMatrix<f64>,
+    /// By how much the sum of squares has risen, in each draw.
+    pub(crate) risen: DVector<f64>,
+}
+
+impl Refit {
+    /// `gram` is that of the model's columns over what was measured already.
+    pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, draws: usize) -> Self {
+        Self {
+            covariance: covariance_of(gram, &predictions),
+            refits: DMatrix::zeros(gram.nrows(), draws),
+            risen: DVector::zeros(draws),
+            predictions,
+        }
+    }
+
+    /// What a candidate leaves in every draw, and its covariance.
+    fn innovation(&self, candidate: usize) -> (DMatrix<f64>, DMatrix<f64>) {
+        let Prediction {
+            difference,
+            columns,
+        } = &self.predictions[candidate];
+        let mut left = columns * &self.refits;
+        for mut column in left.column_iter_mut() {
+            column.zip_apply(difference, |own, d| *own = d - *own);
+        }
+        let mut spread = columns * &self.covariance * columns.transpose();
+        for k in 0..spread.nrows() {
+            spread[(k, k)] += 1.0;
+        }
+        (left, spread)
+    }
+
+    /// Measures a candidate: `measured` is what comes to the difference in each draw.
+    pub(crate) fn take(&mut self, candidate: usize, measured: Option<&DMatrix<f64>>) {
+        let (mut left, spread) = self.innovation(candidate);
+        if let Some(measured) = measured {
+            left += measured;
+        }
+        let Some(factor) = spread.cholesky() else {
+            return;
+        };
+        let carried = &self.covariance * self.predictions[candidate].columns.transpose();
+        let solved = factor.solve(&left);
+        for (draw, risen) in self.risen.iter_mut().enumerate() {
+            *risen += solved.column(draw).dot(&left.column(draw)).max(0.0);
+        }
+        self.refits += &carried * solved;
+        self.covariance -= &carried * factor.solve(&carried.transpose());
+    }
+}
+
 /// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Comparison {
-    predictions: Vec<Prediction>,
-    covariance: DMatrix<f64>,
-    refit: DVector<f64>,
-    /// How far apart the models are so far.
-    pub(crate) delta: f64,
-    /// How far apart they have to be.
+    refit: Refit,
+    /// How far apart the models have to be.
     pub(crate) enough: f64,
 }
 
 impl Comparison {
-    /// `gram` is that of the refitted model's columns over what was measured already.
     pub(crate) fn new(predictions: Vec<Prediction>, gram: &DMatrix<f64>, enough: f64) -> Self {
         Self {
-            covariance: covariance_of(gram, &predictions),
-            refit: DVector::zeros(gram.nrows()),
-            predictions,
-            delta: 0.0,
+            refit: Refit::new(predictions, gram, 1),
             enough,
         }
     }
 
-    /// Where the samples so far already part the models: the refit to them, and what it leaves.
-    #[must_use]
-    pub(crate) fn starting(mut self, pull: &DVector<f64>, square: f64) -> Self {
-        self.refit = &self.covariance * pull;
-        self.delta = (square - self.refit.dot(pull)).max(0.0);
-        self
+    /// How far apart the models are so far.
+    pub(crate) fn delta(&self) -> f64 {
+        self.refit.risen[0]
     }
 
     /// By how much one pose more would part the models.
-    pub(crate) fn gain(&self, choice: usize) -> f64 {
-        let (left, spread) = self.innovation(choice);
+    pub(crate) fn gain(&self, candidate: usize) -> f64 {
+        let (left, spread) = self.refit.innovation(candidate);
         let solved = spread.cholesky().map(|c| c.solve(&left));
         solved.map_or(0.0, |s| s.dot(&left).max(0.0))
     }
 
     /// Measures a pose.
-    pub(crate) fn take(&mut self, choice: usize) {
-        let (left, spread) = self.innovation(choice);
-        let Some(factor) = spread.cholesky() else {
-            return;
-        };
-        let columns = &self.predictions[choice].columns;
-        let carried = &self.covariance * columns.transpose();
-        let solved = factor.solve(&left);
-        self.delta += solved.dot(&left).max(0.0);
-        self.refit += &carried * solved;
-        self.covariance -= &carried * factor.solve(&carried.transpose());
+    pub(crate) fn take(&mut self, candidate: usize) {
+        self.refit.take(candidate, None);
     }
 
     /// Whether the odds will do.
     pub(crate) fn decided(&self) -> bool {
-        self.delta >= self.enough
-    }
-
-    fn innovation(&self, choice: usize) -> (DVector<f64>, DMatrix<f64>) {
-        let Prediction {
-            difference,
-            columns,
-        } = &self.predictions[choice];
-        let left = difference - columns * &self.refit;
-        let mut spread = columns * &self.covariance * columns.transpose();
-        for k in 0..left.len() {
-            spread[(k, k)] += 1.0;
-        }
-        (left, spread)
+        self.delta() >= self.enough
     }
 }
 
 /// Covariance of a model's parameters over what was measured already.
-pub(crate) fn covariance_of(gram: &DMatrix<f64>, predictions: &[Prediction]) -> DMatrix<f64> {
+fn covariance_of(gram: &DMatrix<f64>, predictions: &[Prediction]) -> DMatrix<f64> {
     let mut information = gram.clone();
     for k in 0..gram.nrows() {
         let reach: f64 = predictions
@@ -143,32 +263,6 @@ pub(crate) fn inverse(information: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(p, p, |i, j| inverse[(i, j)] * scale[i] * scale[j])
 }
 
-/// What each choice shows of `truth` where `other` is refitted.
-pub(crate) fn predictions(
-    truth: &Model,
-    other: &Model,
-    inputs: &Inputs,
-    axes: &Axes,
-) -> Vec<Prediction> {
-    let predicted = truth.predict(inputs);
-    let mut all = Vec::with_capacity(inputs.len());
-    other.visit(inputs, true, |start, block| {
-        for i in 0..block.len {
-            let at = predicted.get(start + i);
-            let own = axes.axes.iter();
-            let difference = own.map(|a| (at[*a] - block.point[*a][i]) / axes.sigma_mm[*a]);
-            all.push(Prediction {
-                difference: DVector::from_iterator(axes.axes.len(), difference),
-                columns: DMatrix::from_fn(axes.axes.len(), block.columns.len(), |row, k| {
-                    let axis = axes.axes[row];
-                    block.columns[k][axis][i] / axes.sigma_mm[axis]
-                }),
-            });
-        }
-    });
-    all
-}
-
 /// Standard deviations of the log-odds that are allowed for: 97.7 of 100 sessions.
 const SURE: f64 = 2.0;
 
@@ -184,52 +278,10 @@ pub(crate) fn enough_for(wanted: f64, lead: f64) -> f64 {
     root * root
 }
 
-/// Models that are to be parted, a criterion of poses: none is taken more than `repeats` times.
-pub(crate) struct Parting {
-    pub(crate) comparisons: Vec<Comparison>,
-    taken: Vec<u8>,
-    repeats: u8,
-}
-
-impl Parting {
-    pub(crate) fn new(comparisons: Vec<Comparison>, candidates: usize, repeats: u8) -> Self {
-        Self {
-            comparisons,
-            taken: vec![0; candidates],
-            repeats,
-        }
-    }
-}
-
-impl Criterion for Parting {
-    fn worths(&self) -> Vec<f64> {
-        let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
-        // The gain of each comparison counts up to where it is decided.
-        let worth = |k: usize| -> f64 {
-            let each = open.iter();
-            each.map(|c| c.gain(k).min(c.enough - c.delta) / (1.0 + c.delta))
-                .sum()
-        };
-        let free = |k: usize| self.taken[k] < self.repeats;
-        let all = 0..self.taken.len();
-        all.map(|k| if free(k) { worth(k) } else { 0.0 }).collect()
-    }
-
-    fn take(&mut self, candidate: usize) {
-        self.taken[candidate] += 1;
-        for comparison in &mut self.comparisons {
-            comparison.take(candidate);
-        }
-    }
-
-    fn satisfied(&mut self) -> bool {
-        self.comparisons.iter().all(Comparison::decided)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::exchange::choose;
+    use super::super::parting::Parting;
     use super::*;
 
     /// Difference and column of one number at every choice.
@@ -244,24 +296,24 @@ mod tests {
     #[test]
     fn delta_is_what_a_least_squares_refit_leaves() {
         let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
-        let mut comparison = Comparison::new(
-            predictions_of(&rows),
-            &DMatrix::from_element(1, 1, 4.0),
-            1.0,
-        );
+        let known = DMatrix::from_element(1, 1, 4.0);
+        let mut comparison = Comparison::new(predictions_of(&rows), &known, 1.0);
+        let mut refit = Refit::new(predictions_of(&rows), &known, 2);
         for k in 0..3 {
             let gain = comparison.gain(k);
-            let before = comparison.delta;
+            let before = comparison.delta();
             comparison.take(k);
-            assert!((comparison.delta - before - gain).abs() < 1e-9);
+            assert!((comparison.delta() - before - gain).abs() < 1e-9);
+            // In the second draw twice the difference is measured.
+            let measured = DMatrix::from_row_slice(1, 2, &[0.0, rows[k].0]);
+            refit.take(k, Some(&measured));
         }
         // min over β of Σ (d − jβ)² + 4 β²: Σ d² − (Σ jd)² / (4 + Σ j²).
         let expected = 14.0 - 4.0 / 7.0;
-        assert!(
-            (comparison.delta - expected).abs() < 1e-6,
-            "{}",
-            comparison.delta
-        );
+        let [once, twice] = [refit.risen[0], refit.risen[1]];
+        assert!((comparison.delta() - expected).abs() < 1e-6);
+        assert!((once - expected).abs() < 1e-6, "{once}");
+        assert!((twice - 4.0 * expected).abs() < 1e-6, "{twice}");
     }
 
     #[test]
@@ -270,7 +322,7 @@ mod tests {
         let comparison = Comparison::new(predictions_of(&rows), &DMatrix::zeros(1, 1), 10.0);
         let mut parting = Parting::new(vec![comparison], 2, 2);
         let order = choose(&mut parting, 5);
-        let delta = parting.comparisons[0].delta;
+        let delta = parting.comparisons[0].delta();
         assert!(delta < 1e-6, "{order:?}: {delta}");
     }
 

@@ -6,12 +6,11 @@
 //! Within a stretch the poses are put into a short way. All are measured at standstill, after an
 //! approach of its own that is as long for every pose ([`approach`]).
 
-use nalgebra::DMatrix;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::arm::{Arm, Candidate};
-use super::comparison::inverse;
+use super::arm::Arm;
+use super::candidates::Candidate;
 use super::exchange::{Criterion, Information, choose};
 use super::first_measurement::WARMTHS;
 use super::imagined::{SECONDS_PER_POSE, shown};
@@ -19,9 +18,8 @@ use super::information::every_effect;
 use super::needs::WARMING_C;
 use super::path;
 use crate::diagnosis::NextPose;
-use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::{Setting, Term};
-use crate::kinematics::{Joint, Range};
+use crate::kinematics::{Joint, JointKind, Range};
 use crate::model::Model;
 
 /// Load in each stretch, as a share of the test load: it is changed twice, and a drift in time cancels.
@@ -37,7 +35,7 @@ const USUAL: f64 = 10.0;
 
 /// What a technician can vary.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Offer {
+pub(crate) struct Varied {
     /// The test load, kg; none: the load stays as it is.
     pub(crate) load_kg: Option<f64>,
     /// Whether the machine is measured cold and warm.
@@ -50,8 +48,8 @@ pub(crate) struct Offer {
 /// range.
 pub(crate) fn approach(joint: &Joint, range: Option<Range>) -> f64 {
     let usual = match joint.kind {
-        crate::kinematics::JointKind::Revolute => joint.kind.inner(5.0),
-        crate::kinematics::JointKind::Prismatic => 10.0,
+        JointKind::Revolute => joint.kind.inner(5.0),
+        JointKind::Prismatic => 10.0,
     };
     range.map_or(usual, |r| usual.min(0.25 * (r.to - r.from)))
 }
@@ -60,35 +58,33 @@ pub(crate) fn approach(joint: &Joint, range: Option<Range>) -> f64 {
 pub(crate) fn conditioned(
     arm: &Arm,
     poses: &[Candidate],
-    offer: Offer,
+    varied: Varied,
     seed: u64,
 ) -> Vec<NextPose> {
-    let stretches = if poses.len() >= SOME && (offer.load_kg.is_some() || offer.heats) {
+    let stretches = if poses.len() >= SOME && (varied.load_kg.is_some() || varied.heats) {
         LOADS.len()
     } else {
         1
     };
-    let mut slots = Slots::new(arm, poses, offer, seed, stretches);
+    let mut slots = Slots::new(arm, poses, varied, seed, stretches);
     let order = choose(&mut slots, poses.len());
     let robot = &arm.session.robot;
-    let mut here: Vec<f64> = arm
-        .ranges
-        .iter()
-        .map(|r| 0.0_f64.clamp(r.from, r.to))
-        .collect();
-    let mut all = Vec::new();
+    let at_home = |range: &Range| 0.0_f64.clamp(range.from, range.to);
+    let mut here: Vec<f64> = arm.ranges.iter().map(at_home).collect();
+    let mut all: Vec<&Candidate> = Vec::new();
     for stretch in 0..stretches {
         let inside = order.iter().filter(|k| slots.stretch[**k] == stretch);
-        let own: Vec<&NextPose> = inside.map(|k| &slots.candidates[*k].0).collect();
-        let places: Vec<&[f64]> = own.iter().map(|p| &p.q[..]).collect();
-        for k in path::short(robot, &places, &here) {
-            all.push(own[k].clone());
-        }
+        let own: Vec<&Candidate> = inside.map(|k| &slots.candidates[*k]).collect();
+        let places: Vec<&[f64]> = own.iter().map(|c| &c.q[..]).collect();
+        let way = path::short(robot, &places, &here);
+        all.extend(way.into_iter().map(|k| own[k]));
         if let Some(last) = all.last() {
             here.clone_from(&last.q);
         }
     }
-    all
+    let (writing, why) = (arm.writing(Some(varied)), "joint values that tell most");
+    let poses = all.into_iter().map(|c| writing.pose(c, why.to_owned()));
+    poses.collect()
 }
 
 /// Poses under all conditions that are offered.
@@ -102,11 +98,11 @@ struct Slots {
 }
 
 impl Slots {
-    fn new(arm: &Arm, poses: &[Candidate], offer: Offer, seed: u64, stretches: usize) -> Self {
+    fn new(arm: &Arm, poses: &[Candidate], varied: Varied, seed: u64, stretches: usize) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x51de);
         let (mut candidates, mut pose, mut stretch) = (Vec::new(), Vec::new(), Vec::new());
         let sides = SIDES[usize::from(poses.len() > MANY)];
-        for (k, (own, way)) in poses.iter().enumerate() {
+        for (k, own) in poses.iter().enumerate() {
             let mut dir = vec![1.0; own.q.len()];
             for side in 0..sides {
                 for d in &mut dir {
@@ -121,13 +117,13 @@ impl Slots {
                 }
                 let dir = possible(arm, &own.q, &dir);
                 for s in 0..stretches {
-                    let mut one = own.clone();
-                    one.dir.clone_from(&dir);
-                    one.speed = offer.speeds.then(|| vec![0.0; one.q.len()]);
-                    one.load_kg = offer.load_kg.map(|kg| kg * LOADS[s]);
-                    let warmth = WARMING_C * WARMTHS[s];
-                    one.temperature_c = offer.heats.then_some(REFERENCE_TEMPERATURE_C + warmth);
-                    candidates.push((one, *way));
+                    let warmth_c = WARMING_C * WARMTHS[s];
+                    candidates.push(Candidate {
+                        dir: dir.clone(),
+                        load_kg: varied.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
+                        warmth_c: if varied.heats { warmth_c } else { 0.0 },
+                        ..own.clone()
+                    });
                     pose.push(k);
                     stretch.push(s);
                 }
@@ -135,7 +131,7 @@ impl Slots {
         }
         let n = poses.len();
         Self {
-            information: information(arm, &candidates, &stretch, n, stretches),
+            information: information(arm, &candidates, varied, &stretch, [n, stretches]),
             used: vec![false; n],
             room: (0..stretches)
                 .map(|s| (s + 1) * n / stretches - s * n / stretches)
@@ -188,11 +184,11 @@ impl Criterion for Slots {
 fn information(
     arm: &Arm,
     candidates: &[Candidate],
+    varied: Varied,
     stretch: &[usize],
-    poses: usize,
-    stretches: usize,
+    [poses, stretches]: [usize; 2],
 ) -> Information {
-    let mut whole = arm.with(candidates);
+    let mut whole = arm.with(candidates, &arm.writing(Some(varied)));
     let before = arm.session.samples.len();
     let mut middle_s = 0.0;
     if let Some(time_s) = &mut whole.samples.time_s {
@@ -215,11 +211,7 @@ fn information(
     let model = Model::new(arm.session.robot.clone(), all);
     let (columns, mut precision) = arm.known(&model);
     let shown = shown(&whole, &model, &columns);
-    let owner = model
-        .terms()
-        .iter()
-        .flat_map(|t| vec![of_base(t); t.coefficients.len()]);
-    let owner: Vec<bool> = owner.collect();
+    let owner: Vec<bool> = model.columns().map(|(term, _)| of_base(term)).collect();
     for (to, _) in columns.iter().enumerate().filter(|own| !owner[*own.1]) {
         let mean = shown.rows.column(to).norm_squared() / shown.rows.nrows().max(1) as f64;
         precision[(to, to)] = if mean > 0.0 {
@@ -228,14 +220,5 @@ fn information(
             1.0
         };
     }
-    let known = shown.rows.rows(0, shown.first[before]);
-    precision.gemm_tr(1.0, &known, &known, 1.0);
-    precision += &shown.beside;
-    let first = shown.first[before];
-    let rows: DMatrix<f64> = shown
-        .rows
-        .rows(first, shown.rows.nrows() - first)
-        .into_owned();
-    let starts = shown.first[before..].iter().map(|f| f - first).collect();
-    Information::new(rows, starts, inverse(&precision))
+    shown.information(before, precision)
 }

@@ -15,16 +15,17 @@
 //! rivals at once, rivals of rivals, rivals that are ruled out now and may come back, and sizes
 //! that the samples know poorly (one radius, one speed).
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::comparison::{Axes, Prediction, covariance_of, predictions};
-use super::next_poses::gram;
-use crate::diagnosis::regression::{Fit, Regression};
-use crate::effects::Inputs;
+use super::comparison::{Field, Prediction, Refit};
+use crate::diagnosis::regression::Fit;
 
+/// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
+/// promised by what the draws do not know: their own error, and tests beside the odds.
+pub(crate) const SURE: f64 = 0.98;
 /// Draws of each explanation: the probability is known to about one in a hundred.
 const DRAWS: usize = 250;
 /// What the samples say nothing of is drawn so small that it moves a pose by this many standard
@@ -34,24 +35,10 @@ const WIDEST: f64 = 10.0;
 const HOPELESS: f64 = 0.05;
 
 /// One explanation.
-#[derive(Clone, Copy)]
-pub(crate) struct Explanation<'f> {
-    pub(crate) fit: &'f Fit,
+pub(crate) struct Explanation {
+    pub(crate) fit: Fit,
     /// Whether the samples leave it open; the others are ruled out and have to stay so.
     pub(crate) open: bool,
-}
-
-/// One explanation as it is refitted in every draw.
-struct Refit {
-    /// Reference prediction less its own, and its columns, at every choice.
-    predictions: Vec<Prediction>,
-    covariance: DMatrix<f64>,
-    /// Parameters by draws.
-    refits: DMatrix<f64>,
-    /// By how much the sum of squares has risen, in each draw.
-    risen: DVector<f64>,
-    rss: f64,
-    ln_evidence: f64,
 }
 
 /// Draws of one explanation that is taken for the true one.
@@ -64,7 +51,10 @@ struct Truth {
 
 /// See the module.
 pub(crate) struct Decision {
+    /// Each explanation as it is refitted in every draw, relative to the first.
     refits: Vec<Refit>,
+    /// Sum of squares and log-evidence of each so far.
+    so_far: Vec<(f64, f64)>,
     truths: Vec<Truth>,
     /// For each pair whether a diagnosis would have to tell them apart.
     differ: Vec<Vec<bool>>,
@@ -77,72 +67,44 @@ pub(crate) struct Decision {
 }
 
 impl Decision {
-    pub(crate) fn new(
-        regression: &Regression,
-        explanations: &[Explanation],
-        inputs: &Inputs,
-        axes: &Axes,
-        wanted: f64,
-    ) -> Self {
+    /// Among explanations, at least one; `wanted` are the odds (a logarithm) that decide.
+    pub(crate) fn new(field: &Field, explanations: &[Explanation], wanted: f64) -> Self {
+        let regression = field.regression;
         let mut random = ChaCha8Rng::seed_from_u64(regression.seed);
-        let open = explanations.iter().filter(|e| e.open).count();
-        let draws = open * DRAWS;
-        let Some(reference) = explanations.first() else {
-            return Self::empty(random, wanted);
-        };
-        let mut refits = Vec::new();
-        let mut truths = Vec::new();
-        for (index, explanation) in explanations.iter().enumerate() {
-            let model = &explanation.fit.model;
-            let predictions = predictions(&reference.fit.model, model, inputs, axes);
-            let information = gram(regression, model);
-            if explanation.open {
+        let draws = DRAWS * explanations.iter().filter(|e| e.open).count();
+        let (mut refits, mut truths) = (Vec::new(), Vec::new());
+        for (index, Explanation { fit, open }) in explanations.iter().enumerate() {
+            let predictions = field.predictions(&explanations[0].fit.model, &fit.model);
+            let information = field.gram(&fit.model);
+            if *open {
                 truths.push(Truth {
                     index,
                     parameters: drawn(&information, &predictions, &mut random),
                     first: truths.len() * DRAWS,
                 });
             }
-            refits.push(Refit {
-                covariance: covariance_of(&information, &predictions),
-                refits: DMatrix::zeros(information.nrows(), draws),
-                risen: DVector::zeros(draws),
-                predictions,
-                rss: explanation.fit.rss,
-                ln_evidence: explanation.fit.ln_evidence,
-            });
+            refits.push(Refit::new(predictions, &information, draws));
         }
-        let names: Vec<_> = explanations
-            .iter()
-            .map(|e| names(regression, e.fit))
-            .collect();
-        let within = |a: &[Name], b: &[Name]| a.iter().all(|n| b.contains(n));
-        let differ = names
-            .iter()
-            .map(|a| {
-                let others = names.iter();
-                others.map(|b| !within(a, b) && !within(b, a)).collect()
-            })
-            .collect();
+        let names = |e: &Explanation| -> Vec<(&'static str, usize)> {
+            let added = regression.added(&e.fit).into_iter();
+            added.map(|t| (t.effect.about().id, t.joint)).collect()
+        };
+        let names: Vec<_> = explanations.iter().map(names).collect();
+        let within = |a: &[_], b: &[_]| a.iter().all(|n| b.contains(n));
+        let differ = |a: &Vec<_>| {
+            let others = names.iter();
+            others.map(|b| !within(a, b) && !within(b, a)).collect()
+        };
         Self {
+            so_far: explanations
+                .iter()
+                .map(|e| (e.fit.rss, e.fit.ln_evidence))
+                .collect(),
+            differ: names.iter().map(differ).collect(),
             refits,
             truths,
-            differ,
             random,
             rows: regression.m(),
-            new_rows: 0.0,
-            wanted,
-            history: Vec::new(),
-        }
-    }
-
-    fn empty(random: ChaCha8Rng, wanted: f64) -> Self {
-        Self {
-            refits: Vec::new(),
-            truths: Vec::new(),
-            differ: Vec::new(),
-            random,
-            rows: 0.0,
             new_rows: 0.0,
             wanted,
             history: Vec::new(),
@@ -155,15 +117,13 @@ impl Decision {
     }
 
     /// Measures a pose in every draw.
-    pub(crate) fn take(&mut self, choice: usize) {
-        let Some(first) = self.refits.first() else {
-            return;
-        };
-        let axes = first.predictions[choice].difference.len();
-        let draws = first.risen.len();
+    pub(crate) fn take(&mut self, candidate: usize) {
+        let draws = self.truths.len() * DRAWS;
+        let axes = self.refits[0].predictions[candidate].difference.len();
+        // Measured values are relative to the first explanation.
         let mut measured = DMatrix::zeros(axes, draws);
         for truth in &self.truths {
-            let own = &self.refits[truth.index].predictions[choice];
+            let own = &self.refits[truth.index].predictions[candidate];
             let mut block = &own.columns * &truth.parameters;
             for mut column in block.column_iter_mut() {
                 column -= &own.difference;
@@ -176,7 +136,7 @@ impl Decision {
             *v += noise;
         });
         for refit in &mut self.refits {
-            refit.take(choice, &measured);
+            refit.take(candidate, Some(&measured));
         }
         self.new_rows += axes as f64;
         let now = self.ruled_out();
@@ -186,15 +146,16 @@ impl Decision {
     /// For each truth which rivals are ruled out in which draws.
     fn ruled_out(&self) -> Vec<DMatrix<u8>> {
         let rows = self.rows + self.new_rows;
-        let evidence = |refit: &Refit, draw: usize| {
-            let before = refit.ln_evidence + 0.5 * self.rows * refit.rss.max(1e-300).ln();
-            before - 0.5 * rows * (refit.rss + refit.risen[draw]).max(1e-300).ln()
+        let evidence = |index: usize, draw: usize| {
+            let (rss, ln_evidence) = self.so_far[index];
+            let before = ln_evidence + 0.5 * self.rows * rss.max(1e-300).ln();
+            let risen = self.refits[index].risen[draw];
+            before - 0.5 * rows * (rss + risen).max(1e-300).ln()
         };
         let of = |truth: &Truth| {
             DMatrix::from_fn(self.refits.len(), DRAWS, |other, k| {
                 let draw = truth.first + k;
-                let lead =
-                    evidence(&self.refits[truth.index], draw) - evidence(&self.refits[other], draw);
+                let lead = evidence(truth.index, draw) - evidence(other, draw);
                 u8::from(!self.differ[truth.index][other] || lead >= self.wanted)
             })
         };
@@ -209,35 +170,26 @@ impl Decision {
     }
 
     /// How many of the poses are needed for `wanted`, or for hardly less than all of them bring
-    /// where that is less. Pairs that all of them cannot part do not count here.
-    pub(crate) fn needed(&self, wanted: f64) -> Needed {
+    /// where that is less; how many pairs none of the poses part, and the probability that so many poses
+    /// decide all others, whichever explanation is true.
+    pub(crate) fn needed(&self, wanted: f64) -> (usize, usize, f64) {
         let Some(last) = self.history.last() else {
-            return Needed {
-                poses: 0,
-                probability: 0.0,
-                unparted: self.pairs(),
-            };
+            return (0, self.pairs(), 0.0);
         };
-        let parted: Vec<Vec<bool>> = last
-            .iter()
-            .map(|out| {
-                let rows = out.row_iter();
-                rows.map(|row| share(row.iter()) > HOPELESS).collect()
-            })
-            .collect();
+        let parted = |out: &DMatrix<u8>| -> Vec<bool> {
+            let rows = out.row_iter();
+            rows.map(|row| share(row.iter()) > HOPELESS).collect()
+        };
+        let parted: Vec<Vec<bool>> = last.iter().map(parted).collect();
         let unparted = parted.iter().flatten().filter(|parted| !**parted).count();
         let counts = |truth: usize, other: usize| parted[truth][other];
         let target = wanted.min(least(last, counts) - 0.01);
-        let reached = |now: &Vec<DMatrix<u8>>| least(now, counts) >= target;
-        let at = self.history.iter().position(reached);
+        let mut reached = self.history.iter().map(|now| least(now, counts));
         // Where nothing is parted, every bit helps.
-        let at = at.filter(|_| unparted < self.pairs());
+        let at = reached.position(|share| share >= target && unparted < self.pairs());
         let poses = at.map_or(self.history.len(), |at| at + 1);
-        Needed {
-            poses,
-            probability: least(&self.history[poses - 1], counts),
-            unparted,
-        }
+        let probability = least(&self.history[poses - 1], counts);
+        (poses, unparted, probability)
     }
 
     /// Pairs that a diagnosis has to tell apart.
@@ -245,50 +197,6 @@ impl Decision {
         let of = |truth: &Truth| self.differ[truth.index].iter().filter(|d| **d).count();
         self.truths.iter().map(of).sum()
     }
-}
-
-/// What the poses of a [`Decision`] are worth.
-pub(crate) struct Needed {
-    pub(crate) poses: usize,
-    /// That so many poses decide every pair that poses can part, whichever explanation is true.
-    pub(crate) probability: f64,
-    /// Pairs that none of the poses part.
-    pub(crate) unparted: usize,
-}
-
-impl Refit {
-    fn take(&mut self, choice: usize, measured: &DMatrix<f64>) {
-        let Prediction {
-            difference,
-            columns,
-        } = &self.predictions[choice];
-        let carried = &self.covariance * columns.transpose();
-        let mut spread = columns * &carried;
-        for k in 0..spread.nrows() {
-            spread[(k, k)] += 1.0;
-        }
-        let Some(factor) = spread.cholesky() else {
-            return;
-        };
-        // Measured values are relative to the reference.
-        let mut left = measured - columns * &self.refits;
-        for mut column in left.column_iter_mut() {
-            column += difference;
-        }
-        let solved = factor.solve(&left);
-        for (draw, risen) in self.risen.iter_mut().enumerate() {
-            *risen += solved.column(draw).dot(&left.column(draw));
-        }
-        self.refits += &carried * solved;
-        self.covariance -= &carried * factor.solve(&carried.transpose());
-    }
-}
-
-type Name = (&'static str, usize);
-
-fn names(regression: &Regression, fit: &Fit) -> Vec<Name> {
-    let added = regression.added(fit).into_iter();
-    added.map(|t| (t.effect.about().id, t.joint)).collect()
 }
 
 fn share<'v>(values: impl Iterator<Item = &'v u8>) -> f64 {
@@ -346,29 +254,6 @@ fn drawn(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_sum_of_squares_rises_as_a_joint_refit_says() {
-        let rows = [(3.0, 1.0), (1.0, 1.0), (2.0, -1.0)];
-        let one = |(d, j): &(f64, f64)| Prediction {
-            difference: DVector::from_element(1, *d),
-            columns: DMatrix::from_element(1, 1, *j),
-        };
-        let mut refit = Refit {
-            predictions: rows.iter().map(one).collect(),
-            covariance: DMatrix::from_element(1, 1, 0.25),
-            refits: DMatrix::zeros(1, 1),
-            risen: DVector::zeros(1),
-            rss: 1.0,
-            ln_evidence: 0.0,
-        };
-        for k in 0..3 {
-            refit.take(k, &DMatrix::zeros(1, 1));
-        }
-        // min over β of Σ (d − jβ)² + 4 β²: Σ d² − (Σ jd)² / (4 + Σ j²).
-        let expected = 14.0 - 4.0 / 7.0;
-        assert!((refit.risen[0] - expected).abs() < 1e-9, "{}", refit.risen);
-    }
 
     #[test]
     fn the_least_share_counts_only_what_is_asked_for() {

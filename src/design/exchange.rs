@@ -1,7 +1,7 @@
 //! The planner: of candidate poses those that are worth most to a criterion.
 //!
 //! [`choose`] takes pose after pose, each time the one that is worth most. What poses are worth is a
-//! [`Criterion`]: how far they part rival models ([`super::comparison`], T-optimality), or how much
+//! [`Criterion`]: how far they part rival models ([`super::parting`], T-optimality), or how much
 //! they add to what is known of parameters ([`Information`], D-optimality):
 //!
 //! ```text

@@ -13,11 +13,12 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::diagnosis::NextPose;
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::candidate_poses::{self, CandidatePose};
+use super::candidates::{Arrival, Candidate, Writing, anywhere, typed, usual_speed, with_another};
 use super::comparison::Prediction;
 use super::exchange::{Criterion, Information, choose};
 use super::imagined::SECONDS_PER_POSE;
@@ -41,64 +42,34 @@ pub(crate) struct Request {
     pub(crate) seed: u64,
 }
 
-/// How a pose is reached.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Arrival {
-    /// From far.
-    Long,
-    /// After a reversal so many of the joint's ranges before.
-    Short(f64),
-    /// The same pose as that one (counted from 0).
-    Return(usize),
-}
-
-/// One pose of the design.
-#[derive(Debug, Clone)]
-pub(crate) struct PlannedPose {
-    pub(crate) choice: CandidatePose,
-    pub(crate) arrival: Arrival,
-}
-
 /// The reflectors of a first measurement: the tool's origin and one more, where something turns.
 pub(crate) fn reflectors(robot: &Robot) -> Vec<Target> {
-    let mut targets = vec![Target {
+    let origin = Target {
         name: "T1".to_owned(),
         position_mm: Point3::origin(),
-    }];
-    if robot.joints.iter().any(|j| j.kind == JointKind::Revolute) {
-        targets.extend(
-            candidate_poses::other_reflectors(robot, &targets)
-                .into_iter()
-                .take(1),
-        );
-    }
-    targets
+    };
+    with_another(robot, vec![origin])
 }
 
 /// What was measured already, as a model's columns show it.
 pub(crate) type Known<'a> = &'a dyn Fn(&Model) -> Vec<Prediction>;
 
-/// The poses in measuring order.
-pub(crate) fn design(robot: &Robot, targets: &[Target], request: &Request) -> Vec<PlannedPose> {
-    let ranges = candidate_poses::ranges(robot, None);
-    extension(robot, targets, &ranges, request, &|_| Vec::new())
-}
-
-/// More poses beside what is known.
-pub(crate) fn extension(
+/// The poses in measuring order, beside what is known; so many of the targets are mounted already.
+pub(crate) fn design(
     robot: &Robot,
     targets: &[Target],
+    mounted: usize,
     ranges: &[Range],
     request: &Request,
     known: Known,
-) -> Vec<PlannedPose> {
+) -> Vec<NextPose> {
     let n = request.poses;
     let mut random = ChaCha8Rng::seed_from_u64(request.seed ^ 0x5eed);
     let columns = Columns::new(robot, targets, ranges, n, &mut random);
     let covariance = columns.known(&known(&columns.model));
     let nothing = Information::new(DMatrix::zeros(0, covariance.ncols()), vec![0], covariance);
     let mut slots = Slots {
-        schedule: Schedule::new(robot, targets.len(), request, &mut random),
+        schedule: schedule(robot, targets.len(), request, &mut random),
         kinds: robot.joints.iter().map(|j| j.kind).collect(),
         planned: Vec::with_capacity(n),
         candidates: Vec::new(),
@@ -109,17 +80,26 @@ pub(crate) fn extension(
     };
     slots.offer();
     choose(&mut slots, n);
-    slots.planned
+    let writing = Writing {
+        targets,
+        mounted,
+        speeds: true,
+        loads: slots.planned.iter().any(|c| c.load_kg != 0.0),
+        temperatures: true,
+    };
+    let poses = slots.planned.iter().map(|c| writing.pose(c, why(c)));
+    poses.collect()
 }
 
 /// The schedule, slot by slot: each has candidates of its own.
 struct Slots<'r> {
-    schedule: Schedule,
+    /// Circumstances of every slot, without places and sides.
+    schedule: Vec<Candidate>,
     kinds: Vec<JointKind>,
     ranges: &'r [Range],
     columns: Columns,
-    planned: Vec<PlannedPose>,
-    candidates: Vec<PlannedPose>,
+    planned: Vec<Candidate>,
+    candidates: Vec<Candidate>,
     information: Information,
     random: ChaCha8Rng,
 }
@@ -127,12 +107,10 @@ struct Slots<'r> {
 impl Slots<'_> {
     /// Candidates for the next slot.
     fn offer(&mut self) {
-        let slot = self.planned.len();
-        if slot >= self.schedule.count {
+        let Some(like) = self.schedule.get(self.planned.len()).cloned() else {
             return;
-        }
-        let like = self.schedule.conditions(slot);
-        self.candidates = self.next_candidates(&like, self.schedule.arrivals[slot]);
+        };
+        self.candidates = self.next_candidates(&like);
         let covariance = self.information.covariance.clone();
         let now = self
             .columns
@@ -143,8 +121,8 @@ impl Slots<'_> {
 
 impl Criterion for Slots<'_> {
     fn worths(&self) -> Vec<f64> {
-        let worth = |(k, one): (usize, &PlannedPose)| {
-            let gap = self.columns.gap(&one.choice, &self.planned);
+        let worth = |(k, one): (usize, &Candidate)| {
+            let gap = self.columns.gap(one, &self.planned);
             // Every slot is filled, whatever it shows.
             (self.information.gain(k).exp() * gap).max(1e-6)
         };
@@ -158,151 +136,94 @@ impl Criterion for Slots<'_> {
     }
 }
 
-/// Conditions of every pose, before its joint values.
-struct Schedule {
-    plain: CandidatePose,
-    count: usize,
-    unit: Vec<f64>,
-    load_kg: f64,
-    speeds: Vec<f64>,
-    targets: Vec<u32>,
-    arrivals: Vec<ArrivalWanted>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum ArrivalWanted {
-    Long,
-    Short(f64),
-    Return,
-}
-
-impl Schedule {
-    fn new(robot: &Robot, targets: usize, request: &Request, random: &mut ChaCha8Rng) -> Self {
-        let n = request.poses;
-        let joints = robot.joints.len();
-        // Stretches of ten hold every speed for every reflector once, in random order.
-        let mut speeds = Vec::new();
-        let mut of = Vec::new();
-        while speeds.len() < n {
-            let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len())
-                .map(|k| {
-                    let target = (k / SPEEDS.len()) % targets.max(1);
-                    (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
-                })
-                .collect();
-            stretch.shuffle(random);
-            speeds.extend(stretch.iter().map(|s| s.0));
-            of.extend(stretch.iter().map(|s| s.1));
-        }
-        let arrival = |i: usize| match i % 5 {
-            1 if i >= 5 => ArrivalWanted::Short(SHORT[(i / 5) % SHORT.len()]),
-            // Returns wait until there is something to return to.
-            4 if 4 * i > n => ArrivalWanted::Return,
-            _ => ArrivalWanted::Long,
+/// Circumstances of every pose, before its joint values: speeds without their signs, arrivals as they are
+/// wanted (a return may be to any pose).
+fn schedule(
+    robot: &Robot,
+    targets: usize,
+    request: &Request,
+    random: &mut ChaCha8Rng,
+) -> Vec<Candidate> {
+    let n = request.poses;
+    // Stretches of ten hold every speed for every reflector once, in random order.
+    let mut in_turn: Vec<(f64, u32)> = Vec::new();
+    while in_turn.len() < n {
+        let one = |k: usize| {
+            let target = (k / SPEEDS.len()) % targets.max(1);
+            (SPEEDS[k % SPEEDS.len()], u32::try_from(target).unwrap_or(0))
         };
-        Self {
-            plain: CandidatePose {
-                q: vec![0.0; joints],
-                dir: vec![1.0; joints],
-                speed: vec![0.0; joints],
-                approach: None,
-                load_kg: 0.0,
-                warmth_c: 0.0,
-                target: 0,
-                time_s: 0.0,
+        let mut stretch: Vec<(f64, u32)> = (0..2 * SPEEDS.len()).map(one).collect();
+        stretch.shuffle(random);
+        in_turn.extend(stretch);
+    }
+    let units: Vec<f64> = robot.joints.iter().map(|j| usual_speed(j.kind)).collect();
+    let slot = |(i, (speed, target)): (usize, (f64, u32))| {
+        let part = |parts: usize| i * parts / n;
+        Candidate {
+            speed: units.iter().map(|unit| unit * speed).collect(),
+            arrival: match i % 5 {
+                1 if i >= 5 => Arrival::Short(SHORT[(i / 5) % SHORT.len()]),
+                // Returns wait until there is something to return to.
+                4 if 4 * i > n => Arrival::Return(0),
+                _ => Arrival::Long,
             },
-            count: n,
-            unit: robot
-                .joints
-                .iter()
-                .map(|j| candidate_poses::usual_speed(j.kind))
-                .collect(),
-            load_kg: request.load_kg,
-            speeds,
-            targets: of,
-            arrivals: (0..n).map(arrival).collect(),
-        }
-    }
-
-    /// Everything but where and from which side; speeds without their signs.
-    fn conditions(&self, i: usize) -> CandidatePose {
-        let part = |parts: usize| i * parts / self.count.max(1);
-        CandidatePose {
-            speed: self.unit.iter().map(|u| u * self.speeds[i]).collect(),
-            load_kg: LOADS[part(LOADS.len())] * self.load_kg,
+            load_kg: LOADS[part(LOADS.len())] * request.load_kg,
             warmth_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
-            target: self.targets[i],
+            target,
             time_s: SECONDS_PER_POSE * i as f64,
-            ..self.plain.clone()
+            ..Candidate::at(vec![0.0; units.len()])
         }
-    }
+    };
+    in_turn.into_iter().take(n).enumerate().map(slot).collect()
 }
 
 impl Slots<'_> {
-    /// Stops that may come next.
-    fn next_candidates(&mut self, like: &CandidatePose, wanted: ArrivalWanted) -> Vec<PlannedPose> {
+    /// Poses that may come next.
+    fn next_candidates(&mut self, like: &Candidate) -> Vec<Candidate> {
+        let wanted = like.arrival;
         let (ranges, kinds, before) = (self.ranges, &self.kinds, &self.planned);
         let random = &mut self.random;
-        let last = before.last().map(|s| &s.choice);
+        let last = before.last();
         let reached = |q: Vec<f64>, arrival: Arrival| {
-            let from = |j: usize| last.map_or(0.5 * (ranges[j].from + ranges[j].to), |l| l.q[j]);
-            let dir: Vec<f64> = (0..q.len())
-                .map(|j| if q[j] >= from(j) { 1.0 } else { -1.0 })
-                .collect();
-            let speed = like
-                .speed
-                .iter()
-                .zip(&dir)
-                .map(|(s, d)| s * d + 0.0)
-                .collect();
-            let choice = CandidatePose {
+            let middle = |range: &Range| 0.5 * (range.from + range.to);
+            let from = |j: usize| last.map_or_else(|| middle(&ranges[j]), |l| l.q[j]);
+            let side = |(j, q): (usize, &f64)| if *q >= from(j) { 1.0 } else { -1.0 };
+            let dir: Vec<f64> = q.iter().enumerate().map(side).collect();
+            let speed = like.speed.iter().zip(&dir).map(|(s, d)| s * d + 0.0);
+            Candidate {
                 q,
+                speed: speed.collect(),
                 dir,
-                speed,
+                arrival,
                 ..like.clone()
-            };
-            PlannedPose { choice, arrival }
+            }
         };
-        if let (ArrivalWanted::Short(share), Some(last)) = (wanted, last) {
+        if let (Arrival::Short(share), Some(last)) = (wanted, last) {
             let step = |j: usize| {
-                let range = &ranges[j];
-                last.q[j]
-                    - last.dir[j]
-                        * candidate_poses::typed(share * (range.to - range.from), kinds[j])
+                let way = share * (ranges[j].to - ranges[j].from);
+                last.q[j] - last.dir[j] * typed(way, kinds[j])
             };
             let q: Vec<f64> = (0..ranges.len()).map(step).collect();
-            let inside = q
-                .iter()
-                .zip(ranges)
-                .all(|(q, r)| *q >= r.from && *q <= r.to);
-            if inside {
-                return vec![reached(q, Arrival::Short(share))];
+            let mut pairs = q.iter().zip(ranges);
+            if pairs.all(|(q, r)| *q >= r.from && *q <= r.to) {
+                return vec![reached(q, wanted)];
             }
         }
-        if wanted == ArrivalWanted::Return {
-            let same = |s: &&PlannedPose| {
-                s.choice.load_kg == like.load_kg && !matches!(s.arrival, Arrival::Return(_))
-            };
-            let earlier = before.len().saturating_sub(2);
-            let all: Vec<PlannedPose> = before[..earlier]
-                .iter()
-                .enumerate()
-                .filter(|(_, s)| same(s))
-                .map(|(k, s)| PlannedPose {
-                    choice: CandidatePose {
-                        warmth_c: like.warmth_c,
-                        time_s: like.time_s,
-                        ..s.choice.clone()
-                    },
+        if matches!(wanted, Arrival::Return(_)) {
+            let earlier = before[..before.len().saturating_sub(2)].iter().enumerate();
+            let all: Vec<Candidate> = earlier
+                .filter(|(_, s)| s.load_kg == like.load_kg)
+                .filter(|(_, s)| !matches!(s.arrival, Arrival::Return(_)))
+                .map(|(k, s)| Candidate {
+                    warmth_c: like.warmth_c,
+                    time_s: like.time_s,
                     arrival: Arrival::Return(k),
+                    ..s.clone()
                 })
                 .collect();
             // Where the way leads there from the right side, no detour is needed.
-            let direct = |s: &&PlannedPose| {
-                let came = reached(s.choice.q.clone(), Arrival::Long);
-                came.choice.dir == s.choice.dir
-            };
-            let short: Vec<PlannedPose> = all.iter().filter(direct).cloned().collect();
+            let direct = |s: &&Candidate| reached(s.q.clone(), Arrival::Long).dir == s.dir;
+            let short: Vec<Candidate> = all.iter().filter(direct).cloned().collect();
             if let Some(one) = [short, all].into_iter().find(|list| !list.is_empty()) {
                 let pick = random.random_range(0..one.len());
                 return vec![one[pick].clone()];
@@ -310,22 +231,30 @@ impl Slots<'_> {
         }
         let drawn = (0..self.columns.candidates).map(|k| {
             // The ends belong to the travel: some candidates lie there.
-            let mut q = candidate_poses::anywhere(ranges, random);
+            let mut q = anywhere(ranges, random);
             if k % 8 == 0 {
                 let joint = random.random_range(0..ranges.len());
-                let range = &ranges[joint];
-                q[joint] = if random.random::<bool>() {
-                    range.from
-                } else {
-                    range.to
-                };
+                let (range, low) = (&ranges[joint], random.random::<bool>());
+                q[joint] = if low { range.from } else { range.to };
             }
-            let q = q.iter().zip(ranges).zip(kinds).map(|((q, range), kind)| {
-                let rounded = candidate_poses::typed(*q, *kind);
-                rounded.clamp(range.from, range.to)
-            });
-            reached(q.collect(), Arrival::Long)
+            for ((q, range), kind) in q.iter_mut().zip(ranges).zip(kinds) {
+                *q = typed(*q, *kind).clamp(range.from, range.to);
+            }
+            reached(q, Arrival::Long)
         });
         drawn.collect()
+    }
+}
+
+fn why(candidate: &Candidate) -> String {
+    match candidate.arrival {
+        Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
+        Arrival::Short(_) => {
+            "a short approach after a reversal: lost motion against backlash".to_owned()
+        }
+        Arrival::Long if candidate.moves() => {
+            "measure while moving: tracking lag against backlash".to_owned()
+        }
+        Arrival::Long => "a place that tells most, unequal steps".to_owned(),
     }
 }

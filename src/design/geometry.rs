@@ -1,8 +1,10 @@
 //! How many poses show the geometry of a robot with several joints how well.
 
-use super::arm::{Arm, Candidate};
+use super::arm::Arm;
 use super::bench::Bench;
+use super::candidates::Candidate;
 use super::outlook::{ExpectedError, Prospect};
+use super::plan::PlanError;
 
 /// The expected error is told for so many poses.
 const CURVE: [usize; 4] = [20, 30, 50, 100];
@@ -35,24 +37,15 @@ pub(crate) enum Wanted {
     Accuracy(f64),
 }
 
-/// Why there are no poses.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum OutOfReach {
-    /// The accuracy is not reached: the error with [`MOST`] poses, mm.
-    By(f64),
-    /// No pose can be measured.
-    Unseen,
-}
-
 /// Poses that show the geometry best, in no order, and what they do.
-pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometry), OutOfReach> {
-    let bench = arm.spread().ok_or(OutOfReach::Unseen)?;
+pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometry), PlanError> {
+    let bench = arm.spread().ok_or(PlanError::Unseen)?;
     let count = match wanted {
         Wanted::Poses(count) => count,
         Wanted::Accuracy(mm) => enough(&bench, mm)?,
     };
-    let (end, order) = arm.designed(&bench, count);
-    let chosen = order.iter().map(|k| end.candidates[*k].clone()).collect();
+    let end = arm.designed(&bench, count);
+    let all: Vec<usize> = (0..end.candidates.len()).collect();
     let curve = CURVE
         .into_iter()
         .map(|count| (count, bench.prospect(&bench.chosen(count)).error));
@@ -63,26 +56,29 @@ pub(crate) fn best(arm: &Arm, wanted: Wanted) -> Result<(Vec<Candidate>, Geometr
         } else {
             of_random(arm, &bench, count)
         },
-        after: end.prospect(&order),
+        after: end.prospect(&all),
         curve: curve.collect(),
         enough: match wanted {
             Wanted::Poses(_) => None,
             Wanted::Accuracy(mm) => Some((mm, count)),
         },
     };
-    Ok((chosen, geometry))
+    Ok((end.candidates, geometry))
 }
 
 /// The smallest number of poses that reaches an accuracy: greedily first, then with fewer that are
 /// exchanged.
-fn enough(bench: &Bench, mm: f64) -> Result<usize, OutOfReach> {
-    let reached = |error: &ExpectedError| error.p95_mm <= mm;
+fn enough(bench: &Bench, wanted: f64) -> Result<usize, PlanError> {
+    let reached = |error: &ExpectedError| error.p95_mm <= wanted;
     if reached(&bench.prospect(&[]).error) {
         return Ok(0);
     }
     let trace = bench.trace(MOST);
-    let last = trace.last().map_or(f64::INFINITY, |e| e.p95_mm);
-    let at = trace.iter().position(reached).ok_or(OutOfReach::By(last))?;
+    let reached_at = trace.iter().position(reached);
+    let at = reached_at.ok_or_else(|| PlanError::OutOfReach {
+        wanted,
+        reached: trace.last().map_or(f64::INFINITY, |e| e.p95_mm),
+    })?;
     let (mut few, mut enough) = (at.div_ceil(2), at + 1);
     while few + 1 < enough {
         let middle = few.midpoint(enough);

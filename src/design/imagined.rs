@@ -9,6 +9,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::comparison::inverse;
+use super::exchange::Information;
 use crate::diagnosis::NextPose;
 use crate::effects::JointValues;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
@@ -102,7 +104,19 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
         .collect();
     let several = targets.len() > 1;
     let samples = &mut all.samples;
-    grow(samples, like);
+    let rows: Vec<_> = (0..n).map(Some).chain(like.iter().copied()).collect();
+    samples.select(&rows);
+    // What a sensor would show is not known, and nothing is mounted anew.
+    for column in samples.torque_nm.iter_mut().flatten() {
+        column[n..].fill(f64::NAN);
+    }
+    if let Some(setups) = &mut samples.setups {
+        let last = setups.index[..n].last().copied().unwrap_or(0);
+        setups.index[n..].fill(last);
+    }
+    if let Some(held_out) = &mut samples.held_out {
+        held_out[n..].fill(false);
+    }
     // What a pose leaves open is as it was last.
     let fill =
         |column: &mut Option<Vec<f64>>, usual: f64, value: &dyn Fn(&NextPose) -> Option<f64>| {
@@ -203,72 +217,6 @@ pub(crate) fn place_of(session: &Session, model: &Model, place: Place) -> [f64; 
     at
 }
 
-/// Adds a copy of each of these samples, or an empty one.
-fn grow(samples: &mut Samples, like: &[Option<usize>]) {
-    fn copies<T: Clone>(column: &mut Vec<T>, like: &[Option<usize>], empty: &T) {
-        let new = like
-            .iter()
-            .map(|l| l.map_or_else(|| empty.clone(), |l| column[l].clone()));
-        let new: Vec<T> = new.collect();
-        column.extend(new);
-    }
-    let nothing = vec![None; like.len()];
-    let numbers = samples
-        .q
-        .iter_mut()
-        .chain([&mut samples.x_mm, &mut samples.y_mm]);
-    let observed = &mut samples.observed;
-    let each = [
-        &mut samples.q_read,
-        &mut samples.dir,
-        &mut samples.speed,
-        &mut samples.joint_temperature_c,
-    ];
-    let optional = each.into_iter().flat_map(|all| all.iter_mut().flatten());
-    let one = [
-        &mut samples.z_mm,
-        &mut samples.load_kg,
-        &mut samples.temperature_c,
-        &mut samples.time_s,
-        &mut observed.distance_mm,
-        &mut observed.azimuth,
-        &mut observed.elevation,
-    ];
-    let turned = samples.orientation_wxyz.iter_mut().flatten();
-    let numbers = numbers
-        .chain(optional)
-        .chain(one.into_iter().flatten())
-        .chain(turned);
-    for column in numbers {
-        copies(column, like, &f64::NAN);
-    }
-    // What a sensor would show is not known.
-    for column in samples.torque_nm.iter_mut().flatten() {
-        copies(column, &nothing, &f64::NAN);
-    }
-    let names = [
-        &mut observed.anchor,
-        &mut observed.station,
-        &mut observed.plane,
-        &mut observed.socket,
-    ];
-    for column in names.into_iter().flatten() {
-        copies(column, like, &None);
-    }
-    if let Some(column) = &mut samples.target {
-        copies(column, like, &0);
-    }
-    if let Some(setups) = &mut samples.setups {
-        let last = setups.index.last().copied().unwrap_or(0);
-        copies(&mut setups.index, &nothing, &last);
-    }
-    if let Some(column) = &mut samples.held_out {
-        copies(column, &nothing, &false);
-    }
-    samples.unknown.clear();
-    samples.line = crate::sessions::Lines::default();
-}
-
 /// The session with noise on its points.
 pub(crate) fn with_noise(mut session: Session, sigma_mm: f64, seed: u64) -> Session {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
@@ -294,6 +242,21 @@ pub(crate) struct Shown {
     pub(crate) first: Vec<usize>,
     /// The information of what is known beside the samples: distances between sockets.
     pub(crate) beside: DMatrix<f64>,
+}
+
+impl Shown {
+    /// What the samples behind the first `before` add to what those show and to what is known beforehand.
+    pub(crate) fn information(&self, before: usize, mut known: DMatrix<f64>) -> Information {
+        let from = self.first[before];
+        let (measured, new) = (
+            self.rows.rows(0, from),
+            self.rows.rows(from, self.rows.nrows() - from),
+        );
+        known.gemm_tr(1.0, &measured, &measured, 1.0);
+        known += &self.beside;
+        let first = self.first[before..].iter().map(|f| f - from).collect();
+        Information::new(new.into_owned(), first, inverse(&known))
+    }
 }
 
 /// What every sample shows that is there to be fitted.

@@ -4,15 +4,15 @@ use nalgebra::DMatrix;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use crate::effects::{CATALOGUE, Setting, Survey, Term};
+use crate::effects::{CATALOGUE, Effect, Setting, Survey, Term};
 use crate::kinematics::{Range, Robot};
 use crate::model::Model;
 use crate::sessions::Target;
 
-use super::candidate_poses::{self, CandidatePose};
+use super::candidates::{Arrival, Candidate, anywhere, inputs, usual_speed};
 use super::comparison::{Axes, Prediction, inverse, predictions};
 use super::exchange::Information;
-use super::first_measurement::{PlannedPose, reflectors};
+use super::first_measurement::reflectors;
 use super::imagined::{SECONDS_PER_POSE, unmeasured};
 use super::needs::{WARMING_C, all_met};
 
@@ -52,23 +52,20 @@ impl Columns {
             model,
         };
         // Over random poses and conditions.
-        let pool: Vec<CandidatePose> = (0..64)
+        let pool: Vec<Candidate> = (0..64)
             .map(|k| {
                 let side = |_| if random.random::<bool>() { 1.0 } else { -1.0 };
                 let dir: Vec<f64> = (0..ranges.len()).map(side).collect();
-                let units = robot
-                    .joints
-                    .iter()
-                    .map(|j| candidate_poses::usual_speed(j.kind));
-                CandidatePose {
-                    q: candidate_poses::anywhere(ranges, random),
+                let units = robot.joints.iter().map(|j| usual_speed(j.kind));
+                Candidate {
                     speed: units.zip(&dir).map(|(u, d)| u * d).collect(),
                     dir,
-                    approach: (k % 3 == 0).then_some(0.03),
+                    arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(k % 3 != 0)],
                     load_kg: f64::from(k % 2),
                     warmth_c: WARMING_C * f64::from(k % 4) / 3.0,
                     target: k % u32::try_from(targets.len()).unwrap_or(1),
                     time_s: SECONDS_PER_POSE * poses as f64 * f64::from(k) / 64.0,
+                    ..Candidate::at(anywhere(ranges, random))
                 }
             })
             .collect();
@@ -113,11 +110,10 @@ impl Columns {
 
     fn of_choices(
         &self,
-        choices: &[CandidatePose],
+        choices: &[Candidate],
         travel: Option<Vec<Vec<f64>>>,
     ) -> (DMatrix<f64>, Vec<usize>) {
-        let mut inputs =
-            candidate_poses::inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
+        let mut inputs = inputs(&self.robot, &self.targets, &self.ranges, choices, Some(0.0));
         if let Some(travel) = travel {
             inputs.travel = travel.into_iter().map(Some).collect();
         }
@@ -129,12 +125,10 @@ impl Columns {
     }
 
     /// From 0 at an earlier place to 1 far from all: places that lie together hide what is local.
-    pub(crate) fn gap(&self, choice: &CandidatePose, before: &[PlannedPose]) -> f64 {
-        let apart = |planned_pose: &PlannedPose| {
-            let each = (0..self.ranges.len()).map(|j| {
-                let span = self.ranges[j].to - self.ranges[j].from;
-                ((choice.q[j] - planned_pose.choice.q[j]) / span).abs()
-            });
+    pub(crate) fn gap(&self, choice: &Candidate, before: &[Candidate]) -> f64 {
+        let apart = |earlier: &Candidate| {
+            let pairs = choice.q.iter().zip(&earlier.q).zip(&self.ranges);
+            let each = pairs.map(|((a, b), range)| ((a - b) / (range.to - range.from)).abs());
             each.fold(0.0, f64::max)
         };
         let nearest = before.iter().map(apart).fold(1.0, f64::min);
@@ -145,24 +139,22 @@ impl Columns {
     /// What each of some poses would add behind those before.
     pub(crate) fn information(
         &self,
-        candidates: &[PlannedPose],
-        before: &[PlannedPose],
+        candidates: &[Candidate],
+        before: &[Candidate],
         covariance: DMatrix<f64>,
     ) -> Information {
-        let choices: Vec<CandidatePose> = candidates.iter().map(|s| s.choice.clone()).collect();
-        let travel = travels(before, &choices);
-        let (rows, first) = self.of_choices(&choices, Some(travel));
+        let travel = travels(before, candidates);
+        let (rows, first) = self.of_choices(candidates, Some(travel));
         Information::new(rows, first, covariance)
     }
 }
 
 /// Travel since the last reversal of each joint at each choice, were it the next.
-fn travels(before: &[PlannedPose], choices: &[CandidatePose]) -> Vec<Vec<f64>> {
+fn travels(before: &[Candidate], choices: &[Candidate]) -> Vec<Vec<f64>> {
     let joints = choices.first().map_or(0, |c| c.q.len());
-    let after = |j: usize, choice: &CandidatePose| {
+    let after = |j: usize, choice: &Candidate| {
         let mut travel = f64::INFINITY;
-        let all = before.iter().map(|s| &s.choice).chain([choice]);
-        let all: Vec<&CandidatePose> = all.collect();
+        let all: Vec<&Candidate> = before.iter().chain([choice]).collect();
         // Only the way since the last reversal counts.
         for pair in all.windows(2) {
             let moved = (pair[1].q[j] - pair[0].q[j]).abs();
@@ -190,28 +182,39 @@ pub(crate) fn every_effect(robot: &Robot, ranges: &[Range], middle_s: f64) -> Mo
             if effect.obstacle(&survey, joint).is_some() {
                 continue;
             }
-            let settings: Vec<f64> = match about.setting {
-                Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![0.0],
-                Setting::Order { to, .. } if to > 6 && ranges.len() == 1 => ORDERS.to_vec(),
-                Setting::Order { from, to } => {
-                    let most = if ranges.len() > 1 { from } else { to };
-                    (from..=most).map(f64::from).collect()
+            let several = ranges.len() > 1;
+            let fades = [0.02, 0.08].map(|share| share * (range.to - range.from));
+            match about.setting {
+                Setting::Order { to, .. } if to > 6 && !several => {
+                    terms.extend(ORDERS.map(|order| Term::absent(*effect, joint, order)));
                 }
-                Setting::Fade => vec![0.02, 0.08]
-                    .into_iter()
-                    .map(|share| share * (range.to - range.from))
-                    .collect(),
-                Setting::Time => vec![middle_s],
-                Setting::Listed(listed) => vec![listed.stands_for_all(joint)],
-            };
-            terms.extend(
-                settings
-                    .into_iter()
-                    .map(|s| Term::absent(*effect, joint, s)),
-            );
+                _ => {
+                    let orders = if several { 1 } else { u16::MAX };
+                    terms.extend(standing(*effect, joint, orders, &fades, middle_s));
+                }
+            }
         }
     }
     Model::new(robot.clone(), terms)
+}
+
+/// An effect, absent, at settings that stand for all: orders up to one (its lowest at least), fades, a time.
+pub(crate) fn standing(
+    effect: &'static dyn Effect,
+    joint: usize,
+    orders: u16,
+    fades: &[f64],
+    time_s: f64,
+) -> Vec<Term> {
+    let settings: Vec<f64> = match effect.about().setting {
+        Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![0.0],
+        Setting::Order { from, to } => (from..=to.min(orders.max(from))).map(f64::from).collect(),
+        Setting::Fade => fades.to_vec(),
+        Setting::Time => vec![time_s],
+        Setting::Listed(listed) => vec![listed.stands_for_all(joint)],
+    };
+    let absent = |setting| Term::absent(effect, joint, setting);
+    settings.into_iter().map(absent).collect()
 }
 
 /// The survey of a robot under all conditions that poses can meet.

@@ -19,19 +19,19 @@ use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, NextPose, Watch, checked, searched};
 use crate::effects::Inputs;
 use crate::effects::find;
-use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::kinematics::Robot;
 use crate::model::Model;
 use crate::observations::KINDS;
 use crate::sessions::{Session, Target};
 
-use super::arm::{Arm, Sight};
+use super::arm::Arm;
+use super::candidates::ranges;
 use super::comparison::{Axes, predictions};
-use super::conditions::{Offer, conditioned};
-use super::first_measurement::{self, Arrival, PlannedPose, Request};
-use super::geometry::{self, Geometry, OutOfReach, Wanted};
+use super::conditions::{Varied, conditioned};
+use super::first_measurement::{self, Request};
+use super::geometry::{self, Geometry, Wanted};
 use super::imagined::{extended, unmeasured, with_noise};
-use super::needs::{self, TEST_LOAD_KG, Untestable};
+use super::needs::{self, TEST_LOAD_KG, Untestable, test_load_kg};
 use super::pair_separation::{self, Named, Separation};
 use super::plan::{Plan, PlanError, PlanOptions, Subject, USUAL_SIGMA_MM};
 use super::{enabling_poses, expected_information, next_poses};
@@ -163,13 +163,7 @@ fn add_geometry(
         Some(mm) => Wanted::Accuracy(mm),
         None => Wanted::Poses(room.unwrap_or(POSES_BESIDE)),
     };
-    let own = Arm::of_session(
-        session,
-        options.sigma_mm,
-        &options.diagnosis,
-        &sight(options),
-    )?;
-    let arm = own.beside_planned(&plan.poses);
+    let arm = Arm::of_session(session, options)?.beside_planned(&plan.poses);
     let samples = &session.samples;
     let points = session.has_plain_points();
     let heaviest = samples
@@ -178,47 +172,29 @@ fn add_geometry(
         .flatten()
         .copied()
         .fold(0.0, f64::max);
-    let load = options.load_kg.unwrap_or(if heaviest > 0.0 {
-        heaviest
-    } else {
-        TEST_LOAD_KG
-    });
+    let load = || options.load_kg.unwrap_or_else(|| test_load_kg(heaviest));
     let loads = samples.load_kg.is_some() || points && session.robot.gravity_m_s2.is_some();
-    let offer = Offer {
-        load_kg: loads.then_some(load),
+    let varied = Varied {
+        load_kg: loads.then(load),
         heats: samples.temperature_c.is_some() || points,
         speeds: samples.speed.iter().any(Option::is_some),
     };
-    let (poses, geometry) = of_arm(&arm, wanted, offer, options)?;
+    let (poses, geometry) = of_arm(&arm, wanted, varied, options)?;
     plan.poses.extend(poses);
     plan.geometry = Some(geometry);
     Ok(())
-}
-
-fn sight(options: &PlanOptions) -> Sight {
-    Sight {
-        from: options.instrument_mm,
-        cone_rad: options.cone_rad,
-    }
 }
 
 /// Poses of several joints with their conditions.
 fn of_arm(
     arm: &Arm,
     wanted: Wanted,
-    offer: Offer,
+    varied: Varied,
     options: &PlanOptions,
 ) -> Result<(Vec<NextPose>, Geometry), PlanError> {
-    let (chosen, geometry) = geometry::best(arm, wanted).map_err(|why| match (why, wanted) {
-        (OutOfReach::By(reached), Wanted::Accuracy(wanted)) => {
-            PlanError::OutOfReach { wanted, reached }
-        }
-        _ => PlanError::Unseen,
-    })?;
-    Ok((
-        conditioned(arm, &chosen, offer, options.diagnosis.seed),
-        geometry,
-    ))
+    let (chosen, geometry) = geometry::best(arm, wanted)?;
+    let poses = conditioned(arm, &chosen, varied, options.diagnosis.seed);
+    Ok((poses, geometry))
 }
 
 /// A first measurement of a robot that was not measured.
@@ -290,14 +266,8 @@ fn first_poses(
 ) -> Result<(Vec<NextPose>, Option<Geometry>), PlanError> {
     let load_kg = options.load_kg.unwrap_or(TEST_LOAD_KG);
     if robot.joints.len() > 1 {
-        let arm = Arm::of_robot(
-            robot,
-            targets,
-            sigma_mm,
-            options.diagnosis.seed,
-            &sight(options),
-        );
-        let offer = Offer {
+        let arm = Arm::of_robot(robot, targets, sigma_mm, options);
+        let varied = Varied {
             load_kg: robot.gravity_m_s2.map(|_| load_kg),
             heats: true,
             speeds: true,
@@ -305,13 +275,7 @@ fn first_poses(
         let wanted = options
             .accuracy_mm
             .map_or(Wanted::Poses(count), Wanted::Accuracy);
-        let (mut poses, geometry) = of_arm(&arm, wanted, offer, options)?;
-        for pose in &mut poses {
-            // Beside the tool's origin a target has to be mounted first.
-            let own = |t: &&Target| Some(&t.name) == pose.target.as_ref();
-            let mounted = targets.iter().skip(1).find(own);
-            pose.target_mm = mounted.map(|t| t.position_mm.coords.into());
-        }
+        let (poses, geometry) = of_arm(&arm, wanted, varied, options)?;
         return Ok((poses, Some(geometry)));
     }
     let request = Request {
@@ -319,8 +283,9 @@ fn first_poses(
         load_kg,
         seed: options.diagnosis.seed,
     };
-    let planned = first_measurement::design(robot, targets, &request);
-    Ok((poses_of_planned(&planned, targets), None))
+    let (ranges, nothing) = (ranges(robot, None), |_: &Model| Vec::new());
+    let poses = first_measurement::design(robot, targets, 1, &ranges, &request, &nothing);
+    Ok((poses, None))
 }
 
 /// Two effects, unless one of them cannot be seen by any measurement.
@@ -366,72 +331,20 @@ fn new_targets(poses: &[NextPose], there: &[Target]) -> Vec<Target> {
 fn sharpen(prepared: &Prepared, plan: &Plan, options: &PlanOptions, count: usize) -> Vec<NextPose> {
     let session = prepared.problem.session;
     let heaviest = prepared.survey.largest_load_kg;
-    let load = if heaviest > 0.0 {
-        heaviest
-    } else {
-        TEST_LOAD_KG
-    };
     let request = Request {
         poses: count,
-        load_kg: options.load_kg.unwrap_or(load),
+        load_kg: options.load_kg.unwrap_or_else(|| test_load_kg(heaviest)),
         seed: options.diagnosis.seed,
     };
     let axes = Axes {
         axes: prepared.regression.rows.axes.clone(),
         sigma_mm: [1.0; 3],
     };
-    let extended = extended(
-        session,
-        &prepared.regression.base,
-        &plan.poses,
-        &plan.targets,
-    );
+    let base = &prepared.regression.base;
+    let extended = extended(session, base, &plan.poses, &plan.targets);
     let inputs = Inputs::new(&extended, prepared.options().joint_values);
-    let ranges = super::candidate_poses::ranges(&session.robot, Some(&prepared.problem.inputs));
+    let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
     let known = |model: &Model| predictions(model, model, &inputs, &axes);
-    let planned =
-        first_measurement::extension(&session.robot, &plan.targets, &ranges, &request, &known);
-    let mut poses = poses_of_planned(&planned, &plan.targets);
-    for pose in &mut poses {
-        let is_new = |t: &&Target| Some(&t.name) == pose.target.as_ref();
-        let own = session.targets.iter().any(|t| is_new(&t));
-        let place = plan.targets.iter().find(is_new).filter(|_| !own);
-        pose.target_mm = place.map(|t| t.position_mm.coords.into());
-    }
-    poses
-}
-
-/// The planned poses of a design, with the reason for each.
-fn poses_of_planned(planned: &[PlannedPose], targets: &[Target]) -> Vec<NextPose> {
-    let loads = planned.iter().any(|s| s.choice.load_kg != 0.0);
-    let one = |planned_pose: &PlannedPose| {
-        let choice = &planned_pose.choice;
-        let target = targets.get(choice.target as usize);
-        NextPose {
-            q: choice.q.clone(),
-            dir: choice.dir.clone(),
-            target: target.filter(|_| targets.len() > 1).map(|t| t.name.clone()),
-            target_mm: target
-                .filter(|_| choice.target > 0)
-                .map(|t| t.position_mm.coords.into()),
-            speed: Some(choice.speed.clone()),
-            load_kg: loads.then_some(choice.load_kg),
-            temperature_c: Some(choice.warmth_c + REFERENCE_TEMPERATURE_C),
-            why: why(planned_pose),
-        }
-    };
-    planned.iter().map(one).collect()
-}
-
-fn why(planned_pose: &PlannedPose) -> String {
-    match planned_pose.arrival {
-        Arrival::Return(to) => format!("return to pose {} of this list: repeatability", to + 1),
-        Arrival::Short(_) => {
-            "a short approach after a reversal: lost motion against backlash".to_owned()
-        }
-        Arrival::Long if planned_pose.choice.speed.iter().any(|s| *s != 0.0) => {
-            "measure while moving: tracking lag against backlash".to_owned()
-        }
-        Arrival::Long => "a place that tells most, unequal steps".to_owned(),
-    }
+    let (targets, mounted) = (&plan.targets, session.targets.len());
+    first_measurement::design(&session.robot, targets, mounted, &ranges, &request, &known)
 }

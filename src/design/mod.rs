@@ -3,10 +3,15 @@
 //! (`first_measurement`), those that show the geometry of an arm ([`geometry`]), and all of them as a
 //! measuring list ([`plan`]).
 //!
-//! All of them are candidates and a criterion, and one planner takes what is worth most
-//! (`exchange`): a pose is worth what it adds to the separation of two models, one refitted to what the
-//! other predicts (`comparison`; T-optimality, Atkinson & Fedorov 1975), or to the information about
-//! parameters (D-optimality).
+//! One planner makes them all: candidates, a criterion of what they are worth, and a loop that takes what is
+//! worth most.
+//!
+//! | | |
+//! | --- | --- |
+//! | candidates: a place and its conditions | `candidates` (all combinations beside a session), `first_measurement` (slot by slot of a schedule), `arm` (over the joint ranges, in every way of measuring), `conditions` (the same under loads, temperatures, from other sides) |
+//! | criterion | `exchange::Information`: what is known of parameters (D-optimality); `parting::Parting`: how far models are apart, one refitted to what the other predicts (T-optimality, Atkinson & Fedorov 1975; `comparison`), with the probability of a decision between them (`decision`) |
+//! | loop | `exchange`: greedily, then exchanging |
+//! | as poses | `candidates::Writing`; [`measuring_list()`] and [`measuring_program`] as a file |
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -26,7 +31,7 @@ pub mod plan;
 
 mod arm;
 mod bench;
-mod candidate_poses;
+mod candidates;
 mod comparison;
 mod conditions;
 mod decision;
@@ -35,6 +40,7 @@ mod first_measurement;
 mod imagined;
 mod information;
 mod making;
+mod parting;
 mod path;
 mod sight;
 

@@ -1,11 +1,20 @@
 //! What an effect lacks before a session can show it: the effect is asked again with one condition
 //! after the other met, until nothing stands against it.
 
-use super::candidate_poses;
+use super::candidates::usual_speed;
 use crate::effects::{Effect, Survey};
 
 /// Load for a test where the session says nothing about loads, kg.
 pub const TEST_LOAD_KG: f64 = 3.0;
+/// A load for a test: the heaviest of the session, where it has any.
+pub(crate) fn test_load_kg(heaviest: f64) -> f64 {
+    if heaviest > 0.0 {
+        heaviest
+    } else {
+        TEST_LOAD_KG
+    }
+}
+
 /// How much warmer a warm machine is, K.
 pub const WARMING_C: f64 = 6.0;
 
@@ -75,9 +84,7 @@ impl Need {
                 Self::BothSides => joint.from_sides = [8, 8],
                 Self::Speeds => {
                     joint.speeds = joint.speeds.max(3);
-                    joint.largest_speed = joint
-                        .largest_speed
-                        .max(candidate_poses::usual_speed(joint.kind));
+                    joint.largest_speed = joint.largest_speed.max(usual_speed(joint.kind));
                 }
                 Self::Travel => {
                     joint.values = crate::effects::survey::ENOUGH;

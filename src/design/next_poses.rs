@@ -6,61 +6,27 @@
 //! is true (`decision`). Where one reflector cannot decide, the place of a second one is
 //! chosen with the poses: the one that decides with the fewest.
 
-use crate::effects::{Condition, Over, Term};
-use crate::kinematics::JointKind;
-use crate::sessions::{Session, Target};
-use crate::units::deg_from_rad;
-
-use super::candidate_poses::{self, CandidatePose, Conditions};
-use super::comparison::{Axes, Comparison, Parting, enough_for, predictions};
-use super::decision::{Decision, Explanation, Needed};
-use super::enabling_poses;
-use super::exchange::{Criterion, choose};
-use super::imagined::LATER_S;
 use crate::diagnosis::NextPose;
 use crate::diagnosis::aliases::{self, Rival, UNDECIDED};
 use crate::diagnosis::conclude::{Proposal, Undecided};
 use crate::diagnosis::prepare::Prepared;
-use crate::diagnosis::regression::{Fit, Regression};
+use crate::diagnosis::regression::Fit;
+use crate::effects::{Condition, Over, Term};
+
+use super::candidates::{Arrival, Conditions, Offer};
+use super::comparison::{Comparison, Field, enough_for};
+use super::decision::{Decision, Explanation, SURE};
+use super::enabling_poses;
+use super::exchange::choose;
+use super::parting::{Attempt, Parting, over_reflectors};
 
 /// Poses that are proposed at most.
 pub(crate) const MOST: usize = 24;
-/// Probability that the poses decide, whichever explanation is true. It is above the 95 % that are
-/// promised by what the draws do not know: their own error, and tests beside the odds.
-const SURE: f64 = 0.98;
 /// Explanations that are compared, and of how many of them rivals are looked for.
 const MOST_COMPETING: usize = 14;
 const MOST_ASKED: usize = 3;
-/// A separation that decides whatever the noise does.
-const MOST_SEPARATION: f64 = 1e6;
 /// One condition is proposed at most so often.
 const REPEATS: u8 = 2;
-
-/// What is offered, and where: the session's reflectors and perhaps one more.
-#[derive(Debug, Clone)]
-pub(crate) struct CandidatePoses {
-    pub(crate) targets: Vec<Target>,
-    pub(crate) ranges: Vec<crate::kinematics::Range>,
-    pub(crate) poses: Vec<CandidatePose>,
-}
-
-impl CandidatePoses {
-    pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
-        let robot = &prepared.problem.session.robot;
-        let ranges = candidate_poses::ranges(robot, Some(&prepared.problem.inputs));
-        Self {
-            poses: candidate_poses::combinations(&ranges, conditions, prepared.options().seed),
-            ranges,
-            targets,
-        }
-    }
-
-    pub(crate) fn inputs(&self, prepared: &Prepared) -> crate::effects::Inputs<'static> {
-        let start = prepared.problem.inputs.start_s();
-        let robot = &prepared.problem.session.robot;
-        candidate_poses::inputs(robot, &self.targets, &self.ranges, &self.poses, Some(start))
-    }
-}
 
 /// Poses that tell the fit from its rivals, at most `most`.
 pub(crate) fn separate(
@@ -72,37 +38,17 @@ pub(crate) fn separate(
     if rivals.is_empty() {
         return Vec::new();
     }
-    let terms: Vec<&Term> = rivals
+    let terms = rivals
         .iter()
-        .flat_map(|r| r.removed.iter().chain(&r.instead))
-        .collect();
+        .flat_map(|r| r.removed.iter().chain(&r.instead));
+    let conditions = conditions(prepared, &terms.collect::<Vec<_>>());
     let competing = competing(prepared, fit, rivals);
-    let mut best: Option<Attempt> = None;
-    for (at, targets) in reflector_sets(prepared).into_iter().enumerate() {
-        let conditions = conditions(prepared, &terms, targets.len());
-        let candidates = CandidatePoses::new(prepared, targets, &conditions);
-        let attempt = attempt(prepared, candidates, &competing, most);
-        // Another reflector has to be mounted: only where the others do not decide.
-        let done = at == 0 && attempt.decides();
-        if best.as_ref().is_none_or(|b| attempt.better_than(b)) {
-            best = Some(attempt);
-        }
-        if done {
-            break;
-        }
-    }
-    let Some(Attempt {
-        candidates, order, ..
-    }) = best
-    else {
-        return Vec::new();
-    };
+    let (best, ()) = over_reflectors(prepared, |targets| {
+        let offer = Offer::new(prepared, targets, &conditions);
+        (attempt(prepared, offer, &competing, most), ())
+    });
     let why = why(rivals);
-    let session = prepared.problem.session;
-    let poses = order
-        .into_iter()
-        .flat_map(|k| poses_of(&candidates.poses[k], session, &candidates, &why));
-    let mut poses: Vec<NextPose> = poses.take(most).collect();
+    let mut poses = best.poses(prepared, &why, most);
     for k in 0..poses.len() {
         let (before, rest) = poses.split_at_mut(k);
         if before.iter().any(|earlier| rest[0].repeats(earlier)) {
@@ -128,37 +74,15 @@ pub fn propose(undecided: &Undecided) -> Proposal {
     }
 }
 
-/// The session's reflectors, and where there is but one, those with each place for another.
-pub(crate) fn reflector_sets(prepared: &Prepared) -> Vec<Vec<Target>> {
-    let session = prepared.problem.session;
-    let turns = |j: &crate::effects::survey::JointSurvey| j.kind == JointKind::Revolute;
-    if session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns) {
-        return vec![session.targets.clone()];
-    }
-    let others = candidate_poses::other_reflectors(&session.robot, &session.targets);
-    let with = |other: Target| session.targets.iter().cloned().chain([other]).collect();
-    let extended = others.into_iter().map(with);
-    [session.targets.clone()]
-        .into_iter()
-        .chain(extended)
-        .collect()
-}
-
 /// Conditions that matter to these effects.
-pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term], targets: usize) -> Conditions {
+pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
     let survey = &prepared.survey;
-    let inputs = &prepared.problem.inputs;
     let told_by = |condition| {
         let mut abouts = terms.iter().map(|t| t.effect.about());
         abouts.any(|about| about.told_by.contains(&condition))
     };
     let moves = terms.iter().any(|t| t.effect.about().over == Over::Speed);
-    let mut conditions = Conditions::plain(&prepared.problem.session.robot);
-    for (unit, joint) in conditions.unit_of_speed.iter_mut().zip(&survey.joints) {
-        if joint.largest_speed > 0.0 {
-            *unit = joint.largest_speed;
-        }
-    }
+    let mut conditions = Conditions::after(prepared);
     let speeds_known = survey.joints.iter().any(|j| j.speeds > 0);
     if moves || speeds_known && told_by(Condition::Speed) {
         conditions.speeds = vec![0.0, 1.0, 3.0];
@@ -166,38 +90,33 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term], targets: usize) -
     if survey.loads > 0 && survey.largest_load_kg > 0.0 {
         conditions.loads_kg = vec![0.0, survey.largest_load_kg];
     }
-    let thermal = told_by(Condition::Temperature);
-    if let Some(warmth) = inputs.warmth_c.as_ref().filter(|_| thermal) {
+    let warmth = prepared.problem.inputs.warmth_c.as_ref();
+    if let Some(warmth) = warmth.filter(|_| told_by(Condition::Temperature)) {
         let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
         let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         conditions.warmths_c = vec![low, high];
         conditions.warmths_c.dedup();
     }
     if told_by(Condition::Approach) {
-        conditions.approaches = vec![None, Some(0.01), Some(0.05)];
+        let short = [0.01, 0.05].map(Arrival::Short);
+        conditions.arrivals.extend(short);
     }
-    conditions.targets = (0..u32::try_from(targets).unwrap_or(1)).collect();
-    conditions.time_s = later_s(prepared);
     conditions
-}
-
-/// A time after the last sample, s.
-pub(crate) fn later_s(prepared: &Prepared) -> f64 {
-    let times = prepared.problem.inputs.time_s.as_deref().unwrap_or(&[]);
-    times.iter().copied().fold(0.0, f64::max) + LATER_S
 }
 
 /// The fit, its open rivals, and what comes close to any of them: what is ruled out now may come
 /// back with new poses, and a rival that is true has rivals of its own.
-fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<(Fit, bool)> {
+fn competing(prepared: &Prepared, fit: &Fit, open: &[&Rival]) -> Vec<Explanation> {
     let regression = &prepared.regression;
-    let mut all: Vec<(Fit, bool)> = vec![(fit.clone(), true)];
-    let mut join = |one: &Fit, is_open: bool| {
-        let known = all.iter().any(|(a, _)| same_terms(a, one));
+    let mut all: Vec<Explanation> = Vec::new();
+    let mut join = |fit: &Fit, open: bool| {
+        let known = all.iter().any(|a| same_terms(&a.fit, fit));
         if !known && all.len() < MOST_COMPETING {
-            all.push((one.clone(), is_open));
+            let fit = fit.clone();
+            all.push(Explanation { fit, open });
         }
     };
+    join(fit, true);
     for rival in open {
         join(&rival.fit, true);
     }
@@ -218,129 +137,34 @@ fn same_terms(one: &Fit, other: &Fit) -> bool {
     a.len() == b.len() && within(a, b)
 }
 
-/// Poses for one set of reflectors.
-struct Attempt {
-    candidates: CandidatePoses,
-    order: Vec<usize>,
-    /// What they are worth.
-    needed: Needed,
-    /// How much of the separation that is needed they bring, on average.
-    separation: f64,
-}
-
-impl Attempt {
-    fn decides(&self) -> bool {
-        self.needed.unparted == 0 && self.needed.probability >= SURE
-    }
-
-    fn better_than(&self, other: &Self) -> bool {
-        if self.needed.unparted != other.needed.unparted {
-            return self.needed.unparted < other.needed.unparted;
-        }
-        match (self.decides(), other.decides()) {
-            (true, true) => self.order.len() < other.order.len(),
-            (true, false) => true,
-            (false, true) => false,
-            (false, false) => {
-                let score = |a: &Self| a.needed.probability + a.separation;
-                score(self) > score(other) + 0.03
-            }
-        }
-    }
-}
-
-/// Rival models that are parted until the right one is found often enough.
-struct Rivals {
-    parting: Parting,
-    decision: Decision,
-}
-
-impl Criterion for Rivals {
-    fn worths(&self) -> Vec<f64> {
-        self.parting.worths()
-    }
-
-    fn take(&mut self, candidate: usize) {
-        self.parting.take(candidate);
-        self.decision.take(candidate);
-    }
-
-    fn satisfied(&mut self) -> bool {
-        if self.decision.probability() >= SURE {
-            return true;
-        }
-        // All are far enough apart and still too few draws are decided: further apart, then.
-        let comparisons = &mut self.parting.comparisons;
-        while !comparisons.is_empty()
-            && comparisons
-                .iter()
-                .all(|c| c.decided() && c.enough < MOST_SEPARATION)
-        {
-            for comparison in comparisons.iter_mut() {
-                comparison.enough = 1.3 * comparison.enough.max(1.0);
-            }
-        }
-        false
-    }
-}
-
 /// Poses one after the other until they decide often enough, or `most` are chosen.
-fn attempt(
-    prepared: &Prepared,
-    candidates: CandidatePoses,
-    competing: &[(Fit, bool)],
-    most: usize,
-) -> Attempt {
-    let regression = &prepared.regression;
-    let inputs = candidates.inputs(prepared);
-    let axes = axes_of(regression);
-    let explanations: Vec<Explanation> = competing
-        .iter()
-        .map(|(fit, open)| Explanation { fit, open: *open })
-        .collect();
-    let decision = Decision::new(regression, &explanations, &inputs, &axes, UNDECIDED);
+fn attempt(prepared: &Prepared, offer: Offer, all: &[Explanation], most: usize) -> Attempt {
+    let field = Field::new(prepared, &offer);
+    let decision = Decision::new(&field, all, UNDECIDED);
     let mut comparisons = Vec::new();
-    for (i, truth) in explanations.iter().enumerate().filter(|(_, e)| e.open) {
-        for (j, other) in explanations.iter().enumerate() {
-            if decision.differ(i, j) {
-                let seen = predictions(&truth.fit.model, &other.fit.model, &inputs, &axes);
-                let lead = truth.fit.ln_evidence - other.fit.ln_evidence;
-                let known = gram(regression, &other.fit.model);
-                comparisons.push(Comparison::new(seen, &known, enough_for(UNDECIDED, lead)));
-            }
+    for (i, truth) in all.iter().enumerate().filter(|(_, e)| e.open) {
+        let others = all.iter().enumerate();
+        for (_, other) in others.filter(|(j, _)| decision.differ(i, *j)) {
+            let lead = truth.fit.ln_evidence - other.fit.ln_evidence;
+            let enough = enough_for(UNDECIDED, lead);
+            comparisons.push(field.comparison(&truth.fit.model, &other.fit.model, enough));
         }
     }
-    let first_enough: Vec<f64> = comparisons.iter().map(|c| c.enough).collect();
-    let mut rivals = Rivals {
-        parting: Parting::new(comparisons, candidates.poses.len(), REPEATS),
-        decision,
-    };
-    let mut order = choose(&mut rivals, most);
-    let Rivals { parting, decision } = rivals;
-    let comparisons = parting.comparisons;
-    let needed = decision.needed(SURE);
-    order.truncate(needed.poses);
-    let shares = comparisons.iter().zip(&first_enough);
-    let shares = shares.map(|(c, enough)| (c.delta / enough.max(1.0)).min(1.0));
+    let enough: Vec<f64> = comparisons.iter().map(|c| c.enough.max(1.0)).collect();
+    let mut parting = Parting::new(comparisons, offer.candidates.len(), REPEATS);
+    parting.decision = Some(decision);
+    let mut order = choose(&mut parting, most);
+    let needed = parting.decision.map(|decision| decision.needed(SURE));
+    let (poses, unparted, probability) = needed.unwrap_or_default();
+    order.truncate(poses);
+    let share = |(c, enough): (&Comparison, &f64)| (c.delta() / enough).min(1.0);
+    let shares = parting.comparisons.iter().zip(&enough).map(share);
     Attempt {
-        separation: shares.sum::<f64>() / comparisons.len().max(1) as f64,
-        needed,
+        score: probability + shares.sum::<f64>() / enough.len().max(1) as f64,
+        decides: unparted == 0 && probability >= SURE,
+        unparted,
         order,
-        candidates,
-    }
-}
-
-/// Gram matrix of a model's columns over the samples.
-pub(crate) fn gram(regression: &Regression, model: &crate::model::Model) -> nalgebra::DMatrix<f64> {
-    let (_, columns) = regression.rows.extract(model);
-    let white = regression.noise.whitened(&regression.rows, &columns);
-    white.tr_mul(&white)
-}
-
-pub(crate) fn axes_of(regression: &Regression) -> Axes {
-    Axes {
-        axes: regression.rows.axes.clone(),
-        sigma_mm: regression.noise.sigma_mm,
+        offer,
     }
 }
 
@@ -393,53 +217,4 @@ fn why(rivals: &[&Rival]) -> String {
         }
     }
     format!("tells {}", pairs.join(", and "))
-}
-
-/// The pose of a choice; before a short approach the place where the joints reverse.
-pub(crate) fn poses_of(
-    choice: &CandidatePose,
-    session: &Session,
-    candidates: &CandidatePoses,
-    why: &str,
-) -> Vec<NextPose> {
-    let target = &candidates.targets[choice.target as usize];
-    let is_new = choice.target as usize >= session.targets.len();
-    let samples = &session.samples;
-    let shown: Vec<String> = choice
-        .q
-        .iter()
-        .zip(&session.robot.joints)
-        .map(|(q, joint)| match joint.kind {
-            JointKind::Revolute => format!("{:.1}°", deg_from_rad(*q)),
-            JointKind::Prismatic => format!("{q:.1} mm"),
-        })
-        .collect();
-    let speed = samples.speed.iter().any(Option::is_some) || choice.speed.iter().any(|s| *s != 0.0);
-    let pose = NextPose {
-        q: choice.q.clone(),
-        dir: choice.dir.clone(),
-        target: (candidates.targets.len() > 1).then(|| target.name.clone()),
-        target_mm: is_new.then(|| target.position_mm.coords.into()),
-        speed: speed.then(|| choice.speed.clone()),
-        load_kg: (samples.load_kg.is_some() || choice.load_kg != 0.0).then_some(choice.load_kg),
-        temperature_c: (choice.warmth_c != 0.0)
-            .then_some(choice.warmth_c + crate::effects::inputs::REFERENCE_TEMPERATURE_C),
-        why: format!("{why}: they differ most at {}", shown.join(", ")),
-    };
-    let Some(share) = choice.approach else {
-        return vec![pose];
-    };
-    // The joint comes from the other side to a place from which it reverses towards the pose.
-    let from = |(j, q): (usize, &f64)| {
-        let range = &candidates.ranges[j];
-        let back = q - choice.dir[j] * share * (range.to - range.from);
-        back.clamp(range.from, range.to)
-    };
-    let turning = NextPose {
-        q: choice.q.iter().enumerate().map(from).collect(),
-        dir: choice.dir.iter().map(|d| -d).collect(),
-        why: "reverse here, for a short approach to the next pose".to_owned(),
-        ..pose.clone()
-    };
-    vec![turning, pose]
 }

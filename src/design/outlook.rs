@@ -65,18 +65,15 @@ impl Workspace {
             }
         });
         let reach = reach_mm(&model.robot);
-        let each = model.terms().iter().flat_map(|term| {
+        let steps = model.columns().map(|(term, k)| {
             let kind = model.robot.joints[term.joint].kind;
-            let form = term.effect.about().form;
-            (0..term.coefficients.len()).map(move |k| {
-                if form.turns(k, kind) {
-                    1.0 / reach
-                } else {
-                    1.0
-                }
-            })
+            if term.effect.about().form.turns(k, kind) {
+                1.0 / reach
+            } else {
+                1.0
+            }
         });
-        let steps: Vec<f64> = each.collect();
+        let steps: Vec<f64> = steps.collect();
         let instrument = &problem.session.instrument;
         Self {
             columns: all,

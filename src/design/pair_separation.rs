@@ -8,16 +8,19 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::effects::{Effect, Setting, Term, find};
-use crate::model::Model;
-use crate::sessions::Target;
-
-use super::comparison::{Comparison, Parting, Prediction, enough_for, inverse, predictions};
-use super::exchange::choose;
-use super::next_poses::{CandidatePoses, axes_of, conditions, gram, poses_of, reflector_sets};
 use crate::diagnosis::NextPose;
+use crate::diagnosis::aliases::UNDECIDED;
 use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Fit;
+use crate::effects::{Term, find};
+use crate::model::Model;
+
+use super::candidates::{Offer, ranges};
+use super::comparison::{Comparison, Field, Prediction, enough_for, inverse};
+use super::exchange::choose;
+use super::information::standing;
+use super::next_poses::conditions;
+use super::parting::{Attempt, Parting, over_reflectors};
 
 /// λ of an effect that is just seen.
 const JUST_SEEN: f64 = 40.0;
@@ -68,46 +71,30 @@ pub(crate) fn separate_two(
     most: usize,
 ) -> Separation {
     let base = fit.model.without(|t| between.iter().any(|b| is(t, *b)));
-    let mut best: Option<Attempt> = None;
-    let sets = reflector_sets(prepared);
-    // The plain set comes first: nothing has to be mounted.
-    for (index, targets) in sets.iter().enumerate() {
-        let attempt = attempt(prepared, &base, fit, between, targets, most);
-        let better = best.as_ref().is_none_or(|b| attempt.better_than(b));
-        let done = attempt.decided && index == 0;
-        if better {
-            best = Some(attempt);
-        }
-        if done {
-            break;
-        }
-    }
-    let Some(best) = best else {
-        return nothing(between, "there is no pose to measure");
-    };
-    if best.possible < NOTHING_LEFT {
+    let terms = between.map(|named| terms_of(prepared, fit, named));
+    let shown: Vec<&Term> = terms.iter().flatten().collect();
+    let conditions = conditions(prepared, &shown);
+    let (best, shares) = over_reflectors(prepared, |targets| {
+        let offer = Offer::new(prepared, targets, &conditions);
+        attempt(prepared, offer, &base, &terms, most)
+    });
+    let left_before = shares.left[0];
+    if shares.possible < NOTHING_LEFT {
         let because = "wherever they are measured, with a second reflector too, each looks like \
                        the other";
         return Separation {
-            left_before: best.left[0],
+            left_before,
             ..nothing(between, because)
         };
     }
-    let session = prepared.problem.session;
     let why = format!("tells {} from {}", between[0].id, between[1].id);
-    let poses = best
-        .order
-        .iter()
-        .flat_map(|k| poses_of(&best.candidates.poses[*k], session, &best.candidates, &why))
-        .take(most)
-        .collect();
     Separation {
         between,
-        left_before: best.left[0],
-        left_after: best.left[1],
-        decided: best.decided,
+        left_before,
+        left_after: shares.left[1],
+        decided: best.decides,
         impossible: None,
-        poses,
+        poses: best.poses(prepared, &why, most),
     }
 }
 
@@ -127,117 +114,71 @@ fn is(term: &Term, named: Named) -> bool {
     about.id == named.id && (!about.per_joint || term.joint == named.joint)
 }
 
-struct Attempt {
-    candidates: CandidatePoses,
-    order: Vec<usize>,
-    decided: bool,
-    worst: f64,
-    /// Share left of the worse of the two over everything that is offered.
+/// Shares of the two that the other cannot imitate.
+struct Shares {
+    /// Of the worse of the two over everything that is offered.
     possible: f64,
-    /// Shares left before and after.
+    /// Before and after.
     left: [[f64; 2]; 2],
-}
-
-impl Attempt {
-    fn better_than(&self, other: &Self) -> bool {
-        if self.decided != other.decided {
-            return self.decided;
-        }
-        if self.decided {
-            self.order.len() < other.order.len()
-        } else {
-            self.worst > other.worst * 1.05
-        }
-    }
 }
 
 fn attempt(
     prepared: &Prepared,
+    offer: Offer,
     base: &Model,
-    fit: &Fit,
-    between: [Named; 2],
-    targets: &[Target],
+    terms: &[Vec<Term>; 2],
     most: usize,
-) -> Attempt {
-    let terms: Vec<Vec<Term>> = between
-        .iter()
-        .map(|n| terms_of(prepared, fit, *n))
-        .collect();
-    let shown: Vec<&Term> = terms.iter().flatten().collect();
-    let candidates = CandidatePoses::new(
-        prepared,
-        targets.to_vec(),
-        &conditions(prepared, &shown, targets.len()),
-    );
-    let inputs = candidates.inputs(prepared);
-    let axes = axes_of(&prepared.regression);
-    let (mut comparisons, mut possible, mut left) = (Vec::new(), 1.0_f64, [[1.0; 2]; 2]);
-    let mut directions = Vec::new();
-    for (k, (own, others)) in [(&terms[0], &terms[1]), (&terms[1], &terms[0])]
-        .into_iter()
-        .enumerate()
-    {
+) -> (Attempt, Shares) {
+    let field = Field::new(prepared, &offer);
+    let mut shares = Shares {
+        possible: 1.0,
+        left: [[1.0; 2]; 2],
+    };
+    let (mut comparisons, mut pairs) = (Vec::new(), Vec::new());
+    for k in 0..2 {
         // Of all settings the pair that is hardest to part.
-        let mut hardest: Option<(f64, Pair, Comparison)> = None;
-        for one in own {
-            for other in others {
-                let pair = Pair::new(base, one, other);
-                let seen = predictions(base, &pair.both, &inputs, &axes);
-                let known = gram(&prepared.regression, &pair.both);
-                let everywhere = over(&seen, 1.0);
-                let (share, _) = pair.worst(&(&known + &everywhere));
-                if hardest.as_ref().is_some_and(|h| h.0 <= share) {
-                    continue;
-                }
-                let weak = everywhere * (AS_MANY_POSES / seen.len().max(1) as f64);
-                let (before, mut direction) = pair.worst(&known);
-                let mut strength = pair.strength(&known, &direction);
-                if strength < 1e-3 * pair.strength(&weak, &pair.worst(&weak).1) {
-                    direction = pair.worst(&(&known + &weak)).1;
-                    strength = pair.strength(&weak, &direction);
-                }
-                direction *= (JUST_SEEN / strength.max(1e-300)).sqrt();
-                left[0][k] = before;
-                let comparison = pair.comparison(&seen, &known, &direction);
-                hardest = Some((share, pair, comparison));
-            }
-        }
-        if let Some((share, pair, comparison)) = hardest {
-            possible = possible.min(share);
+        let settings = terms[k].iter().flat_map(|one| {
+            let others = terms[1 - k].iter();
+            others.map(move |other| Pair::new(base, one, other))
+        });
+        let hardest = settings
+            .map(|pair| Posed::new(&field, base, pair))
+            .min_by(|a, b| a.possible.total_cmp(&b.possible));
+        if let Some(posed) = hardest {
+            shares.possible = shares.possible.min(posed.possible);
+            let (before, comparison) = posed.comparison(&field, base);
+            shares.left[0][k] = before;
             comparisons.push(comparison);
-            directions.push((k, pair));
+            pairs.push((k, posed));
         }
     }
-    let mut parting = Parting::new(comparisons, candidates.poses.len(), 2);
+    let mut parting = Parting::new(comparisons, offer.candidates.len(), 2);
     let order = choose(&mut parting, most);
-    let comparisons = parting.comparisons;
-    for (k, pair) in &directions {
-        let seen = predictions(base, &pair.both, &inputs, &axes);
-        let mut all = gram(&prepared.regression, &pair.both);
+    for (k, posed) in &pairs {
+        let mut all = posed.known.clone();
         for taken in &order {
-            all += over(std::slice::from_ref(&seen[*taken]), 1.0);
+            all += over(std::slice::from_ref(&posed.seen[*taken]));
         }
-        left[1][*k] = pair.worst(&all).0;
+        shares.left[1][*k] = posed.pair.worst(&all).0;
     }
-    Attempt {
-        decided: !comparisons.is_empty() && comparisons.iter().all(Comparison::decided),
-        worst: comparisons
-            .iter()
-            .map(|c| c.delta)
-            .fold(f64::INFINITY, f64::min),
-        candidates,
+    let comparisons = &parting.comparisons;
+    let share = |c: &Comparison| (c.delta() / c.enough).min(1.0);
+    let attempt = Attempt {
+        decides: !comparisons.is_empty() && comparisons.iter().all(Comparison::decided),
+        score: comparisons.iter().map(share).fold(1.0, f64::min),
+        unparted: 0,
         order,
-        possible,
-        left,
-    }
+        offer,
+    };
+    (attempt, shares)
 }
 
 /// Gram matrix of all columns over some predictions.
-fn over(seen: &[Prediction], weight: f64) -> DMatrix<f64> {
+fn over(seen: &[Prediction]) -> DMatrix<f64> {
     let p = seen.first().map_or(0, |s| s.columns.ncols());
     let mut sum = DMatrix::zeros(p, p);
     for one in seen {
-        sum += one.columns.tr_mul(&one.columns) * weight;
+        sum.gemm_tr(1.0, &one.columns, &one.columns, 1.0);
     }
     sum
 }
@@ -247,43 +188,71 @@ fn terms_of(prepared: &Prepared, fit: &Fit, named: Named) -> Vec<Term> {
     let Some(effect) = find(named.id) else {
         return Vec::new();
     };
-    let there: Vec<Term> = fit
-        .model
-        .terms()
-        .iter()
-        .filter(|t| is(t, named))
+    let there = fit.model.terms().iter().filter(|t| is(t, named));
+    let there: Vec<Term> = there
         .map(|t| Term::absent(effect, t.joint, t.setting))
         .collect();
-    if there.is_empty() {
-        settings_of(prepared, effect, named.joint)
-    } else {
-        there
+    if !there.is_empty() {
+        return there;
     }
+    let inputs = &prepared.problem.inputs;
+    let range = ranges(&prepared.problem.session.robot, Some(inputs))[named.joint];
+    let times = inputs.time_s.as_deref().unwrap_or(&[]);
+    let middle_s = 0.5 * times.iter().copied().fold(0.0, f64::max);
+    let fades = [0.03 * (range.to - range.from)];
+    standing(effect, named.joint, 6, &fades, middle_s)
 }
 
-fn settings_of(prepared: &Prepared, effect: &'static dyn Effect, joint: usize) -> Vec<Term> {
-    let robot = &prepared.problem.session.robot;
-    let range = &super::candidate_poses::ranges(robot, Some(&prepared.problem.inputs))[joint];
-    let settings: Vec<f64> = match effect.about().setting {
-        Setting::None | Setting::Setup | Setting::Target | Setting::Place => vec![0.0],
-        Setting::Order { from, to } => (from..=to.min(6)).map(f64::from).collect(),
-        Setting::Fade => vec![0.03 * (range.to - range.from)],
-        Setting::Time => {
-            let times = prepared.problem.inputs.time_s.as_deref().unwrap_or(&[]);
-            let last = times.iter().copied().fold(0.0, f64::max);
-            vec![0.5 * last]
+/// A pair on the samples and on all candidates.
+struct Posed {
+    pair: Pair,
+    seen: Vec<Prediction>,
+    known: DMatrix<f64>,
+    everywhere: DMatrix<f64>,
+    /// Share of the one that is left beside the other with all candidates.
+    possible: f64,
+}
+
+impl Posed {
+    fn new(field: &Field, base: &Model, pair: Pair) -> Self {
+        let seen = field.predictions(base, &pair.both);
+        let (known, everywhere) = (field.gram(&pair.both), over(&seen));
+        Self {
+            possible: pair.worst(&(&known + &everywhere)).0,
+            pair,
+            seen,
+            known,
+            everywhere,
         }
-        Setting::Listed(listed) => vec![listed.stands_for_all(joint)],
-    };
-    settings
-        .into_iter()
-        .map(|s| Term::absent(effect, joint, s))
-        .collect()
+    }
+
+    /// The share that is left in the samples, and the one there in the shape that the other imitates
+    /// best, at the size at which it is just seen, against the other.
+    fn comparison(&self, field: &Field, base: &Model) -> (f64, Comparison) {
+        let (pair, known) = (&self.pair, &self.known);
+        let weak = &self.everywhere * (AS_MANY_POSES / self.seen.len().max(1) as f64);
+        let (before, mut direction) = pair.worst(known);
+        let mut strength = pair.strength(known, &direction);
+        if strength < 1e-3 * pair.strength(&weak, &pair.worst(&weak).1) {
+            direction = pair.worst(&(known + &weak)).1;
+            strength = pair.strength(&weak, &direction);
+        }
+        direction *= (JUST_SEEN / strength.max(1e-300)).sqrt();
+        let [one, other] = pair.terms.clone();
+        let truth = base.with_term(Term {
+            coefficients: direction.as_slice().to_vec(),
+            ..one
+        });
+        let (rival, enough) = (base.with_term(other), enough_for(UNDECIDED, 0.0));
+        let comparison = field.comparison_from_the_start(&truth, &rival, enough, 1.0);
+        (before, comparison)
+    }
 }
 
 /// A base model with both effects, absent, and where their columns are.
 struct Pair {
     both: Model,
+    terms: [Term; 2],
     own: Vec<usize>,
     other: Vec<usize>,
     rest: Vec<usize>,
@@ -293,20 +262,19 @@ impl Pair {
     fn new(base: &Model, one: &Term, other: &Term) -> Self {
         let both = base.with_term(one.clone()).with_term(other.clone());
         let (mut own, mut theirs, mut rest) = (Vec::new(), Vec::new(), Vec::new());
-        let mut first = 0;
-        for term in both.terms() {
-            let columns = first..first + term.coefficients.len();
-            first = columns.end;
-            if term.same_column(one) {
-                own.extend(columns);
+        for (column, (term, _)) in both.columns().enumerate() {
+            let to = if term.same_column(one) {
+                &mut own
             } else if term.same_column(other) {
-                theirs.extend(columns);
+                &mut theirs
             } else {
-                rest.extend(columns);
-            }
+                &mut rest
+            };
+            to.push(column);
         }
         Self {
             both,
+            terms: [one.clone(), other.clone()],
             own,
             other: theirs,
             rest,
@@ -360,26 +328,5 @@ impl Pair {
     fn strength(&self, gram: &DMatrix<f64>, direction: &DVector<f64>) -> f64 {
         let alone = self.beside(gram, &self.rest);
         direction.dot(&(alone * direction)).max(0.0)
-    }
-
-    /// One is there with these coefficients; the base and the other are refitted.
-    fn comparison(
-        &self,
-        seen: &[Prediction],
-        known: &DMatrix<f64>,
-        direction: &DVector<f64>,
-    ) -> Comparison {
-        let columns: Vec<usize> = self.rest.iter().chain(&self.other).copied().collect();
-        let own = seen.iter().map(|s| Prediction {
-            difference: s.columns.select_columns(&self.own) * direction,
-            columns: s.columns.select_columns(&columns),
-        });
-        let gram = known.select_rows(&columns).select_columns(&columns);
-        // The effect is in the samples so far as well, and so is what the other made of it.
-        let pull = known.select_rows(&columns).select_columns(&self.own) * direction;
-        let there = known.select_rows(&self.own).select_columns(&self.own);
-        let square = direction.dot(&(there * direction));
-        let enough = enough_for(crate::diagnosis::aliases::UNDECIDED, 0.0);
-        Comparison::new(own.collect(), &gram, enough).starting(&pull, square)
     }
 }

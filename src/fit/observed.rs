@@ -93,10 +93,7 @@ pub(super) fn hold_size(
         ),
     });
     problem.priors.size = size.map_or(Vec::new(), |size| {
-        let coefficients = model.terms().iter().flat_map(|term| {
-            let own = 0..term.coefficients.len();
-            own.map(move |k| key(term, k))
-        });
+        let coefficients = model.columns().map(|(term, k)| key(term, k));
         let weighed = coefficients.zip(size.weights);
         weighed.filter(|own| own.1 != 0.0).collect()
     });

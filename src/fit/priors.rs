@@ -139,11 +139,8 @@ impl Priors {
             targets_mm: self.targets_mm,
             ..Self::default()
         };
-        let terms = model.terms().iter().flat_map(|term| {
-            let own = 0..term.coefficients.len();
-            own.map(move |k| (term, k))
-        });
-        terms
+        model
+            .columns()
             .map(|(term, k)| all.sigma(model, term, k).filter(|_| !term.held.contains(k)))
             .collect()
     }

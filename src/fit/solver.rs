@@ -137,13 +137,10 @@ impl Spectrum {
 
     /// Takes the Gram matrix of a model's coefficients apart, apart from those that it holds.
     fn of_model(gram: &DMatrix<f64>, model: &Model) -> Self {
-        let coefficients = model.terms().iter().flat_map(|term| {
-            let all = 0..term.coefficients.len();
-            all.map(|k| term.held.contains(k))
-        });
-        let held: Vec<usize> = coefficients
-            .enumerate()
-            .filter_map(|(k, held)| held.then_some(k))
+        let columns = model.columns().enumerate();
+        let held: Vec<usize> = columns
+            .filter(|(_, (term, k))| term.held.contains(*k))
+            .map(|(column, _)| column)
             .collect();
         if held.is_empty() {
             return Self::new(gram);

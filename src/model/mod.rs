@@ -87,6 +87,12 @@ impl Model {
         all.collect()
     }
 
+    /// What each column is of: a term, and which of its coefficients.
+    pub fn columns(&self) -> impl Iterator<Item = (&Term, usize)> {
+        let all = self.terms.iter();
+        all.flat_map(|term| (0..term.coefficients.len()).map(move |k| (term, k)))
+    }
+
     /// The same model with other coefficients.
     #[must_use]
     pub fn with_coefficients(&self, coefficients: &[f64]) -> Self {

@@ -17,6 +17,7 @@ mod answer;
 mod axes;
 mod compensate;
 mod configuration;
+mod corrected;
 mod csv;
 mod fanuc;
 mod frames;

@@ -13,6 +13,8 @@ pub struct Number {
     pub decimals: usize,
     /// Whether the decimal sign is a comma.
     pub comma: bool,
+    /// Where its digits begin, if they stand off its sign.
+    pub apart: Option<usize>,
 }
 
 /// Why bytes are no number.
@@ -46,7 +48,9 @@ impl Number {
             .or(text.strip_prefix(b"+"))
             .unwrap_or(text);
         // A sign may stand off its digits.
+        let signed = unsigned.len();
         let unsigned = unsigned.trim_ascii_start();
+        let apart = (unsigned.len() < signed).then(|| range.end - unsigned.len());
         let sign = if comma { b',' } else { b'.' };
         let whole = leading_digits(unsigned);
         let mut rest = &unsigned[whole..];
@@ -90,6 +94,7 @@ impl Number {
             value,
             decimals,
             comma,
+            apart,
         })
     }
 
@@ -140,6 +145,14 @@ mod tests {
             assert_eq!(read(bad, false), Err(NoNumber::Malformed), "{bad}");
         }
         assert_eq!(read("1e999", false), Err(NoNumber::TooLarge));
+    }
+
+    #[test]
+    fn digits_that_stand_off_their_sign_say_where_they_begin() {
+        let text = b"x - \r5.25";
+        let number = Number::read(text, 2..9, false).unwrap();
+        assert_eq!((number.value, number.apart), (-5.25, Some(5)));
+        assert_eq!(Number::read(b"-5", 0..2, false).unwrap().apart, None);
     }
 
     #[test]

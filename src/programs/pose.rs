@@ -198,6 +198,7 @@ mod tests {
             value,
             decimals: 3,
             comma: false,
+            apart: None,
         }
     }
 

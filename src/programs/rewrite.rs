@@ -13,6 +13,13 @@ pub(super) struct Edit {
     pub(super) text: String,
 }
 
+impl Edit {
+    fn new((range, text): (Range<usize>, &str)) -> Self {
+        let text = text.to_owned();
+        Self { range, text }
+    }
+}
+
 /// The edits that put corrected joint values into a target.
 pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
     let numbers: Vec<(&super::Number, f64, usize)> = match &target.shape {
@@ -27,12 +34,21 @@ pub(super) fn edits(target: &Target, robot: &Robot, q: &[f64]) -> Vec<Edit> {
         }
         Shape::Pose(frame) => frame.values(&target.placed.written(&robot.base_from_tool(q))),
     };
-    let written = numbers.into_iter().filter_map(|(number, value, decimals)| {
-        let text = number.written(value, decimals)?;
-        let range = number.range.clone();
-        Some(Edit { range, text })
-    });
-    let mut edits: Vec<Edit> = written.collect();
+    let mut edits = Vec::new();
+    for (number, value, decimals) in numbers {
+        let Some(text) = number.written(value, decimals) else {
+            continue;
+        };
+        let Range { start, end } = number.range;
+        if let Some(digits) = number.apart {
+            // What stands between sign and digits, a line break perhaps, stays.
+            let unsigned = text.trim_start_matches('-');
+            let (sign, text) = text.split_at(text.len() - unsigned.len());
+            edits.extend([(start..start + 1, sign), (digits..end, text)].map(Edit::new));
+        } else {
+            edits.push(Edit::new((start..end, &text)));
+        }
+    }
     edits.extend(super::configuration::edits(target, robot, q));
     edits
 }

@@ -9,19 +9,22 @@ impl Samples {
     /// Takes samples away; `rows` count from 0, in any order. Rows that are not there are passed
     /// over. Lines stay those of the file.
     pub fn remove(&mut self, rows: &[usize]) {
-        let count = self.len();
-        let mut kept = vec![true; count];
+        let mut kept: Vec<Option<usize>> = (0..self.len()).map(Some).collect();
         for &row in rows {
             if let Some(kept) = kept.get_mut(row) {
-                *kept = false;
+                *kept = None;
             }
         }
-        let keep = |column: &mut Vec<f64>| retain(column, &kept);
-        self.q.iter_mut().for_each(keep);
-        for column in [&mut self.x_mm, &mut self.y_mm] {
-            retain(column, &kept);
-        }
-        self.z_mm.iter_mut().for_each(keep);
+        kept.retain(Option::is_some);
+        self.select(&kept);
+    }
+
+    /// These samples in this order, which count from 0; where there is none an empty one, measured of the
+    /// first target and in the first setup.
+    pub(crate) fn select(&mut self, rows: &[Option<usize>]) {
+        let numbers = |column: &mut Vec<f64>| pick(column, rows, &f64::NAN);
+        let (points, observed) = ([&mut self.x_mm, &mut self.y_mm], &mut self.observed);
+        self.q.iter_mut().chain(points).for_each(numbers);
         for columns in [
             &mut self.q_read,
             &mut self.dir,
@@ -29,16 +32,19 @@ impl Samples {
             &mut self.torque_nm,
             &mut self.joint_temperature_c,
         ] {
-            columns.iter_mut().flatten().for_each(keep);
+            columns.iter_mut().flatten().for_each(numbers);
         }
-        self.orientation_wxyz.iter_mut().flatten().for_each(keep);
-        let observed = &mut self.observed;
+        self.orientation_wxyz.iter_mut().flatten().for_each(numbers);
         for column in [
+            &mut self.z_mm,
+            &mut self.load_kg,
+            &mut self.temperature_c,
+            &mut self.time_s,
             &mut observed.distance_mm,
             &mut observed.azimuth,
             &mut observed.elevation,
         ] {
-            column.iter_mut().for_each(keep);
+            column.iter_mut().for_each(numbers);
         }
         for column in [
             &mut observed.anchor,
@@ -46,28 +52,21 @@ impl Samples {
             &mut observed.plane,
             &mut observed.socket,
         ] {
-            let keep = |column: &mut Vec<Option<u32>>| retain(column, &kept);
-            column.iter_mut().for_each(keep);
+            let names = |column| pick(column, rows, &None);
+            column.iter_mut().for_each(names);
         }
-        for column in [&mut self.load_kg, &mut self.temperature_c, &mut self.time_s] {
-            column.iter_mut().for_each(keep);
-        }
-        if let Some(target) = &mut self.target {
-            retain(target, &kept);
-        }
-        if let Some(setups) = &mut self.setups {
-            retain(&mut setups.index, &kept);
-        }
-        if let Some(held_out) = &mut self.held_out {
-            retain(held_out, &kept);
-        }
+        self.target.iter_mut().for_each(|c| pick(c, rows, &0));
+        self.held_out.iter_mut().for_each(|c| pick(c, rows, &false));
+        let setups = self.setups.iter_mut();
+        setups.for_each(|setups| pick(&mut setups.index, rows, &0));
         for column in &mut self.unknown {
-            retain(&mut column.cells, &kept);
+            pick(&mut column.cells, rows, &String::new());
         }
         if !self.line.is_empty() {
             let mut lines = Lines::default();
-            for line in (0..count).filter(|row| kept[*row]) {
-                lines.add(self.line.get(line).unwrap_or(0), 1);
+            for row in rows {
+                let line = row.and_then(|row| self.line.get(row));
+                lines.add(line.unwrap_or(0), 1);
             }
             self.line = lines;
         }
@@ -154,12 +153,9 @@ impl Samples {
     }
 }
 
-fn retain<T>(column: &mut Vec<T>, kept: &[bool]) {
-    let mut row = 0;
-    column.retain(|_| {
-        row += 1;
-        kept.get(row - 1).copied().unwrap_or(true)
-    });
+fn pick<T: Clone>(column: &mut Vec<T>, rows: &[Option<usize>], empty: &T) {
+    let one = |row: &Option<usize>| row.and_then(|row| column.get(row)).unwrap_or(empty).clone();
+    *column = rows.iter().map(one).collect();
 }
 
 fn extend(column: &mut Option<Vec<f64>>, more: Option<Vec<f64>>, before: usize, added: usize) {

@@ -7,9 +7,11 @@
     reason = "a test that cannot prepare its files has failed"
 )]
 
+
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use crate::compensating::{self, HELD};
 use proptest::prelude::*;
 use truepose::export::lerobot_calibration;
 use truepose::importers::{
@@ -302,6 +304,42 @@ proptest! {
         let (language, bytes) = PROGRAMS[which];
         let language = as_another.map_or(language, |k| LANGUAGES[k].id);
         read_program(language, &changed(bytes, &changes));
+    }
+}
+
+#[test]
+fn the_programs_that_are_to_be_damaged_are_corrected() {
+    let calibration = compensating::calibration();
+    // What the caller states so that everything can be corrected: frame and start, or tool, or all of it.
+    let choices = [0b011, 0b100, 0b100, 0b110, 0b001];
+    for ((language, bytes), choice) in HELD.into_iter().zip(choices) {
+        let language = truepose::programs::find(language).unwrap();
+        let answer = compensating::compensated(&calibration, language, bytes, choice).unwrap();
+        let left: Vec<_> = answer
+            .targets
+            .iter()
+            .map(|t| t.result.as_ref().err())
+            .collect();
+        assert!(left.iter().all(Option::is_none), "{language:?}: {left:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        rng_seed: proptest::test_runner::RngSeed::Fixed(12),
+        ..ProptestConfig::with_cases(1500)
+    })]
+
+    #[test]
+    fn damaged_programs_are_corrected_as_promised_or_refused(
+        which in 0..HELD.len(),
+        choice in any::<u8>(),
+        changes in prop::collection::vec(any_change(), 0..4),
+    ) {
+        let (language, bytes) = HELD[which];
+        let language = truepose::programs::find(language).unwrap();
+        let calibration = compensating::calibration();
+        compensating::compensated(&calibration, language, &changed(bytes, &changes), choice);
     }
 }
 

@@ -348,27 +348,83 @@ fn fanuc_is_changed_in_its_positions_and_nowhere_else() {
     }
 }
 
+/// One line of joint values in every language, and which numbers of such a line they are.
+fn lines_of_two(q: &[f64], k: usize) -> [(&'static str, String, [usize; 2]); 5] {
+    let (a, b) = (q[0], q[1]);
+    let [first, second] = [a, b].map(f64::to_radians);
+    let none = "[9E9,9E9,9E9,9E9,9E9,9E9]";
+    [
+        ("csv", format!("{a},{b}"), [0, 1]),
+        (
+            "rapid",
+            format!("MoveAbsJ [[{a},{b},0,0,0,0],{none}],v9,fine,t;"),
+            [0, 1],
+        ),
+        ("krl", format!("PTP {{A1 {a},A2 {b}}}"), [1, 3]),
+        (
+            "urscript",
+            format!("movej([{first:.12},{second:.12}])"),
+            [0, 1],
+        ),
+        (
+            "fanuc-ls",
+            format!("P[{}]{{ J1= {a} deg, J2= {b} deg }};", k + 1),
+            [2, 4],
+        ),
+    ]
+}
+
 #[test]
-fn two_joints_bring_the_tool_as_near_as_they_can() {
+fn two_joints_bring_the_tool_as_near_as_they_can_in_every_language() {
     let calibration = identified("positioner.json", &["joint-zero-offset", "link-length"]);
     let (robot, value) = hidden("positioner");
-    let before = bytes("positioner-joints.csv");
-    let answer = pipeline::compensate(&request(&calibration, &before, "csv")).unwrap();
-    assert_eq!(answer.left(), 0, "{:?}", answer.targets);
-    let text = String::from_utf8(answer.bytes).unwrap();
     let floors: Vec<f64> = serde_json::from_value(value["floor_mm"].clone()).unwrap();
-    for ((k, q), line) in rows(&value, "q_deg")
-        .iter()
-        .enumerate()
-        .zip(text.lines().skip(1))
-    {
-        let (q, corrected) = (radians(q), radians(&numbers(line)));
-        let left = apart(&robot.real(&corrected, 0.0), &robot.nominal(&q)).0;
-        assert!(
-            floors[k] > 0.05,
-            "{line}: the joints cannot reach everything"
-        );
-        assert!(left <= 1.05 * floors[k], "{line}: {left} of {}", floors[k]);
+    let all = rows(&value, "q_deg");
+    for (language, head) in [
+        ("csv", "q1_deg,q2_deg\n"),
+        ("rapid", "\n"),
+        ("krl", "\n"),
+        ("urscript", "\n"),
+        ("fanuc-ls", "/POS\n"),
+    ] {
+        let line = |(k, q): (usize, &Vec<f64>)| {
+            let mut lines = lines_of_two(q, k).into_iter();
+            let own = lines.find(|l| l.0 == language).unwrap();
+            (own.1, own.2)
+        };
+        let lines: Vec<(String, [usize; 2])> = all.iter().enumerate().map(line).collect();
+        let program: Vec<&str> = lines.iter().map(|l| l.0.as_str()).collect();
+        let before = format!("{head}{}\n", program.join("\n"));
+        let request = request(&calibration, before.as_bytes(), language);
+        let answer = pipeline::compensate(&request).unwrap();
+        assert_eq!(answer.targets.len(), all.len(), "{language}");
+        assert_eq!(answer.left(), 0, "{language}: {:?}", answer.targets);
+        let text = String::from_utf8(answer.bytes).unwrap();
+        let mut most = 0.0_f64;
+        for (k, line) in text.lines().skip(1).enumerate() {
+            let shown = numbers(line);
+            let shown = lines[k].1.map(|at| shown[at]);
+            let corrected = match language {
+                "urscript" => shown.to_vec(),
+                _ => radians(&shown),
+            };
+            let (q, floor) = (radians(&all[k]), floors[k]);
+            let wanted = robot.nominal(&q);
+            let left = |q: &[f64]| apart(&robot.real(q, 0.0), &wanted).0;
+            assert!(floor > 0.05, "{line}: the joints cannot reach everything");
+            let after = left(&corrected);
+            assert!(after <= 1.05 * floor, "{line}: {after} of {floor}");
+            // What the joints can correct doubles with the sign reversed, but for what is left of it and, where they
+            // are nearly singular, for their curvature.
+            let reversed: Vec<f64> = q.iter().zip(&corrected).map(|(q, u)| 2.0 * q - u).collect();
+            let beyond = |q: &[f64]| (left(q).powi(2) - floor.powi(2)).max(0.0).sqrt();
+            let (once, twice) = (beyond(&q), beyond(&reversed));
+            let off = (twice - 2.0 * once).abs();
+            most = most.max(once);
+            let left = beyond(&corrected);
+            assert!(off <= left + 0.2 * once, "{line}: {once} {twice} {left}");
+        }
+        assert!(most > 0.7, "{language}: nothing to correct");
     }
 }
 

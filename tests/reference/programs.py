@@ -352,8 +352,6 @@ def main(folder):
     limits = [j[3] for j in TABLE]
     session(folder, "positioner", t_nominal, t_real, limits, 60, [0], 4)
     t_shown = np.round(rng.uniform([-70, -160], [70, 160], (12, 2)), 3)
-    rows = ["q1_deg,q2_deg"] + [",".join(number(v, 3) for v in q) for q in t_shown]
-    (folder / "positioner-joints.csv").write_text("\n".join(rows) + "\n")
     hidden = {
         "arm": describe(real, nominal) | {"q_deg": shown.tolist(), "path_deg": np.array(path).tolist(), "load_kg": loads},
         "positioner": describe(t_real, t_nominal)

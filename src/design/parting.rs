@@ -1,0 +1,146 @@
+//! Poses that part models: all comparisons at once, and where the reflectors that are there do not do it,
+//! with the place of another one.
+
+use crate::diagnosis::NextPose;
+use crate::diagnosis::prepare::Prepared;
+use crate::effects::survey::JointSurvey;
+use crate::kinematics::{Joint, JointKind};
+use crate::sessions::Target;
+
+use super::candidates::{Offer, other_reflectors};
+use super::comparison::Comparison;
+use super::decision::{Decision, SURE};
+use super::exchange::Criterion;
+
+/// A separation that decides whatever the noise does.
+const MOST_SEPARATION: f64 = 1e6;
+/// Another reflector has to bring so much more, as a share of what is needed.
+const WORTH_MOUNTING: f64 = 0.03;
+
+/// Models that are to be parted: as far as each comparison asks for, and where there is a decision until
+/// the right one is found often enough. No candidate is taken more than `repeats` times.
+pub(crate) struct Parting {
+    pub(crate) comparisons: Vec<Comparison>,
+    pub(crate) decision: Option<Decision>,
+    taken: Vec<u8>,
+    repeats: u8,
+}
+
+impl Parting {
+    pub(crate) fn new(comparisons: Vec<Comparison>, candidates: usize, repeats: u8) -> Self {
+        Self {
+            comparisons,
+            decision: None,
+            taken: vec![0; candidates],
+            repeats,
+        }
+    }
+
+    fn parted(&self) -> bool {
+        self.comparisons.iter().all(Comparison::decided)
+    }
+}
+
+impl Criterion for Parting {
+    fn worths(&self) -> Vec<f64> {
+        let open: Vec<&Comparison> = self.comparisons.iter().filter(|c| !c.decided()).collect();
+        // The gain of each comparison counts up to where it is decided.
+        let one =
+            |c: &Comparison, k: usize| c.gain(k).min(c.enough - c.delta()) / (1.0 + c.delta());
+        let worth = |k: usize| open.iter().map(|c| one(c, k)).sum();
+        let free = |k: usize| self.taken[k] < self.repeats;
+        let all = 0..self.taken.len();
+        all.map(|k| if free(k) { worth(k) } else { 0.0 }).collect()
+    }
+
+    fn take(&mut self, candidate: usize) {
+        self.taken[candidate] += 1;
+        for comparison in &mut self.comparisons {
+            comparison.take(candidate);
+        }
+        if let Some(decision) = &mut self.decision {
+            decision.take(candidate);
+        }
+    }
+
+    fn satisfied(&mut self) -> bool {
+        let Some(decision) = &self.decision else {
+            return self.parted();
+        };
+        if decision.probability() >= SURE {
+            return true;
+        }
+        // All are far enough apart and still too few draws are decided: further apart, then.
+        let can = |c: &Comparison| c.enough < MOST_SEPARATION;
+        while !self.comparisons.is_empty() && self.parted() && self.comparisons.iter().all(can) {
+            for comparison in &mut self.comparisons {
+                comparison.enough = 1.3 * comparison.enough.max(1.0);
+            }
+        }
+        false
+    }
+}
+
+/// Poses for one set of reflectors.
+pub(crate) struct Attempt {
+    pub(crate) offer: Offer,
+    /// The candidates that were chosen.
+    pub(crate) order: Vec<usize>,
+    /// Pairs of models that none of the candidates part.
+    pub(crate) unparted: usize,
+    pub(crate) decides: bool,
+    /// How much of what is needed they bring.
+    pub(crate) score: f64,
+}
+
+impl Attempt {
+    /// The poses that were chosen, at most `most`.
+    pub(crate) fn poses(&self, prepared: &Prepared, why: &str, most: usize) -> Vec<NextPose> {
+        let joints = &prepared.problem.session.robot.joints;
+        let place = |(q, joint): (&f64, &Joint)| match joint.kind {
+            JointKind::Revolute => format!("{:.1}°", joint.kind.outer(*q)),
+            JointKind::Prismatic => format!("{q:.1} mm"),
+        };
+        let poses = self.order.iter().flat_map(|k| {
+            let places = self.offer.candidates[*k].q.iter().zip(joints).map(place);
+            let places = places.collect::<Vec<String>>().join(", ");
+            let why = format!("{why}: they differ most at {places}");
+            self.offer.poses(prepared, *k, &why)
+        });
+        poses.take(most).collect()
+    }
+
+    fn better_than(&self, other: &Self) -> bool {
+        if self.unparted != other.unparted {
+            return self.unparted < other.unparted;
+        }
+        match (self.decides, other.decides) {
+            (true, true) => self.order.len() < other.order.len(),
+            (false, false) => self.score > other.score + WORTH_MOUNTING,
+            (decides, _) => decides,
+        }
+    }
+}
+
+/// The best attempt: with the session's reflectors where these decide, else where there is but one perhaps
+/// with one of the places for another.
+pub(crate) fn over_reflectors<T>(
+    prepared: &Prepared,
+    attempt: impl Fn(Vec<Target>) -> (Attempt, T),
+) -> (Attempt, T) {
+    let session = prepared.problem.session;
+    let mut best = attempt(session.targets.clone());
+    let turns = |j: &JointSurvey| j.kind == JointKind::Revolute;
+    let fixed = session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns);
+    if best.0.decides || fixed {
+        return best;
+    }
+    for other in other_reflectors(&session.robot, &session.targets) {
+        let with = session.targets.iter().cloned().chain([other]);
+        let next = attempt(with.collect());
+        if next.0.better_than(&best.0) {
+            best = next;
+        }
+    }
+    best
+}
