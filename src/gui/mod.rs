@@ -29,49 +29,28 @@
 //!   `vision` (tests): how people see the colours.
 //! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
 
-mod angles;
+mod actions;
 mod app;
-mod backdrop;
-mod boundaries;
-mod commands;
-mod division;
-mod document;
-mod edit;
-mod figures;
+mod cache;
+mod core;
+mod dialogs;
 mod files;
 mod foreign;
-mod given;
 mod help;
+mod jobs;
 mod keeping;
-mod known;
 mod layers;
-mod letters;
-mod outcome;
-mod overview;
-mod panels;
-mod pictures;
-mod placing;
 mod plots;
 mod preferences;
-mod preview;
-mod reporting;
-mod room;
-mod search;
-mod setup;
-mod simulate;
-mod subject;
-mod tally;
-mod tasks;
+mod style;
 #[cfg(test)]
 mod testing;
-mod thinning;
-mod tokens;
-mod undo;
 mod units;
 mod view;
-#[cfg(test)]
-mod vision;
+mod views;
 mod widgets;
+mod workbench;
+mod workspace;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -79,7 +58,7 @@ use std::sync::Arc;
 use anyhow::anyhow;
 
 pub use app::App;
-pub use tasks::Runner;
+pub use jobs::Runner;
 
 const TITLE: &str = "truepose";
 

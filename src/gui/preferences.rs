@@ -5,7 +5,7 @@ use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
 use super::units::Notation;
-use super::view::{AngleUnit, LengthUnit};
+use crate::gui::units::{AngleUnit, LengthUnit};
 
 /// Light, dark, or as the system has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]

@@ -6,7 +6,31 @@ use std::cell::Cell;
 use crate::fit::Estimate;
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::view::{AngleUnit, LengthUnit};
+use serde::{Deserialize, Serialize};
+
+/// Unit of lengths on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum LengthUnit {
+    /// Millimetres.
+    #[default]
+    Millimetre,
+    /// Micrometres.
+    Micrometre,
+    /// Inches.
+    Inch,
+}
+
+/// Unit of angles on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum AngleUnit {
+    /// Degrees.
+    #[default]
+    Degree,
+    /// Radians.
+    Radian,
+}
 
 /// The chosen units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

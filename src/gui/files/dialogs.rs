@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use crate::gui::foreign::Beside;
-use crate::gui::tasks::{Report, What};
+use crate::gui::jobs::Report;
+use crate::gui::view::What;
 
 /// Asks the user for a session file.
 pub(crate) fn choose_to_open() -> Report {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::progress::{Progress, ReadError, unwatched};
 use crate::sessions::{self};
 
-use crate::gui::subject::{Origin, Subject};
-use crate::gui::tasks::Report;
+use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::jobs::Report;
 use crate::gui::view::Message;
 
 use super::opening::{looked_through, not_read};

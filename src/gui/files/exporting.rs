@@ -9,9 +9,10 @@ use crate::export::{Document, Job, find};
 use crate::model::format_v1::write_model;
 use crate::progress::Cancelled;
 
-use crate::gui::preview::Wanted;
-use crate::gui::tasks::{Report, Watch, What};
+use crate::gui::cache::preview::Wanted;
+use crate::gui::jobs::{Report, Watch};
 use crate::gui::view::Message;
+use crate::gui::view::What;
 
 use super::advice;
 

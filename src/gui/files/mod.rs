@@ -4,12 +4,15 @@ mod dialogs;
 mod examples;
 mod exporting;
 mod opening;
+mod pictures;
+pub(crate) mod reporting;
 mod saving;
 
 pub(crate) use dialogs::{choose_beside, choose_to_export, choose_to_open, choose_to_save};
 pub(crate) use examples::{EXAMPLES, first_example, open_example};
 pub(crate) use exporting::{can_be_written, export, not_written, write_list, write_one};
 pub(crate) use opening::{open, simulate};
+pub(crate) use pictures::write_picture;
 pub(crate) use saving::{NotSaved, Replace, Saved, save};
 
 pub(crate) use crate::model::format_v1::is_model;
@@ -20,7 +23,7 @@ use std::path::Path;
 use crate::atomic::WriteError;
 use crate::sessions::Session;
 
-use crate::gui::document::plain;
+use crate::gui::core::document::plain;
 
 /// Why something was not read or written.
 const CANCELLED: &str = "it was cancelled";

@@ -10,12 +10,12 @@ use crate::model::format_v1::load_model;
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::{self, Loaded};
 
+use crate::gui::core::disk::Print;
+use crate::gui::core::given::Given;
+use crate::gui::core::simulate::Form;
+use crate::gui::core::subject::{Origin, Subject};
 use crate::gui::foreign::Foreign;
-use crate::gui::given::Given;
-use crate::gui::keeping::disk::Print;
-use crate::gui::simulate::Form;
-use crate::gui::subject::{Origin, Subject};
-use crate::gui::tasks::{Report, Watch};
+use crate::gui::jobs::{Report, Watch};
 use crate::gui::view::Message;
 
 use super::CANCELLED;

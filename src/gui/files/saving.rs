@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use crate::sessions::{self, Replacing};
 
-use crate::gui::keeping::disk::{Fate, Print};
-use crate::gui::tasks::{Report, Watch};
+use crate::gui::core::disk::{Fate, Print};
+use crate::gui::jobs::{Report, Watch};
 use crate::gui::view::Message;
 
 use super::advice;
@@ -28,7 +28,7 @@ pub(crate) enum Replace {
 #[derive(Debug)]
 pub(crate) struct Saved {
     /// The document that was saved.
-    pub(crate) document: Arc<crate::gui::document::Document>,
+    pub(crate) document: Arc<crate::gui::core::document::Document>,
     /// The file.
     pub(crate) path: PathBuf,
     /// The files as they look now, the document first; or why there are none.
@@ -47,7 +47,7 @@ pub(crate) enum NotSaved {
 /// Writes a session: the document, and its samples beside it. `known` are the files that it came
 /// from, as they looked then: what changed since is replaced only where that was asked for.
 pub(crate) fn save(
-    document: Arc<crate::gui::document::Document>,
+    document: Arc<crate::gui::core::document::Document>,
     path: &Path,
     replace: Replace,
     mut known: Vec<Print>,

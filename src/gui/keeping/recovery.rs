@@ -16,7 +16,7 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
 use crate::effects::{Term, find, form_with};
-use crate::gui::document::{Added, Document, Method};
+use crate::gui::core::document::{Added, Document, Method};
 use crate::kinematics::Robot;
 use crate::sessions::{self, Session};
 

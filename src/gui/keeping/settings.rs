@@ -120,7 +120,7 @@ fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Result<(), Write
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::view::LengthUnit;
+    use crate::gui::units::LengthUnit;
 
     #[test]
     fn what_is_kept_comes_back_and_two_windows_share_it() {

@@ -11,7 +11,7 @@ use std::time::Duration;
 use crate::diagnostic::Rejected;
 use crate::sessions::{Growing, Growth};
 
-use super::disk::{Fate, Print};
+use crate::gui::core::disk::{Fate, Print};
 
 /// Between two looks.
 pub(crate) const EVERY: Duration = Duration::from_secs(1);

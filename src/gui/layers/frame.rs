@@ -3,10 +3,10 @@
 use egui::{Color32, Rect};
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::tokens::{Palette, STOPS};
+use crate::gui::style::tokens::{Palette, STOPS};
 use crate::gui::view::{Colouring, Plane};
 
-use super::heat::Heat;
+use crate::gui::cache::heat::Heat;
 
 /// Rows of four numbers; `frame.wgsl` names them.
 const ROWS: usize = 16 + STOPS;
@@ -184,7 +184,7 @@ mod tests {
     use egui_plot::PlotBounds;
 
     use super::*;
-    use crate::gui::tokens::LIGHT;
+    use crate::gui::style::tokens::LIGHT;
 
     const LOOK: Look = Look {
         plane: Plane::Xz,

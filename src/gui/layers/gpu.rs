@@ -9,10 +9,10 @@ use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenD
 
 use crate::gui::view::Canvas;
 
-use super::cloud::{Cloud, Remainder};
 use super::drawer::Drawer;
 use super::frame::Frame;
-use super::heat::Heat;
+use crate::gui::cache::cloud::{Cloud, Remainder};
+use crate::gui::cache::heat::Heat;
 
 /// What a renderer without a graphics processor draws at once: about a tenth of a second.
 const MOST_IN_SOFTWARE: usize = 50_000;

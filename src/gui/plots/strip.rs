@@ -4,9 +4,9 @@
 use egui::{Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
 use egui::{pos2, vec2};
 
-use crate::gui::commands::{Command, Workbench};
-use crate::gui::tokens::{Palette, size, space};
+use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
 
 use super::marks;
 

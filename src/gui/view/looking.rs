@@ -1,6 +1,4 @@
-//! From where the workspace is looked at, what its colours say, and in which units.
-
-use serde::{Deserialize, Serialize};
+//! From where the workspace is looked at, and what its colours say.
 
 /// The plane that the workspace is looked at in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -97,7 +95,7 @@ impl Colouring {
         }
     }
 
-    /// The condition that it shows, in the order of [`crate::gui::layers::Cloud`].
+    /// The condition that it shows, in the order of [`crate::gui::cache::cloud::Cloud`].
     pub(crate) fn condition(self) -> Option<usize> {
         match self {
             Self::Load => Some(0),
@@ -116,28 +114,4 @@ pub(crate) enum Canvas {
     Shapes,
     /// The graphics processor, at most so many samples.
     Layers(usize),
-}
-
-/// Unit of lengths on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum LengthUnit {
-    /// Millimetres.
-    #[default]
-    Millimetre,
-    /// Micrometres.
-    Micrometre,
-    /// Inches.
-    Inch,
-}
-
-/// Unit of angles on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum AngleUnit {
-    /// Degrees.
-    #[default]
-    Degree,
-    /// Radians.
-    Radian,
 }

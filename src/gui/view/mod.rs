@@ -3,19 +3,21 @@
 
 mod chart;
 mod looking;
+mod output;
 mod sheet;
 
 pub(crate) use chart::Chart;
-pub(crate) use looking::{AngleUnit, Aspect, Canvas, Colouring, LengthUnit, Plane};
+pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
+pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
 use std::path::PathBuf;
 
-use crate::gui::keeping::disk::Fate;
-use crate::gui::placing::Typed;
+use crate::gui::core::disk::Fate;
+use crate::gui::core::placing::Typed;
+use crate::gui::core::setup::SetupForm;
+use crate::gui::core::subject::Component;
 use crate::gui::preferences::Preferences;
-use crate::gui::setup::SetupForm;
-use crate::gui::subject::Component;
 
 /// The steps of the work, in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]

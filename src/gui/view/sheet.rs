@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use crate::gui::core::simulate::Form;
 use crate::gui::foreign::Foreign;
-use crate::gui::simulate::Form;
-use crate::gui::tasks::What;
+use crate::gui::view::What;
 
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@ use egui::{
     Color32, CornerRadius, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::style::tokens::{Palette, size, space, strong};
 
 /// A window with its right-hand side: opens it or shuts it. Where it is shut its name stands beside
 /// the sign.

@@ -6,7 +6,7 @@ mod paper;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, pos2};
 use egui_plot::{Plot, PlotPoint, PlotTransform};
 
-use crate::gui::tokens::{Palette, size};
+use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::ViewState;
 
 use super::{axis, gestures, marks, named_axis, steps};
@@ -231,7 +231,7 @@ fn dashes(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::tokens::DARK;
+    use crate::gui::style::tokens::DARK;
 
     #[test]
     fn dashes_have_one_length_however_near_the_points_are() {

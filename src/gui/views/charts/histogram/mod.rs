@@ -1,0 +1,5 @@
+//! How many samples deviate by how much.
+
+mod paint;
+
+pub(crate) use paint::{numbers, show, sketch};
