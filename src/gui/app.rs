@@ -14,7 +14,7 @@ use super::preferences::Preferences;
 use super::units::write_numbers;
 use super::view::{Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
-use crate::gui::jobs::{Runner, Tasks};
+use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::letters::Alphabet;
 use crate::gui::style::tokens;
 use crate::gui::style::tokens::{Palette, space};
@@ -45,8 +45,8 @@ impl App {
         tokens::apply(ctx);
         write_fields(ctx, false);
         let wake = ctx.clone();
-        let tasks = Tasks::new(runner, Arc::new(move || wake.request_repaint()));
-        let mut workbench = Workbench::new(files::first_example(), tasks, views::pictures::drawing);
+        let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
+        let mut workbench = Workbench::new(files::first_example(), jobs, views::pictures::drawing);
         if let Some(path) = path {
             workbench.execute(Command::OpenFile(path));
         }
@@ -233,7 +233,7 @@ impl App {
             self.workbench.tidy();
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|i| i.viewport().close_requested()) {
-            if self.workbench.at_risk().any() || self.workbench.tasks().writing().is_some() {
+            if self.workbench.at_risk().any() || self.workbench.writing().is_some() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
                 self.workbench.execute(Command::Leave);
             } else {
@@ -284,7 +284,7 @@ impl App {
         } else {
             self.recovery_due = None;
         }
-        if self.workbench.tasks().wants_looking() && now >= self.look_due {
+        if self.workbench.wants_looking() && now >= self.look_due {
             self.look_due = now + watcher::EVERY.as_secs_f64();
             self.workbench.execute(Command::LookAtDisk);
             self.workbench.receive();

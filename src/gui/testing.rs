@@ -6,7 +6,7 @@ use crate::simulation::unwatched;
 
 use crate::gui::core::simulate::{Chosen, Form};
 use crate::gui::core::subject::{Origin, Subject};
-use crate::gui::jobs::{Runner, Tasks};
+use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::views::pictures::drawing;
 use crate::gui::workbench::Workbench;
 
@@ -18,6 +18,6 @@ pub(crate) fn workbench() -> Workbench {
     };
     let session = form.session(unwatched).expect("the form is valid");
     let subject = Subject::new(session, Vec::new(), Origin::Simulated);
-    let tasks = Tasks::new(Runner::AtOnce, Arc::new(|| {}));
-    Workbench::new(Arc::new(subject), tasks, drawing)
+    let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
+    Workbench::new(Arc::new(subject), jobs, drawing)
 }

@@ -6,10 +6,9 @@ use crate::progress::{Progress, ReadError, unwatched};
 use crate::sessions::{self};
 
 use crate::gui::core::subject::{Origin, Subject};
-use crate::gui::jobs::Report;
 use crate::gui::view::Message;
 
-use super::opening::{looked_through, not_read};
+use super::opening::{Opened, looked_through, not_read};
 
 /// A session that comes with the program.
 pub(crate) struct Example {
@@ -63,19 +62,21 @@ pub(crate) fn first_example() -> Arc<Subject> {
 }
 
 /// Reads a bundled session.
-pub(crate) fn open_example(index: usize) -> Report {
+pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let Some(example) = EXAMPLES.get(index) else {
-        return Report::Opened(Err(Message {
+        return Err(Message {
             wrong: true,
             title: "There is no such example".to_owned(),
             details: vec!["The examples are in the File menu".to_owned()],
-        }));
+        });
     };
     let loaded = sessions::parse_with_csv(example.document, example.samples);
     let nobody = Progress::new(&unwatched);
     let subject = loaded.map_err(ReadError::from);
     let subject = subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, nobody.whole())?));
-    Report::Opened(subject.map_err(|error| not_read(example.name, "opened", &error)))
+    subject
+        .map(Opened::Session)
+        .map_err(|error| not_read(example.name, "opened", &error))
 }
 
 #[cfg(test)]
@@ -85,8 +86,7 @@ mod tests {
     #[test]
     fn every_bundled_session_can_be_read() {
         for (index, example) in EXAMPLES.iter().enumerate() {
-            let opened = open_example(index);
-            assert!(matches!(opened, Report::Opened(Ok(_))), "{}", example.name);
+            assert!(open_example(index).is_ok(), "{}", example.name);
         }
     }
 }

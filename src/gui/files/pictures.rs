@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::gui::jobs::{Report, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 use crate::report::drawing::Drawing;
 use crate::report::svg::svg_file;
 
-use super::{can_be_written, ending, not_written, write_one};
+use super::{can_be_written, ending, not_written, saved, write_one};
 
 /// Draws it, and writes it where none of `inputs` stands.
 pub(crate) fn write_picture(
@@ -16,7 +16,7 @@ pub(crate) fn write_picture(
     replace: bool,
     inputs: &[PathBuf],
     watch: &Watch,
-) -> Report {
+) -> Message {
     let make = || {
         if ending(path).as_deref() != Some("svg") {
             return Err("expected a file name that ends in .svg".to_owned());
@@ -25,12 +25,8 @@ pub(crate) fn write_picture(
         let (drawing, title) = draw()?;
         write_one(path, replace, svg_file(&drawing, &title).as_bytes(), watch)
     };
-    Report::Written(match make() {
-        Ok(()) => Message {
-            wrong: false,
-            title: format!("Saved {}", path.display()),
-            details: Vec::new(),
-        },
+    match make() {
+        Ok(()) => saved(path, Vec::new()),
         Err(problem) => not_written(path, problem),
-    })
+    }
 }

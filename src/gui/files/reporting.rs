@@ -14,7 +14,7 @@ use crate::gui::core::document::Document;
 use crate::gui::core::search;
 use crate::gui::core::search::Search;
 use crate::gui::files;
-use crate::gui::jobs::{Report, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
 /// Where a report comes from.
@@ -44,18 +44,13 @@ enum Kind {
 }
 
 /// Writes it, whole or not at all.
-pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) -> Report {
+pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) -> Message {
     let mut details = Vec::new();
     let written = make(wanted, path, replace, watch, &mut details);
-    let message = match written {
-        Ok(()) => Message {
-            wrong: false,
-            title: format!("Saved {}", path.display()),
-            details,
-        },
+    match written {
+        Ok(()) => files::saved(path, details),
         Err(problem) => files::not_written(path, problem),
-    };
-    Report::Written(message)
+    }
 }
 
 fn make(
@@ -184,10 +179,7 @@ mod tests {
             ("not there/report.pdf", "the folder is not there"),
         ] {
             let watch = Watch::default();
-            let report = write(&wanted(), &folder.path().join(name), false, &watch);
-            let Report::Written(message) = report else {
-                panic!("it says how it went");
-            };
+            let message = write(&wanted(), &folder.path().join(name), false, &watch);
             assert!(
                 message.wrong && message.details[0].contains(says),
                 "{message:?}"

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::sessions::{self, Replacing};
 
 use crate::gui::core::disk::{Fate, Print};
-use crate::gui::jobs::{Report, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
 use super::advice;
@@ -52,7 +52,7 @@ pub(crate) fn save(
     replace: Replace,
     mut known: Vec<Print>,
     watch: &Watch,
-) -> Report {
+) -> Saved {
     let path = if path.extension().is_none() {
         path.with_extension("json")
     } else {
@@ -86,11 +86,11 @@ pub(crate) fn save(
             })),
         }
     };
-    Report::Saved(Box::new(Saved {
+    Saved {
         document,
         path,
         result,
-    }))
+    }
 }
 
 fn same_file(a: &Path, b: &Path) -> bool {

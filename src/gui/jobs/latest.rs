@@ -2,9 +2,9 @@
 
 /// One question at a time, and the latest one after it.
 #[derive(Debug)]
-pub(super) struct Latest<Q> {
-    pub(super) asked: Option<Q>,
-    pub(super) waiting: Option<Q>,
+pub(crate) struct Latest<Q> {
+    asked: Option<Q>,
+    waiting: Option<Q>,
 }
 
 impl<Q> Default for Latest<Q> {
@@ -18,7 +18,7 @@ impl<Q> Default for Latest<Q> {
 
 impl<Q: PartialEq + Clone> Latest<Q> {
     /// The question, if it is to be worked on now.
-    pub(super) fn ask(&mut self, question: Q) -> Option<Q> {
+    pub(crate) fn ask(&mut self, question: Q) -> Option<Q> {
         if self.asked.as_ref() == Some(&question) {
             self.waiting = None;
             None
@@ -31,12 +31,19 @@ impl<Q: PartialEq + Clone> Latest<Q> {
         }
     }
 
-    pub(super) fn is_asked(&self, question: &Q) -> bool {
+    /// Whether this is the last that was asked, and has no answer yet.
+    pub(crate) fn is_asked(&self, question: &Q) -> bool {
         self.waiting.as_ref().or(self.asked.as_ref()) == Some(question)
     }
 
+    /// Forgets everything that was asked; the last of it.
+    pub(crate) fn forget(&mut self) -> Option<Q> {
+        let Self { asked, waiting } = std::mem::take(self);
+        waiting.or(asked)
+    }
+
     /// The question is answered; the one that is next.
-    pub(super) fn answered(&mut self) -> Option<Q> {
+    pub(crate) fn answered(&mut self) -> Option<Q> {
         self.asked = None;
         let next = self.waiting.take()?;
         self.ask(next)

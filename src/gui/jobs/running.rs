@@ -1,10 +1,10 @@
-//! A task that is under way: how far it is, and whether anybody still wants it.
+//! A job that is under way: how far it is, and whether anybody still wants it.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
-/// Between a task and the window: how far it is, and whether anybody still wants it.
+/// Between a job and the window: how far it is, and whether anybody still wants it.
 #[derive(Debug, Default)]
 pub(crate) struct Watch {
     permille: AtomicU32,
@@ -77,7 +77,7 @@ impl Watch {
     }
 }
 
-/// A task that is under way.
+/// A job that is under way.
 #[derive(Debug, Clone)]
 pub(crate) struct Running {
     pub(super) id: u64,
@@ -118,15 +118,20 @@ impl Running {
     }
 }
 
+/// What a job is for, where that decides how it is treated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
+    /// Nothing special about it.
     Once,
     /// It brings another session: the newest counts.
     Opens,
     /// It writes a file: how that went is told, cancelled or not.
     Writes,
+    /// It identifies the robot.
     Identifies,
+    /// It prepares an export.
     Prepares,
+    /// It searches for what is missing.
     Searches,
     /// Looks at a foreign file.
     Looks,
@@ -138,7 +143,7 @@ pub(super) enum Kind {
 
 impl Kind {
     /// Whether the status bar names it, and can cancel it.
-    pub(super) fn has_a_name(self) -> bool {
+    pub(crate) fn has_a_name(self) -> bool {
         !matches!(self, Self::Draws | Self::Quiet)
     }
 }

@@ -5,7 +5,7 @@
 //! once a second, and speaks only when something happened.
 
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use crate::diagnostic::Rejected;
@@ -123,5 +123,51 @@ impl Watched {
                 Err(RecvTimeoutError::Timeout) => self.look().into_iter().for_each(&tell),
             }
         }
+    }
+}
+
+/// Who looks at the disk.
+#[derive(Debug)]
+pub(crate) enum Watcher {
+    /// Whoever asks: [`Watcher::look`] has to be called from time to time.
+    Here(Watched),
+    /// A thread of its own; it ends with this.
+    Thread(Sender<Order>),
+}
+
+impl Watcher {
+    /// Begins to look on a thread, which tells what it sees.
+    pub(crate) fn on_thread(tell: impl Fn(Seen) + Send + 'static) -> Self {
+        let (orders, taken) = channel();
+        let look = move || Watched::default().keep_looking(&taken, tell);
+        let thread = std::thread::Builder::new().name("truepose watcher".to_owned());
+        // Without it the window goes on, and notices a change when it saves.
+        let _ = thread.spawn(look);
+        Self::Thread(orders)
+    }
+
+    /// Looks at something else from now on.
+    pub(crate) fn order(&mut self, order: Order) -> Option<Seen> {
+        match self {
+            Self::Here(watched) => watched.order(order),
+            Self::Thread(orders) => {
+                // A thread that could not be started looks at nothing.
+                let _ = orders.send(order);
+                None
+            }
+        }
+    }
+
+    /// Looks now, where no thread does.
+    pub(crate) fn look(&mut self) -> Vec<Seen> {
+        match self {
+            Self::Here(watched) => watched.look(),
+            Self::Thread(_) => Vec::new(),
+        }
+    }
+
+    /// Whether somebody has to call [`Self::look`].
+    pub(crate) fn wants_looking(&self) -> bool {
+        matches!(self, Self::Here(_))
     }
 }

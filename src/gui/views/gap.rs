@@ -22,7 +22,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         "Looks for the physical effect that the model lacks, and proves each name on samples that \
          the search has not seen",
     );
-    if workbench.tasks().searching().is_some() {
+    if workbench.searching().is_some() {
         stages(ui, workbench);
         return;
     }
@@ -84,7 +84,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
 
 /// Where the search is.
 fn stages(ui: &mut Ui, workbench: &Workbench) {
-    let Some(running) = workbench.tasks().searching() else {
+    let Some(running) = workbench.searching() else {
         return;
     };
     let palette = Palette::of(ui);
@@ -148,7 +148,7 @@ pub(super) fn missing(workbench: &Workbench) -> Vec<Term> {
 
 /// What the step has to show for itself.
 pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
-    if workbench.tasks().searching().is_some() {
+    if workbench.searching().is_some() {
         return ("searching".to_owned(), Progress::Open);
     }
     let on = workbench.document().in_the_model().count();
@@ -168,7 +168,7 @@ pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
 
 /// What to do next.
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    if workbench.tasks().searching().is_some() {
+    if workbench.searching().is_some() {
         if widgets::secondary(ui, "Stop the search").clicked() {
             commands.push(Command::StopSearch);
         }

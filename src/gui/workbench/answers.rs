@@ -147,7 +147,7 @@ impl Workbench {
         if !exact {
             self.edit(&Edit::IdentifyBy(Method::Exact), false);
         }
-        self.tasks.search(Arc::clone(self.subject()));
+        self.search_in(Arc::clone(self.subject()));
     }
 
     /// Asks for the preview that the export step shows.
@@ -169,8 +169,8 @@ impl Workbench {
             name: saved.map(|(_, name)| name.clone()),
         };
         let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
-        if !made && !self.tasks.is_wanted(&wanted) {
-            self.tasks.prepare(wanted);
+        if !made {
+            self.want_preview(wanted);
         }
     }
 
@@ -188,8 +188,8 @@ impl Workbench {
             chart: self.charting(),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
-        if scenery.any() && !there && !self.tasks.is_drawn(&scenery) {
-            self.tasks.draw(scenery, self.backdrop.clone());
+        if scenery.any() && !there {
+            self.want_backdrop(scenery);
         }
     }
 
@@ -203,9 +203,9 @@ impl Workbench {
             .as_ref()
             .is_some_and(|o| o.question == question);
         let declined = self.declined.as_ref() == Some(&question);
-        if !answered && !declined && !self.tasks.is_asked(&question) {
+        if !answered && !declined && !self.is_asked(&question) {
             self.declined = None;
-            self.tasks.ask(Question { ..question });
+            self.ask(question);
         }
     }
 }

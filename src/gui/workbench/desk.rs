@@ -8,10 +8,10 @@ use crate::gui::core::disk::{Fate, Print};
 use crate::gui::core::document::{Document, Question};
 use crate::gui::core::subject::{Origin, Subject};
 use crate::gui::files;
-use crate::gui::jobs::Report;
+use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::keeping::recovery::{self, Keeper, LeftBehind};
 use crate::gui::keeping::settings::{self, Recent};
-use crate::gui::keeping::watcher::{Order, Seen};
+use crate::gui::keeping::watcher::{Order, Seen, Watched, Watcher};
 use crate::gui::view::{OnDisk, Sheet, Then};
 
 use super::{Command, Workbench};
@@ -69,10 +69,12 @@ impl Workbench {
         if !details.is_empty() {
             self.complain("Not everything could be set up", details);
         }
-        self.tasks.order(Order::Recent(self.desk.recent.clone()));
+        self.order(Order::Recent(self.desk.recent.clone()));
         let folder = home.clone();
-        self.tasks
-            .quietly(move || Report::LeftBehind(recovery::left_behind(&folder)));
+        self.jobs.quietly(
+            move || recovery::left_behind(&folder),
+            Self::take_left_behind,
+        );
         self.desk.home = Some(home);
     }
 
@@ -192,7 +194,7 @@ impl Workbench {
     pub(super) fn watch_files(&mut self) {
         let place = self.desk.places.get(&self.subject().lineage);
         let files = place.map_or_else(Vec::new, |place| place.files.clone());
-        self.tasks.order(Order::Files(files));
+        self.order(Order::Files(files));
     }
 
     /// Keeps a change of the recent files.
@@ -203,11 +205,12 @@ impl Workbench {
             forgotten @ Recent::Forgotten(_) => forgotten,
         };
         self.desk.recent = settings::with_recent(&self.desk.recent, &recent);
-        self.tasks.order(Order::Recent(self.desk.recent.clone()));
+        self.order(Order::Recent(self.desk.recent.clone()));
         if let Some(home) = self.desk.home.clone() {
-            self.tasks.quietly(move || {
-                Report::Kept(settings::keep_recent(&home, &recent).map_err(|e| e.to_string()))
-            });
+            self.jobs.quietly(
+                move || settings::keep_recent(&home, &recent).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
         }
     }
 
@@ -215,10 +218,10 @@ impl Workbench {
     pub(super) fn keep_preferences(&mut self) {
         let preferences = self.view.preferences;
         if let Some(home) = self.desk.home.clone() {
-            self.tasks.quietly(move || {
-                let kept = settings::keep_preferences(&home, preferences);
-                Report::Kept(kept.map_err(|e| e.to_string()))
-            });
+            self.jobs.quietly(
+                move || settings::keep_preferences(&home, preferences).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
         }
     }
 
@@ -231,14 +234,56 @@ impl Workbench {
         let (path, files) = (place.path.clone(), place.files.clone());
         self.desk.then = None;
         self.view.sheet = None;
-        self.tasks
-            .open(format!("reading {}", path.display()), move |watch| {
-                // What is not there cannot be read again; it can be written again.
-                match files.into_iter().find(|file| !file.path.exists()) {
-                    Some(gone) => Report::Seen(Seen::Fate(gone.path, Some(Fate::Vanished))),
-                    None => files::open(&path, watch),
-                }
-            });
+        let what = format!("reading {}", path.display());
+        let work = move |watch: &Watch| {
+            // What is not there cannot be read again; it can be written again.
+            match files.into_iter().find(|file| !file.path.exists()) {
+                Some(gone) => Err(gone.path),
+                None => Ok(files::open(&path, watch)),
+            }
+        };
+        self.jobs.start(
+            Kind::Opens,
+            what,
+            work,
+            |bench: &mut Self, opened| match opened {
+                Ok(opened) => bench.take_opened(opened),
+                Err(gone) => bench.take_seen(Seen::Fate(gone, Some(Fate::Vanished))),
+            },
+        );
+    }
+
+    /// Begins to look at the disk, as jobs run.
+    pub(super) fn watcher(jobs: &Jobs<Self>) -> Watcher {
+        if jobs.runner() == Runner::AtOnce {
+            return Watcher::Here(Watched::default());
+        }
+        let post = jobs.post();
+        Watcher::on_thread(move |seen| post(Box::new(|bench: &mut Self| bench.take_seen(seen))))
+    }
+
+    /// Looks at something else on the disk from now on.
+    pub(super) fn order(&mut self, order: Order) {
+        let seen = self.watcher.order(order);
+        self.post_seen(seen);
+    }
+
+    /// Looks at the disk now, where no thread does.
+    pub(super) fn look_at_disk(&mut self) {
+        let seen = self.watcher.look();
+        self.post_seen(seen);
+    }
+
+    fn post_seen(&self, seen: impl IntoIterator<Item = Seen>) {
+        let post = self.jobs.post();
+        for seen in seen {
+            post(Box::new(|bench: &mut Self| bench.take_seen(seen)));
+        }
+    }
+
+    /// Whether somebody has to ask for a look at the disk from time to time.
+    pub(crate) fn wants_looking(&self) -> bool {
+        self.watcher.wants_looking()
     }
 
     pub(super) fn take_seen(&mut self, seen: Seen) {

@@ -6,24 +6,18 @@ use crate::gui::core::division::{Decision, adapt};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::placing::{End, Typed};
 use crate::gui::core::subject::Subject;
-use crate::gui::jobs::Report;
+use crate::gui::jobs::Kind;
 use crate::sessions::Region;
 
 use super::{Command, Workbench};
 
-/// What the adaptive division came to, and of which session.
-#[derive(Debug)]
-pub(crate) struct Adapted {
-    subject: Arc<Subject>,
-    made: Result<(Vec<Region>, Decision), String>,
-}
+/// Regions, what decided for them, and of which session.
+type Adapted = (Arc<Subject>, Result<(Vec<Region>, Decision), String>);
 
-impl Adapted {
-    /// Looks where the samples ask for regions. Takes its time with many samples.
-    pub(super) fn of(subject: Arc<Subject>) -> Self {
-        let made = adapt(&subject.session);
-        Self { subject, made }
-    }
+/// Looks where the samples ask for regions. Takes its time with many samples.
+pub(super) fn adapted(subject: Arc<Subject>) -> Adapted {
+    let made = adapt(&subject.session);
+    (subject, made)
 }
 
 impl Workbench {
@@ -36,18 +30,20 @@ impl Workbench {
                 vec!["regions divide what was measured with a single joint that turns".to_owned()],
             );
         }
-        self.tasks
-            .start("looking where regions are needed", move |_| {
-                Report::Adapted(Box::new(Adapted::of(subject)))
-            });
+        self.jobs.start(
+            Kind::Once,
+            "looking where regions are needed",
+            move |_| adapted(subject),
+            Self::take_adapted,
+        );
     }
 
-    pub(super) fn take_adapted(&mut self, adapted: Adapted) {
-        if !Arc::ptr_eq(&adapted.subject, self.subject()) {
+    pub(super) fn take_adapted(&mut self, (subject, made): Adapted) {
+        if !Arc::ptr_eq(&subject, self.subject()) {
             // Another session is looked at now: nobody asked about that one.
             return;
         }
-        match adapted.made {
+        match made {
             Ok((regions, decision)) => {
                 let edit = Edit::Adapt(regions.into(), decision);
                 self.execute(Command::Edit(edit));

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use crate::design::measuring_list;
 use crate::export::find;
 use crate::gui::cache::preview::Wanted;
+use crate::gui::core::document::plain;
 use crate::gui::files;
-use crate::gui::view::About;
-use crate::gui::view::What;
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{About, What};
 
 use super::Workbench;
 
@@ -18,19 +19,13 @@ impl Workbench {
         let session = &document.subject.session.name;
         match what {
             What::Table => document.export.file_name(session),
-            What::Model => format!("{}.model.json", crate::gui::core::document::plain(session)),
-            What::Poses => format!(
-                "{}-next-poses.csv",
-                crate::gui::core::document::plain(session)
-            ),
+            What::Model => format!("{}.model.json", plain(session)),
+            What::Poses => format!("{}-next-poses.csv", plain(session)),
             What::Report(About::Session) => {
-                format!("{}-report.html", crate::gui::core::document::plain(session))
+                format!("{}-report.html", plain(session))
             }
             What::Report(About::Model) => {
-                format!(
-                    "{}-model-report.html",
-                    crate::gui::core::document::plain(session)
-                )
+                format!("{}-model-report.html", plain(session))
             }
             What::Picture(plot) => plot.file_name(session),
         }
@@ -62,8 +57,9 @@ impl Workbench {
             };
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
             let says = format!("writing {}", path.display());
-            self.tasks
-                .write(says, move |_| files::write_list(list, &path, replace));
+            let work = move |_: &Watch| files::write_list(list, &path, replace);
+            self.jobs
+                .start(Kind::Writes, says, work, Self::take_written);
             return;
         }
         // From what is shown, but under the name that was chosen.
@@ -75,13 +71,15 @@ impl Workbench {
         };
         let choice = self.document().export;
         let says = format!("writing {}", path.display());
-        self.tasks.write(says, move |_| {
+        let work = move |_: &Watch| {
             let wanted = Wanted {
                 outcome,
                 choice,
                 name: None,
             };
             files::export(&wanted, what, &path, replace)
-        });
+        };
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_exported);
     }
 }

@@ -9,12 +9,19 @@ use crate::diagnostic::Rejected;
 use crate::gui::cache::outcome::Outcome;
 use crate::gui::core::document::{Document, Question};
 use crate::gui::core::subject::Subject;
-use crate::gui::jobs::{Extended, Report, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::keeping::watcher::Order;
 use crate::gui::view::Message;
 use crate::sessions::{Growing, Growth, Samples};
 
 use super::Workbench;
+
+/// A session that has grown, with the answer to what was asked of it.
+struct Extended {
+    from: Arc<Subject>,
+    to: Arc<Subject>,
+    outcome: Option<Outcome>,
+}
 
 impl Workbench {
     /// Follows the session's samples file, or stops.
@@ -23,7 +30,7 @@ impl Workbench {
         if !on {
             if self.desk.followed.is_some() {
                 self.set_followed(None);
-                self.tasks.order(Order::Follow(None));
+                self.order(Order::Follow(None));
             }
             return;
         }
@@ -36,8 +43,8 @@ impl Workbench {
         let growing = Growing::new(&self.subject().session, path);
         let lineage = self.subject().lineage;
         self.set_followed(Some(lineage));
-        self.tasks.order(Order::Follow(Some(Box::new(growing))));
-        self.tasks.look_at_disk();
+        self.order(Order::Follow(Some(Box::new(growing))));
+        self.look_at_disk();
     }
 
     pub(super) fn take_growth(&mut self, growth: Result<Growth, Rejected>) {
@@ -91,7 +98,7 @@ impl Workbench {
         self.extending = true;
         let from = Arc::clone(self.subject());
         let question = self.document().question();
-        self.tasks.quietly(move || {
+        let work = move || {
             let mut session = from.session.clone();
             if anew {
                 session.samples = samples;
@@ -106,11 +113,12 @@ impl Workbench {
                 };
                 Outcome::of(question, &Watch::default())
             });
-            Report::Extended(Box::new(Extended { from, to, outcome }))
-        });
+            Extended { from, to, outcome }
+        };
+        self.jobs.quietly(work, Self::take_extended);
     }
 
-    pub(super) fn take_extended(&mut self, extended: Extended) {
+    fn take_extended(&mut self, extended: Extended) {
         self.extending = false;
         let Extended { from, to, outcome } = extended;
         if !Arc::ptr_eq(&from, self.subject()) {

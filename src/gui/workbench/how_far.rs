@@ -1,6 +1,7 @@
 //! What is read, imported or saved says how far it is, at the bottom of the window, and is cancelled
 //! there. The work waits for the test wherever it is looked at, so that nothing depends on time.
 
+use std::fmt::Debug;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,7 +14,7 @@ use super::{Command, Workbench};
 use crate::gui::dialogs;
 use crate::gui::files;
 use crate::gui::foreign::Foreign;
-use crate::gui::jobs::{Report, Running, Watch};
+use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Sheet, Then};
 use crate::gui::views::status;
@@ -86,10 +87,10 @@ impl Shown {
 }
 
 /// Work that has done a part, says so, and goes on when it is let go. What it ends with is kept.
-fn halfway(
-    work: impl FnOnce(&Watch) -> Report + Send + 'static,
+fn halfway<T: Debug + 'static>(
+    work: impl FnOnce(&Watch) -> T + Send + 'static,
 ) -> (
-    impl FnOnce(&Watch) -> Report + Send + 'static,
+    impl FnOnce(&Watch) -> T + Send + 'static,
     Receiver<()>,
     Sender<()>,
     Receiver<String>,
@@ -101,9 +102,9 @@ fn halfway(
         watch.done(0.3);
         let _ = here.send(());
         let _ = wait.recv();
-        let report = work(watch);
-        let _ = ended.send(format!("{report:?}"));
-        report
+        let made = work(watch);
+        let _ = ended.send(format!("{made:?}"));
+        made
     };
     (work, arrived, go, ends)
 }
@@ -140,12 +141,12 @@ fn a_session_that_is_opened_says_how_far_it_is_and_is_cancelled() {
     let mut bench = on_threads();
     let before = bench.document().clone();
     let (work, arrived, go, ends) = halfway(move |watch| files::open(&path, watch));
-    bench.tasks.open("reading session.json", work);
+    bench.open("reading session.json", work);
     arrived.recv().unwrap();
     let bar = bar();
     let says = bar.says(&bench);
     assert!(says.iter().any(|s| s == "reading session.json"), "{says:?}");
-    let share = bench.tasks().newest().and_then(Running::progress);
+    let share = bench.jobs().newest().and_then(Running::progress);
     assert_eq!(share, Some(0.3));
     bar.press(&mut bench, "Cancel");
     assert!(!bar.says(&bench).iter().any(|s| s == "Cancel"));
@@ -174,7 +175,12 @@ fn a_session_that_is_saved_says_how_far_it_is_and_cancelled_the_old_file_stays()
     let to = path.clone();
     let (work, arrived, go, ends) =
         halfway(move |watch| files::save(document, &to, files::Replace::Named, Vec::new(), watch));
-    bench.tasks.write("saving session.json", work);
+    bench.jobs.start(
+        Kind::Writes,
+        "saving session.json",
+        work,
+        Workbench::take_saved,
+    );
     arrived.recv().unwrap();
     let bar = bar();
     assert!(bar.says(&bench).iter().any(|s| s == "saving session.json"));
@@ -210,16 +216,15 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     said.name = "another name".to_owned();
     let mut looked_at = (*foreign).clone();
     looked_at.said = said.clone();
-    let (work, arrived, go, ends) = halfway(move |watch| match looked_at.look(watch) {
-        Ok(seen) => Report::Looked(Box::new((looked_at, seen))),
-        Err(cancelled) => Report::Kept(Err(cancelled.to_string())),
-    });
-    bench.tasks.look("looking at the file", work);
+    let (work, arrived, go, ends) =
+        halfway(move |watch| looked_at.look(watch).map_err(|c| c.to_string()));
+    let what = "looking at the file";
+    bench.jobs.start(Kind::Looks, what, work, |_, _| ());
     bench.execute(Command::Say(Box::new(said)));
     arrived.recv().unwrap();
     let sheet = Shown::new(|ui, bench, commands| dialogs::show(ui, bench, commands));
     sheet.press(&mut bench, "Stop looking");
-    assert!(bench.tasks().looking().is_none());
+    assert!(bench.looking().is_none());
     go.send(()).unwrap();
     assert!(ends.recv().unwrap().contains("cancelled"));
     bench.receive();
@@ -233,8 +238,8 @@ fn a_measured_file_that_is_looked_at_says_how_far_it_is_and_is_left_and_looked_a
     });
     assert_eq!(*bench.document(), before);
     // Whoever closes the sheet wants no look any more.
-    let (work, arrived, go, _) = halfway(|_| Report::Kept(Ok(())));
-    bench.tasks.look("looking at the file", work);
+    let (work, arrived, go, _) = halfway(|_| ());
+    bench.jobs.start(Kind::Looks, what, work, |_, ()| ());
     arrived.recv().unwrap();
     bench.execute(Command::Sheet(None));
     assert!(idle(&bench));
@@ -246,12 +251,14 @@ fn what_is_done_with_what_was_read_is_told_when_its_share_is_not_known() {
     let mut bench = on_threads();
     let (work, arrived, go, _) = halfway(|watch| {
         watch.doing("checking 1000 samples".to_owned());
-        Report::Kept(Ok(()))
     });
-    bench.tasks.open("reading session.json", move |watch| {
+    let work = move |watch: &Watch| {
         watch.doing("checking 1000 samples".to_owned());
-        work(watch)
-    });
+        work(watch);
+    };
+    bench
+        .jobs
+        .start(Kind::Opens, "reading session.json", work, |_, ()| ());
     arrived.recv().unwrap();
     let says = bar().says(&bench);
     assert!(

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::{Command, Workbench};
 use crate::gui::core::edit::Edit;
+use crate::gui::files;
 use crate::gui::foreign::{Beside, Foreign, Look, Said};
-use crate::gui::jobs::Report;
+use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::Sheet;
-use crate::progress::Cancelled;
 
 impl Workbench {
     fn foreign(&mut self) -> Option<&mut Foreign> {
@@ -26,34 +26,58 @@ impl Workbench {
         self.keep_looking();
     }
 
+    /// The look at a foreign file that is under way.
+    pub(crate) fn looking(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Looks)
+    }
+
+    /// Cancels that look, whatever else is under way.
+    pub(super) fn cancel_look(&mut self) {
+        self.jobs.cancel(|kind| kind == Kind::Looks);
+    }
+
+    /// Asks for a file beside it.
+    pub(super) fn choose_beside(&mut self, which: Beside) {
+        let ask = move || files::choose_beside(which);
+        self.choose(
+            "waiting for a file to be chosen",
+            ask,
+            move |bench, path| bench.take_beside(which, path),
+        );
+    }
+
     /// One look at a time; when it is done, the next with what was said meanwhile.
     fn keep_looking(&mut self) {
-        if self.tasks.looking().is_some() {
+        if self.looking().is_some() {
             return;
         }
         let Some(foreign) = self.foreign().filter(|f| !f.is_up_to_date()) else {
             return;
         };
         let foreign = foreign.clone();
-        self.tasks.look("looking at the file", move |watch| {
-            match foreign.look(watch) {
-                Ok(seen) => Report::Looked(Box::new((foreign, seen))),
-                // Nobody takes it.
-                Err(Cancelled) => Report::Kept(Ok(())),
-            }
-        });
+        let work = move |watch: &Watch| (foreign.look(watch), foreign);
+        self.jobs.start(
+            Kind::Looks,
+            "looking at the file",
+            work,
+            |bench: &mut Self, (seen, of)| {
+                // Of one that was cancelled nobody takes anything.
+                if let Ok(seen) = seen {
+                    bench.take_looked(&of, seen);
+                }
+            },
+        );
     }
 
-    pub(super) fn take_looked(&mut self, looked: (Foreign, Look)) {
-        let (of, seen) = looked;
+    fn take_looked(&mut self, of: &Foreign, seen: Look) {
         if let Some(foreign) = self.foreign() {
-            foreign.take(&of, seen);
+            foreign.take(of, seen);
         }
         self.keep_looking();
     }
 
     /// Takes a file that was chosen; the field is there to type it where no dialog is.
-    pub(super) fn take_beside(&mut self, which: Beside, path: Option<PathBuf>) {
+    fn take_beside(&mut self, which: Beside, path: Option<PathBuf>) {
         if let (Some(foreign), Some(path)) = (self.foreign(), path) {
             foreign.said.choose(which, &path);
         }

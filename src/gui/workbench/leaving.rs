@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use crate::gui::core::document::Document;
 use crate::gui::core::subject::Origin;
-use crate::gui::files::{self, NotSaved, Replace, Saved};
+use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
+use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::keeping::settings::Recent;
 use crate::gui::view::What;
 use crate::gui::view::{Message, Sheet, Then};
@@ -63,9 +64,14 @@ impl Workbench {
         }
     }
 
+    /// The file that is being written.
+    pub(crate) fn writing(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Writes)
+    }
+
     /// Does it, unless something would be lost: then asks first.
     pub(super) fn ask_then(&mut self, then: Then) {
-        if let (Then::Leave, Some(writing)) = (&then, self.tasks.writing()) {
+        if let (Then::Leave, Some(writing)) = (&then, self.writing()) {
             // Nobody has to choose between a file and leaving.
             let title = format!("The window closes after {}", writing.what);
             self.view.message = Some(Message {
@@ -91,18 +97,24 @@ impl Workbench {
             Then::Leave => self.view.leaving = true,
             Then::Open(path) => {
                 let what = format!("reading {}", path.display());
-                self.tasks
-                    .open(what, move |watch| files::open(&path, watch));
+                self.open(what, move |watch| files::open(&path, watch));
             }
             Then::Example(index) => {
-                self.tasks
-                    .open("reading an example", move |_| files::open_example(index));
+                self.open("reading an example", move |_| files::open_example(index));
             }
             Then::Simulate(form) => {
-                self.tasks
-                    .open("simulating", move |watch| files::simulate(&form, watch));
+                self.open("simulating", move |watch| files::simulate(&form, watch));
             }
         }
+    }
+
+    /// Brings another session.
+    pub(super) fn open(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Result<Opened, Message> + Send + 'static,
+    ) {
+        self.jobs.start(Kind::Opens, what, work, Self::take_opened);
     }
 
     /// Saves what would be lost, then does it.
@@ -144,9 +156,8 @@ impl Workbench {
         let known = self.desk.places.get(&document.subject.lineage);
         let known = known.map_or_else(Vec::new, |place| place.files.clone());
         let (what, path) = (format!("saving {}", path.display()), path.to_path_buf());
-        self.tasks.write(what, move |watch| {
-            files::save(document, &path, replace, known, watch)
-        });
+        let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
+        self.jobs.start(Kind::Writes, what, work, Self::take_saved);
     }
 
     pub(super) fn take_saved(&mut self, saved: Saved) {

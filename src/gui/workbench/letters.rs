@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::fonts::{Library, Purpose};
-use crate::gui::jobs::Report;
 use crate::gui::style::letters::Letters;
 
 use super::Workbench;
@@ -27,10 +26,10 @@ impl Workbench {
             return;
         }
         let library = Arc::clone(&self.letters.library);
-        self.tasks.quietly(move || {
-            let found = library.covering(&new, Purpose::Screen);
-            Report::Lettered(Box::new(found))
-        });
+        self.jobs.quietly(
+            move || library.covering(&new, Purpose::Screen),
+            |bench: &mut Self, found| bench.letters.take(found),
+        );
     }
 
     /// Somebody has read that they cannot be shown.

@@ -4,6 +4,7 @@
 //! only function that changes anything.
 
 mod answers;
+mod background;
 mod charts;
 mod command;
 mod desk;
@@ -17,7 +18,6 @@ mod leaving;
 mod letters;
 mod papers;
 mod recovering;
-mod reports;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -29,9 +29,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub(crate) use command::Command;
-pub(crate) use dividing::Adapted;
 pub(crate) use papers::{Draw, Drawer};
 
+use background::Asked;
 use desk::Desk;
 
 use crate::gui::cache::backdrop::Backdrop;
@@ -43,9 +43,10 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search::Search;
 use crate::gui::core::subject::Subject;
 use crate::gui::core::undo::History;
-use crate::gui::files::{self, Replace};
-use crate::gui::jobs::Tasks;
+use crate::gui::files::Replace;
+use crate::gui::jobs::{Jobs, Kind};
 use crate::gui::keeping::settings::Recent;
+use crate::gui::keeping::watcher::Watcher;
 use crate::gui::style::letters::Letters;
 use crate::gui::units::Units;
 use crate::gui::view::{Aspect, Message, Part, Plane, Sheet, Side, Step, Then, ViewState};
@@ -75,12 +76,14 @@ pub(crate) struct Workbench {
     figures: Option<Figures>,
     letters: Letters,
     draw: Drawer,
-    tasks: Tasks,
+    jobs: Jobs<Self>,
+    asked: Asked,
+    watcher: Watcher,
 }
 
 impl Workbench {
     /// A workbench with a session on it.
-    pub(crate) fn new(subject: Arc<Subject>, tasks: Tasks, draw: Drawer) -> Self {
+    pub(crate) fn new(subject: Arc<Subject>, jobs: Jobs<Self>, draw: Drawer) -> Self {
         let first = Arc::clone(&subject);
         let history = History::new(Document::new(subject));
         let mut workbench = Self {
@@ -100,7 +103,9 @@ impl Workbench {
             figures: None,
             letters: Letters::default(),
             draw,
-            tasks,
+            asked: Asked::default(),
+            watcher: Self::watcher(&jobs),
+            jobs,
         };
         workbench.remember_on_file(Arc::clone(workbench.history.present()));
         workbench.look_along_the_axis();
@@ -130,11 +135,6 @@ impl Workbench {
         }
     }
 
-    /// The tasks.
-    pub(crate) fn tasks(&self) -> &Tasks {
-        &self.tasks
-    }
-
     /// What undo takes back.
     pub(crate) fn undoes(&self) -> Option<&'static str> {
         self.history.undoes()
@@ -153,11 +153,7 @@ impl Workbench {
             Command::EndDrag => self.history.finish_gesture(),
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
-            Command::ChooseFile => {
-                self.tasks.start("waiting for a file to be chosen", |_| {
-                    files::choose_to_open()
-                });
-            }
+            Command::ChooseFile => self.choose_file(),
             Command::OpenFile(path) => self.ask_then(Then::Open(path)),
             Command::OpenExample(index) => self.ask_then(Then::Example(index)),
             Command::Leave => self.ask_then(Then::Leave),
@@ -171,20 +167,10 @@ impl Workbench {
                     vec!["A model by itself is saved in the Export step".to_owned()],
                 );
             }
-            Command::ChooseWhereToSave => {
-                let path = self.proposed_path();
-                self.tasks.start("waiting for a file name", move |_| {
-                    files::choose_to_save(&path)
-                });
-            }
+            Command::ChooseWhereToSave => self.choose_where_to_save(),
             Command::Say(said) => self.say(*said),
             Command::ConfirmColumns => self.confirm_columns(),
-            Command::ChooseBeside(which) => {
-                self.tasks
-                    .start("waiting for a file to be chosen", move |_| {
-                        files::choose_beside(which)
-                    });
-            }
+            Command::ChooseBeside(which) => self.choose_beside(which),
             Command::Import => self.import(),
             Command::Save => self.save_here(),
             Command::SaveAs { path, replace } => {
@@ -206,13 +192,8 @@ impl Workbench {
             Command::Reload => self.reload(),
             Command::Follow(on) => self.follow(on),
             Command::KeepRecovery => self.keep_recovery(),
-            Command::LookAtDisk => self.tasks.look_at_disk(),
-            Command::ChooseWhereToExport(what) => {
-                let path = self.placed(self.name_of(what).as_ref());
-                self.tasks.start("waiting for a file name", move |_| {
-                    files::choose_to_export(what, &path)
-                });
-            }
+            Command::LookAtDisk => self.look_at_disk(),
+            Command::ChooseWhereToExport(what) => self.choose_where_to_export(what),
             Command::ExportTo {
                 what,
                 path,
@@ -232,14 +213,12 @@ impl Workbench {
             Command::DismissLetters => self.dismiss_letters(),
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
-            Command::StopSearch => self.tasks.cancel_search(),
-            Command::StopLooking => self.tasks.cancel_look(),
+            Command::StopSearch => drop(self.jobs.cancel(|kind| kind == Kind::Searches)),
+            Command::StopLooking => self.cancel_look(),
             Command::Cancel => {
                 // What was to be done after it is not wanted any more either.
                 self.stay();
-                if let Some(question) = self.tasks.cancel_newest() {
-                    self.declined = Some(question);
-                }
+                self.cancel_newest();
             }
             other => self.look(other),
         }
@@ -309,7 +288,7 @@ impl Workbench {
                     self.stay();
                 }
                 if matches!((&self.view.sheet, &sheet), (Some(Sheet::Import(_)), None)) {
-                    self.tasks.cancel_look();
+                    self.cancel_look();
                 }
                 self.view.sheet = sheet;
             }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::gui::cache::figures::Figures;
 use crate::gui::files::reporting::Source;
 use crate::gui::files::{self, reporting};
+use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::About;
 use crate::gui::view::Plot;
 use crate::gui::view::Step;
@@ -68,9 +69,9 @@ impl Workbench {
             inputs: self.inputs(),
         };
         let says = format!("writing {}", path.display());
-        self.tasks.write(says, move |watch| {
-            reporting::write(&wanted, &path, replace, watch)
-        });
+        let work = move |watch: &Watch| reporting::write(&wanted, &path, replace, watch);
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_written);
     }
 
     fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
@@ -80,9 +81,9 @@ impl Workbench {
     pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
         let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
         let says = format!("writing {}", path.display());
-        self.tasks.write(says, move |watch| {
-            files::write_picture(draw, &path, replace, &inputs, watch)
-        });
+        let work = move |watch: &Watch| files::write_picture(draw, &path, replace, &inputs, watch);
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_written);
     }
 
     /// The standards' figures of what is shown; while newer ones are worked out, the ones before.
@@ -112,8 +113,14 @@ impl Workbench {
             outcome: Arc::clone(&outcome),
             made: None,
         });
-        self.tasks
-            .quietly(move || crate::gui::jobs::Report::Figured(Box::new(Figures::of(outcome))));
+        self.jobs.quietly(
+            move || Figures::of(outcome),
+            |bench: &mut Self, figures| {
+                bench.figures = Some(figures);
+                // What is shown may be another answer by now.
+                bench.keep_figuring();
+            },
+        );
     }
 
     /// A task broke off: it may have been the one that everybody waits for.

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use crate::gui::core::edit::Edit;
 use crate::gui::core::subject::{Origin, Subject};
-use crate::gui::jobs::Report;
 use crate::gui::keeping::recovery::{self, Kept, LeftBehind};
 use crate::gui::view::{Message, Sheet};
 
@@ -35,25 +34,26 @@ impl Workbench {
         if !self.at_risk().any() {
             self.desk.kept = None;
             let restored = std::mem::take(&mut self.desk.restored);
-            self.tasks.quietly(move || {
+            let work = move || {
                 // What was restored is saved: nobody needs either.
                 let _ = std::fs::remove_file(&path);
                 restored.into_iter().for_each(LeftBehind::remove);
-                Report::Kept(Ok(()))
-            });
+            };
+            self.jobs.quietly(work, |_, ()| ());
             return;
         }
         let document = Arc::clone(self.history.present());
         self.desk.kept = Some(Arc::clone(&document));
         let file = self.file().map(Path::to_path_buf);
         let restored = std::mem::take(&mut self.desk.restored);
-        self.tasks.quietly(move || {
+        let work = move || {
             let written = recovery::write(&path, &Kept::of(&document, file));
             if written.is_ok() {
                 restored.into_iter().for_each(LeftBehind::remove);
             }
-            Report::Kept(written.map_err(|e| e.to_string()))
-        });
+            written.map_err(|e| e.to_string())
+        };
+        self.jobs.quietly(work, Self::take_kept);
     }
 
     pub(super) fn take_left_behind(&mut self, left: Vec<LeftBehind>) {

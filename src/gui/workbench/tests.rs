@@ -11,7 +11,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::subject::{Origin, Subject};
-use crate::gui::jobs::{Runner, Tasks};
+use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
 use crate::gui::view::About;
 use crate::gui::view::Step;
@@ -236,14 +236,14 @@ fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
 #[test]
 fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
     let mut workbench = workbench();
-    workbench.tasks = Tasks::new(Runner::Threads, Arc::new(|| {}));
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     workbench.execute(Command::Edit(Edit::Identify));
     workbench.execute(Command::Cancel);
     assert!(workbench.is_declined());
     workbench.execute(Command::GoTo(Step::Export));
-    assert!(workbench.tasks.newest().is_none(), "nobody asked again");
+    assert!(workbench.jobs.newest().is_none(), "nobody asked again");
     workbench.execute(Command::Edit(Edit::Identify));
-    assert!(workbench.tasks.newest().is_some());
+    assert!(workbench.jobs.newest().is_some());
 }
 
 #[test]

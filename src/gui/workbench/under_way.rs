@@ -10,14 +10,14 @@ use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::simulate::Form;
 use crate::gui::files;
-use crate::gui::jobs::{Report, Runner, Tasks, Watch};
+use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::What;
 use crate::gui::view::{Message, Step, Then};
 
 pub(super) fn on_threads() -> Workbench {
     let mut bench = workbench();
-    bench.tasks = Tasks::new(Runner::Threads, Arc::new(|| {}));
+    bench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
     bench
 }
 
@@ -39,16 +39,29 @@ pub(super) fn until(bench: &mut Workbench, holds: impl Fn(&Workbench) -> bool) {
     panic!("it never came to that");
 }
 
-fn written() -> Report {
-    Report::Written(Message {
-        wrong: false,
-        title: "Written".to_owned(),
-        details: Vec::new(),
-    })
+fn written() -> Message {
+    files::saved(std::path::Path::new("report.pdf"), Vec::new())
+}
+
+/// Writes something: it is done once the test lets go.
+fn write(
+    bench: &mut Workbench,
+    what: &str,
+    made: impl FnOnce() -> Message + Send + 'static,
+) -> Sender<()> {
+    let (go, wait) = gate();
+    let work = move |_: &Watch| {
+        let _ = wait.recv();
+        made()
+    };
+    bench
+        .jobs
+        .start(Kind::Writes, what, work, Workbench::take_written);
+    go
 }
 
 pub(super) fn idle(bench: &Workbench) -> bool {
-    bench.tasks.newest().is_none()
+    bench.jobs.newest().is_none()
 }
 
 #[test]
@@ -97,12 +110,15 @@ fn a_file_that_is_being_written_tells_how_it_went_although_it_was_cancelled() {
     let (go, wait) = gate();
     let document = Arc::clone(bench.history.present());
     let to = path.clone();
-    bench.tasks.write("saving", move |_| {
+    let work = move |_: &Watch| {
         let _ = wait.recv();
         // It was too late: nobody asks any more.
         let asked = Watch::default();
         files::save(document, &to, files::Replace::Nothing, Vec::new(), &asked)
-    });
+    };
+    bench
+        .jobs
+        .start(Kind::Writes, "saving", work, Workbench::take_saved);
     bench.execute(Command::Cancel);
     assert!(!idle(&bench), "it is still being written");
     go.send(()).expect("it waits");
@@ -116,11 +132,7 @@ fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
     let mut bench = on_threads();
     bench.execute(Command::Do(Then::Example(1)));
     until(&mut bench, idle);
-    let (go, wait) = gate();
-    bench.tasks.write("writing", move |_| {
-        let _ = wait.recv();
-        written()
-    });
+    let go = write(&mut bench, "writing", written);
     bench.execute(Command::Leave);
     bench.execute(Command::Cancel);
     go.send(()).expect("it waits");
@@ -131,13 +143,9 @@ fn what_was_to_be_done_after_a_file_is_not_done_once_it_was_cancelled() {
 #[test]
 fn the_window_closes_after_what_is_being_written() {
     let mut bench = on_threads();
-    let (go, wait) = gate();
     bench.execute(Command::Do(Then::Example(1)));
     until(&mut bench, idle);
-    bench.tasks.write("writing the report", move |_| {
-        let _ = wait.recv();
-        written()
-    });
+    let go = write(&mut bench, "writing the report", written);
     bench.execute(Command::Leave);
     assert!(!bench.view().leaving, "not before it is written");
     let message = bench.view().message.as_ref().expect("it is said");
@@ -149,15 +157,13 @@ fn the_window_closes_after_what_is_being_written() {
 #[test]
 fn a_file_that_was_not_written_keeps_the_window_open() {
     let mut bench = on_threads();
-    let (go, wait) = gate();
     bench.execute(Command::Do(Then::Example(1)));
     until(&mut bench, idle);
-    bench.tasks.write("writing the report", move |_| {
-        let _ = wait.recv();
-        Report::Written(files::not_written(
+    let go = write(&mut bench, "writing the report", || {
+        files::not_written(
             std::path::Path::new("report.pdf"),
             "the disk is full".to_owned(),
-        ))
+        )
     });
     bench.execute(Command::Leave);
     go.send(()).expect("it waits");
@@ -170,7 +176,7 @@ fn a_file_that_was_not_written_keeps_the_window_open() {
 fn of_two_sessions_the_one_asked_for_last_is_opened_whichever_takes_longer() {
     let mut bench = on_threads();
     let (go, wait) = gate();
-    bench.tasks.open("reading something long", move |_| {
+    bench.open("reading something long", move |_| {
         let _ = wait.recv();
         files::open_example(2)
     });
@@ -191,13 +197,15 @@ fn commands_while_something_runs_are_done_and_the_result_of_another_session_is_n
     let subject = Arc::clone(bench.subject());
     let (go, wait) = gate();
     let (adapted, came) = channel();
+    let work = move |_: &Watch| {
+        let _ = wait.recv();
+        let _ = adapted.send(());
+        super::dividing::adapted(subject)
+    };
+    let what = "looking where regions are needed";
     bench
-        .tasks
-        .start("looking where regions are needed", move |_| {
-            let _ = wait.recv();
-            let _ = adapted.send(());
-            Report::Adapted(Box::new(super::dividing::Adapted::of(subject)))
-        });
+        .jobs
+        .start(Kind::Once, what, work, Workbench::take_adapted);
     // Everything goes on meanwhile.
     bench.execute(Command::GoTo(Step::Export));
     bench.execute(Command::Edit(Edit::IdentifyBy(Method::Regional)));

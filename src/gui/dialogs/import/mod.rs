@@ -79,7 +79,7 @@ fn foot(
     missing: Option<&str>,
     commands: &mut Vec<Command>,
 ) {
-    if let Some(running) = workbench.tasks().looking() {
+    if let Some(running) = workbench.looking() {
         looking(ui, running, commands);
     } else if *next == now.said && !now.is_up_to_date() {
         ui.horizontal(|ui| {

@@ -26,7 +26,7 @@ pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
     let measured = !workbench.subject().is_empty();
     menu.item(ui, "Identify", Action::Identify, measured);
     menu.item(ui, "Run diagnosis", Action::Search, measured);
-    let running = workbench.tasks().newest().is_some();
+    let running = workbench.jobs().newest().is_some();
     menu.item(ui, "Cancel what is running", Action::Cancel, running);
     ui.separator();
     menu.item(ui, "Preferences…", Action::Preferences, true);
