@@ -5,13 +5,14 @@
 
 use std::sync::Arc;
 
-use super::outcome::{Answer, Outcome};
 use super::thinning::Thinned;
 use crate::gui::cache::charts::envelope::Envelope;
 use crate::gui::cache::charts::over::{Over, Variable};
 use crate::gui::cache::charts::{Asked, Charted};
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::nearest::Nearest;
+use crate::gui::cache::outcome::Outcome;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::subject::{Component, Subject};
 use crate::gui::view::Plane;
 
@@ -131,7 +132,7 @@ impl Backdrop {
         });
         // A boundary that is dragged later finds its sums made.
         if many && subject.single_revolute() {
-            subject.tallied.of(subject);
+            subject.tally();
         }
         let known = heat_of.and_then(|l| l.thinned.clone());
         let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));

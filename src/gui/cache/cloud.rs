@@ -6,6 +6,8 @@
 //! the session (steps of the golden ratio), so that the first of them show the whole. Every nth
 //! sample would not: where reflectors or directions alternate it is always the same of them.
 
+use std::sync::Arc;
+
 use crate::gui::core::subject::Subject;
 use crate::sessions::Samples;
 
@@ -35,8 +37,13 @@ pub(crate) struct Remainder {
 }
 
 impl Cloud {
+    /// That of a session: made when it is first wanted, in the background if possible.
+    pub(crate) fn of(subject: &Subject) -> Arc<Self> {
+        subject.drawn.get_or_make(|| Self::new(subject))
+    }
+
     /// The usable samples of a session.
-    pub(crate) fn new(subject: &Subject) -> Self {
+    fn new(subject: &Subject) -> Self {
         let usable = &subject.overview.usable;
         let samples: Vec<u32> = spread(usable.len()).map(|k| usable[k]).collect();
         let [low, high] = subject.overview.measured_mm;
@@ -161,7 +168,7 @@ mod tests {
     fn the_cloud_holds_what_the_session_holds() {
         let workbench = workbench();
         let subject = workbench.subject();
-        let cloud = &subject.cloud;
+        let cloud = Cloud::of(subject);
         assert_eq!(cloud.places.len(), subject.overview.usable.len());
         for (place, sample) in cloud.places.iter().zip(&cloud.samples) {
             let measured = subject.measured(*sample as usize);

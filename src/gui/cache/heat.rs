@@ -15,7 +15,7 @@
 //! √((1−t)² |b|² + 2t(1−t) b·a + t² |a|²), so that blending needs no new map. Cells follow the
 //! nominal robot's extent: a sample that was measured far away cannot stretch the map.
 
-use crate::gui::cache::outcome::Answer;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::subject::Subject;
 use crate::gui::view::Plane;
 

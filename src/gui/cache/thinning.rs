@@ -7,7 +7,8 @@
 
 use std::collections::BTreeMap;
 
-use super::outcome::Answer;
+use super::cloud::Cloud;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::subject::Subject;
 use crate::gui::view::Plane;
 
@@ -41,7 +42,8 @@ impl Thinned {
         kept.sort_unstable();
         kept.dedup();
         let extremes = kept.clone();
-        let others = subject.cloud.samples.iter().copied();
+        let cloud = Cloud::of(subject);
+        let others = cloud.samples.iter().copied();
         let others = others.filter(|sample| extremes.binary_search(sample).is_err());
         kept.extend(others.take(MOST.saturating_sub(extremes.len())));
         kept.sort_unstable();

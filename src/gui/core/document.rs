@@ -80,6 +80,19 @@ pub(crate) struct Added {
     pub(crate) on: bool,
 }
 
+/// How a session was identified, as far as that outlives the window.
+#[derive(Debug, Clone)]
+pub(crate) struct Choices {
+    /// Whether it was identified.
+    pub(crate) identified: bool,
+    /// How.
+    pub(crate) method: Method,
+    /// Effects of the exact fit; names that no effect has do not count.
+    pub(crate) effects: Vec<String>,
+    /// Effects that were added to it.
+    pub(crate) added: Vec<Added>,
+}
+
 /// See the module. Cloning is cheap: the session is shared.
 #[derive(Debug, Clone)]
 pub(crate) struct Document {

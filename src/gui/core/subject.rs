@@ -2,8 +2,8 @@
 
 use std::convert::Infallible;
 use std::path::PathBuf;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
 
 use crate::diagnostic::Diagnostic;
 use crate::effects::inputs::reflectors_at_home;
@@ -17,10 +17,10 @@ use crate::progress::{Cancelled, Part};
 use crate::sessions::Session;
 
 use super::angles::Angles;
+use super::attached::Attached;
 use super::known::Known;
 use super::overview::Overview;
-use super::tally::Tallied;
-use crate::gui::cache::cloud::Cloud;
+use super::tally::Tally;
 use crate::gui::core::disk::Print;
 
 /// Where a session came from.
@@ -125,8 +125,8 @@ pub(crate) struct Subject {
     angles: OnceLock<Angles>,
     /// What its samples cover.
     pub(crate) known: Known,
-    /// Its samples, as they are uploaded.
-    pub(crate) cloud: Arc<Cloud>,
+    /// What is drawn of its samples, once somebody asked.
+    pub(crate) drawn: Attached,
     /// Effects that the session can show.
     pub(crate) testable: Vec<&'static str>,
     /// Effects that it cannot show.
@@ -136,7 +136,7 @@ pub(crate) struct Subject {
     /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
     pub(crate) arm_mm: f64,
     /// What regions of it hold, for any boundaries.
-    pub(crate) tallied: Tallied,
+    tallied: OnceLock<Tally>,
     /// The same for everything that came from one opening, however it was changed since.
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
@@ -198,14 +198,14 @@ impl Subject {
         let known = Known::new(&session, &problem.inputs, overview.travel);
         let (testable, not_testable) = effects_of(&session, &known.survey);
         done(0.8)?;
-        let mut subject = Self {
+        let subject = Self {
             joint,
             arm_mm,
             overview,
             angles: OnceLock::new(),
             known,
-            cloud: Arc::default(),
-            tallied: Tallied::default(),
+            drawn: Attached::default(),
+            tallied: OnceLock::new(),
             nominal,
             before,
             gap_before,
@@ -220,7 +220,6 @@ impl Subject {
             samples_file: None,
             measured_range: None,
         };
-        subject.cloud = Arc::new(Cloud::new(&subject));
         done(1.0)?;
         Ok(subject)
     }
@@ -257,6 +256,17 @@ impl Subject {
             let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
             Angles::new(&self.session.samples.q[0], is_fitted)
         })
+    }
+
+    /// What regions of it hold, for any boundaries. The first call sorts the samples.
+    pub(crate) fn tally(&self) -> &Tally {
+        let make = || Tally::new(&self.session, &self.joint, &self.before);
+        self.tallied.get_or_init(make)
+    }
+
+    /// The same, if it is made already.
+    pub(crate) fn tally_if_made(&self) -> Option<&Tally> {
+        self.tallied.get()
     }
 
     /// Whether nothing was measured: a model stands by itself.

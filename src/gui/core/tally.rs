@@ -10,17 +10,16 @@
 //! at home and a quarter turn further, as in [`crate::fit::sum_by_region`], with which a
 //! test compares it.
 
-use std::sync::OnceLock;
-
 use crate::effects::JointValues;
 use crate::effects::inputs::reflectors_at_home;
+use crate::effects::term::JointFrame;
 use crate::fit::RegionSums;
+use crate::fit::gap::Deviations;
 use crate::fit::problem::Problem;
 use crate::lanes::dot;
-use crate::sessions::Region;
+use crate::sessions::{Region, Session};
 
 use super::angles::pieces;
-use super::subject::Subject;
 
 /// Sums of 1, ΔPx, l1·ΔPy, l1², |ΔP|².
 type Sums = [f64; 5];
@@ -60,10 +59,8 @@ impl Held {
 
 impl Tally {
     /// Sorts the samples of a session with a single joint that turns.
-    pub(crate) fn new(subject: &Subject) -> Self {
-        let session = &subject.session;
+    pub(crate) fn new(session: &Session, frame: &JointFrame, before: &Deviations) -> Self {
         let problem = Problem::new(session, JointValues::Commanded);
-        let frame = subject.joint;
         let (x, y) = if frame.radius_mm > 0.0 {
             (frame.radial, frame.tangential)
         } else {
@@ -87,7 +84,7 @@ impl Tally {
         for (_, sample) in &order {
             let sample = *sample as usize;
             if problem.used[sample] {
-                let e = subject.deviation_before(sample);
+                let e: [f64; 3] = std::array::from_fn(|axis| before.axes_mm[axis][sample]);
                 let l1 = radii[targets.map_or(0, |t| t[sample] as usize)];
                 let (dx, dy) = (-dot(e, x), -dot(e, y));
                 let more = [1.0, dx, l1 * dy, l1 * l1, dx * dx + dy * dy];
@@ -137,22 +134,6 @@ fn region_sums([samples, dx, l1_dy, l1_l1, square]: Sums) -> RegionSums {
     }
 }
 
-/// A tally that is made when it is first wanted, in the background.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Tallied(OnceLock<Tally>);
-
-impl Tallied {
-    /// The tally, if it is made.
-    pub(crate) fn ready(&self) -> Option<&Tally> {
-        self.0.get()
-    }
-
-    /// The tally; made now if it is not there. Takes its time with many samples.
-    pub(crate) fn of(&self, subject: &Subject) -> &Tally {
-        self.0.get_or_init(|| Tally::new(subject))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -179,7 +160,7 @@ mod tests {
     fn every_division_has_the_sums_that_looking_at_every_sample_finds() {
         let workbench = workbench();
         let subject = workbench.subject();
-        let tally = Tally::new(subject);
+        let tally = subject.tally();
         let mut problem = Problem::new(&subject.session, JointValues::Commanded);
         problem.axis_weights = [1.0, 1.0, 0.0];
         for regions in divisions() {
@@ -201,7 +182,7 @@ mod tests {
     fn samples_are_counted_as_one_by_one() {
         let workbench = workbench();
         let subject = workbench.subject();
-        let tally = Tally::new(subject);
+        let tally = subject.tally();
         for regions in divisions() {
             let assignment = Assignment::new(&regions);
             let mut counts = vec![0; regions.len()];
@@ -222,7 +203,7 @@ mod tests {
         let workbench = workbench();
         let subject = workbench.subject();
         let regions = regions(&[(-90.0, -30.0), (-30.0, 27.0), (27.0, 90.0)]);
-        let tally = Tally::new(subject);
+        let tally = subject.tally();
         let choice = RegionChoice::Given(regions.clone());
         let whole = identify_regional(&subject.session, &choice, JointValues::Commanded)
             .expect("it can be identified");

@@ -10,6 +10,7 @@ use crate::model::format_v1::load_model;
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::{self, Loaded};
 
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::Print;
 use crate::gui::core::given::Given;
 use crate::gui::core::simulate::Form;
@@ -72,9 +73,10 @@ pub(super) fn looked_through(
     let mut subject = Subject::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
     subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
     subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+    // Made here, so that the window never waits for it.
+    Cloud::of(&subject);
     part.reached(0.8)?;
     if subject.single_revolute() {
-        // Sorted here, so that the window never waits for it.
         subject.angles();
     }
     part.reached(1.0)?;
@@ -115,6 +117,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
     match form.session(watch.told()) {
         Ok(session) => {
             let subject = Subject::new(session, Vec::new(), Origin::Simulated);
+            Cloud::of(&subject);
             Ok(Opened::Session(Arc::new(subject)))
         }
         Err(problems) => Err(Message {
@@ -128,7 +131,7 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::files::EXAMPLES;
+    use crate::gui::core::examples::EXAMPLES;
     use crate::progress::testing::{assert_grows, no_at, told};
 
     #[test]

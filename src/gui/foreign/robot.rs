@@ -5,7 +5,7 @@ use std::path::Path;
 use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::gui::files::EXAMPLES;
+use crate::gui::core::examples::EXAMPLES;
 use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
 use crate::sessions;
 use crate::units::rad_from_deg;

@@ -361,7 +361,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
     let bounds = PlotBounds::from_min_max([-1.5625 * side, -side], [1.5625 * side, side]);
     let transform = PlotTransform::new(frame(), bounds, false);
     let look = Look {
-        centre_mm: subject.cloud.centre_mm,
+        centre_mm: Cloud::of(&subject).centre_mm,
         long_mm: 20.0,
         ..look(Colouring::Deviation, 0.0)
     };

@@ -3,7 +3,7 @@
 use egui::{RichText, Ui};
 
 use crate::compensation::Verification;
-use crate::gui::cache::outcome::{Answer, Loaded};
+use crate::gui::core::answer::{Answer, Loaded};
 use crate::gui::style::tokens::{size, strong};
 use crate::gui::units::{Units, trimmed};
 use crate::gui::widgets;

@@ -5,8 +5,8 @@ use egui::{Grid, RichText, Ui};
 use crate::effects::find;
 use crate::fit::noise::StatedNoise;
 use crate::fit::{Estimate, Gap, IMPLAUSIBLE, NotIdentifiable, RegionResult};
-use crate::gui::cache::outcome::Answer;
-use crate::gui::core::given;
+use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded;
 use crate::gui::style::room::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{Units, grouped, number_of, trimmed};
@@ -139,7 +139,7 @@ fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     widgets::card(ui, |ui| {
         let method = match found.method {
             "regional" => "RMS error, by region",
-            given::METHOD => "RMS error, model from a file",
+            loaded::METHOD => "RMS error, model from a file",
             _ => "RMS error, full model",
         };
         ui.label(RichText::new(method).color(palette.muted));

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use crate::diagnostic::Rejected;
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::outcome::Outcome;
 use crate::gui::core::document::{Document, Question};
 use crate::gui::core::subject::Subject;
@@ -106,6 +107,7 @@ impl Workbench {
                 session.samples.append(samples);
             }
             let to = Arc::new(Subject::with_samples(&from, session));
+            Cloud::of(&to);
             let outcome = question.map(|question| {
                 let question = Question {
                     subject: Arc::clone(&to),

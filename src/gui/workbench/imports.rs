@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::{Command, Workbench};
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::edit::Edit;
 use crate::gui::files;
 use crate::gui::foreign::{Beside, Foreign, Look, Said};
@@ -55,7 +56,18 @@ impl Workbench {
             return;
         };
         let foreign = foreign.clone();
-        let work = move |watch: &Watch| (foreign.look(watch), foreign);
+        let work = move |watch: &Watch| {
+            let seen = foreign.look(watch);
+            if let Ok(Look {
+                trial: Some(Ok(trial)),
+                ..
+            }) = &seen
+            {
+                // Made here, so that the window never waits for it.
+                Cloud::of(&trial.subject);
+            }
+            (seen, foreign)
+        };
         self.jobs.start(
             Kind::Looks,
             "looking at the file",

@@ -76,7 +76,7 @@ impl Workbench {
                 session.path.clone_from(&kept.file);
                 let origin = Origin::Recovered(kept.file.clone());
                 let subject = Arc::new(Subject::new(session, Vec::new(), origin));
-                let edit = Edit::Recover(subject, Box::new(kept.clone()));
+                let edit = Edit::Recover(subject, kept.choices());
                 self.execute(Command::Edit(edit));
                 self.desk.restored.push(left);
                 self.keep_recovery();

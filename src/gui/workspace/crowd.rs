@@ -4,6 +4,7 @@
 use egui::Pos2;
 use egui_plot::{PlotPoint, PlotTransform};
 
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::workbench::Workbench;
 
 use super::model::{Scene, shown};
@@ -15,7 +16,8 @@ const SOME: usize = 500;
 pub(super) fn crowd(workbench: &Workbench, scene: &Scene, transform: &PlotTransform) -> Vec<Pos2> {
     let subject = workbench.subject();
     let axes = workbench.view().plane.axes();
-    let samples = subject.cloud.samples.iter().take(SOME);
+    let cloud = Cloud::of(subject);
+    let samples = cloud.samples.iter().take(SOME);
     let points = samples.flat_map(|sample| {
         let sample = *sample as usize;
         let (at, e) = (subject.measured(sample), shown(workbench, sample));

@@ -165,8 +165,8 @@ fn follows(
 ) {
     let subject = workbench.subject();
     let few = subject.len() <= crate::gui::cache::backdrop::FEW;
-    let tally = subject.tallied.ready();
-    let Some(tally) = tally.or_else(|| few.then(|| subject.tallied.of(subject))) else {
+    let tally = subject.tally_if_made();
+    let Some(tally) = tally.or_else(|| few.then(|| subject.tally())) else {
         return;
     };
     let palette = Palette::of(ui);

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::Shape;
 use egui_plot::PlotTransform;
 
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{CloudLayer, Frame, HeatLayer, Look, mesh};
 use crate::gui::style::tokens::Palette;
 use crate::gui::view::{Canvas, Colouring};
@@ -50,7 +51,7 @@ pub(super) fn cloud(
     palette: &Palette,
     pixels: f32,
 ) {
-    let cloud = &workbench.subject().cloud;
+    let cloud = &Cloud::of(workbench.subject());
     let layer = CloudLayer {
         cloud: Arc::clone(cloud),
         remainder: workbench.after().map(|after| Arc::clone(&after.remainder)),

@@ -1,5 +1,6 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane.
 
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::thinning::MOST;
 use crate::gui::core::overview::long_mm;
 use crate::gui::core::subject::Subject;
@@ -111,7 +112,8 @@ impl Scene {
         let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
         let tolerance_mm = workbench.document().tolerance_mm;
         let usable = &subject.overview.usable;
-        let spread = &subject.cloud.samples;
+        let cloud = Cloud::of(subject);
+        let spread = &cloud.samples;
         let shown_here: &[u32] = match (view.canvas, workbench.thinned()) {
             (Canvas::Layers(_), _) => &[],
             (Canvas::Shapes, _) if usable.len() <= MOST => usable,
@@ -195,7 +197,7 @@ fn look(workbench: &Workbench) -> Look {
     let colouring = offered(subject, view.colouring);
     Look {
         plane: view.plane,
-        centre_mm: subject.cloud.centre_mm,
+        centre_mm: Cloud::of(subject).centre_mm,
         blend: if answered { view.blend } else { 0.0 },
         answered,
         magnification,
@@ -216,7 +218,8 @@ fn look(workbench: &Workbench) -> Look {
 
 /// What colour can say of a session: a condition only where it changes.
 pub(crate) fn offers(subject: &Subject, colouring: Colouring) -> bool {
-    let known = |k: usize| subject.cloud.conditions[k].is_some();
+    let cloud = Cloud::of(subject);
+    let known = |k: usize| cloud.conditions[k].is_some();
     colouring.condition().is_none_or(known)
 }
 
@@ -245,7 +248,7 @@ fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f3
             let condition = look.colouring.condition()?;
             let samples = &subject.session.samples;
             let columns = [&samples.load_kg, &samples.temperature_c, &samples.time_s];
-            let [low, high] = subject.cloud.conditions[condition]?;
+            let [low, high] = Cloud::of(subject).conditions[condition]?;
             (columns[condition].as_ref()?[sample] - low) / (high - low)
         }
     };

@@ -4,6 +4,7 @@
 use egui::epaint::Mesh;
 use egui::{FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
+use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{WEDGE, scale_at};
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
@@ -63,7 +64,7 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
                 Colouring::Temperature => "°C",
                 _ => "s",
             };
-            let conditions = workbench.subject().cloud.conditions;
+            let conditions = Cloud::of(workbench.subject()).conditions;
             let range = colouring.condition().and_then(|k| conditions[k]);
             scales.push(Scale {
                 name: format!("{}, {unit}", colouring.name()),

@@ -9,7 +9,7 @@
 use std::sync::{Arc, Mutex};
 
 use crate::gui::cache::charts::over::Over;
-use crate::gui::cache::outcome::Answer;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::subject::{Component, Subject};
 
 /// How many of one level make one of the next.

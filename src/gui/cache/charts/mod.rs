@@ -9,7 +9,7 @@ pub(crate) mod over;
 mod sums;
 
 use crate::gui::cache::backdrop::FEW;
-use crate::gui::cache::outcome::Answer;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::subject::{Component, Subject};
 
 use crate::gui::cache::charts::effect::EffectCurve;

@@ -12,12 +12,11 @@ use crate::sessions::{Region, Session};
 use crate::units::rad_from_deg;
 
 use super::division::{Decision, Division};
-use super::document::{Added, Document, ExportChoice, Method};
+use super::document::{Added, Choices, Document, ExportChoice, Method};
 use super::given::Given;
 use super::placing::Joint;
 use super::setup::SetupForm;
 use super::subject::Subject;
-use crate::gui::keeping::recovery::Kept;
 
 /// One change.
 #[derive(Debug, Clone)]
@@ -68,7 +67,7 @@ pub(crate) enum Edit {
     /// Take mistakes of setting up back, one after the other.
     Mend(Vec<Mend>),
     /// What a window that is gone has left behind.
-    Recover(Arc<Subject>, Box<Kept>),
+    Recover(Arc<Subject>, Choices),
     /// Identify from now on, as it is chosen.
     Identify,
     /// Identify from now on, by this method.
@@ -274,7 +273,7 @@ fn with_session(document: &mut Document, session: Session) {
 }
 
 /// What was left behind, with the choices that were made.
-fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Kept) -> Document {
+fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Choices) -> Document {
     let mut next = opened(document, subject);
     next.given = None;
     next.identified = kept.identified;
@@ -285,9 +284,7 @@ fn recovered(document: &Document, subject: &Arc<Subject>, kept: &Kept) -> Docume
     next.effects = all
         .filter(|id| kept.effects.iter().any(|e| e == id))
         .collect();
-    let robot = &subject.session.robot;
-    let added = kept.added.iter().filter_map(|one| one.added(robot));
-    next.added = added.collect();
+    next.added = kept.added.clone().into();
     next
 }
 

@@ -2,7 +2,7 @@
 
 use egui::{DragValue, TextEdit, Ui};
 
-use crate::gui::files::EXAMPLES;
+use crate::gui::core::examples::EXAMPLES;
 use crate::gui::foreign::{Beside, Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};

@@ -4,7 +4,7 @@ use egui::{Button, RichText, Ui};
 
 use crate::gui::actions;
 use crate::gui::actions::Action;
-use crate::gui::files::EXAMPLES;
+use crate::gui::core::examples::EXAMPLES;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::workbench::Command;
 

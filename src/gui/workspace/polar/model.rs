@@ -10,7 +10,7 @@
 //! Source: ISO 230-4 (circular tests), where e is the radial deviation of a circular path.
 
 use crate::gui::cache::backdrop::FEW;
-use crate::gui::cache::outcome::Answer;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::scale::{round_down, stride};
 use crate::gui::core::subject::{Component, Subject};
 use crate::gui::workbench::Workbench;

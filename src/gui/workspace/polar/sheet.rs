@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::gui::cache::outcome::Answer;
+use crate::gui::core::answer::Answer;
 use crate::gui::core::subject::{Component, Subject};
 use crate::gui::units::trimmed;
 use crate::report::drawing::{
