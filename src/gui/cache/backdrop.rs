@@ -13,11 +13,9 @@ use crate::gui::cache::heat::Heat;
 use crate::gui::cache::nearest::Nearest;
 use crate::gui::cache::outcome::Outcome;
 use crate::gui::core::answer::Answer;
+use crate::gui::core::scale::FEW;
 use crate::gui::core::subject::{Component, Subject};
 use crate::gui::view::Plane;
-
-/// Up to here samples are few.
-pub(crate) const FEW: usize = 1_000;
 
 /// What a backdrop is made of.
 #[derive(Debug, Clone)]

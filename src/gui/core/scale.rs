@@ -1,5 +1,8 @@
 //! How much of something a plot shows, and round numbers for its scales.
 
+/// Up to here samples are few.
+pub(crate) const FEW: usize = 1_000;
+
 /// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.
 pub(crate) const MOST_ARROWS: usize = 10_000;
 /// Points in one plot.

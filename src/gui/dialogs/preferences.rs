@@ -91,7 +91,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             next = Preferences::default();
         }
         let done = widgets::primary(&mut columns[1], "Done").clicked();
-        if done || crate::gui::dialogs::entered(&columns[1]) {
+        if done || super::ends::entered(&columns[1]) {
             commands.push(Command::Sheet(None));
         }
     });

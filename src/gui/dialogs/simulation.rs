@@ -36,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
         );
     }
     let ready = filled.problem().is_none();
-    if crate::gui::dialogs::buttons(ui, "Simulate", ready, commands) {
+    if super::ends::buttons(ui, "Simulate", ready, commands) {
         commands.push(Command::Simulate(filled));
     } else if filled != *form {
         commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));

@@ -28,5 +28,5 @@ pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
             ui.add_space(space::ROW);
         }
     });
-    super::done(ui, commands);
+    super::ends::done(ui, commands);
 }

@@ -14,7 +14,7 @@ use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 use crate::gui::view::What;
 
-use super::advice;
+use super::advice::advice;
 
 /// Writes a table with what stands beside it, or a model: all of it, or nothing.
 pub(crate) fn export(

@@ -19,7 +19,7 @@ use crate::gui::foreign::Foreign;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
-use super::CANCELLED;
+use super::advice::CANCELLED;
 
 /// What was opened.
 #[derive(Debug)]

@@ -9,7 +9,7 @@ use crate::gui::core::disk::{Fate, Print};
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
-use super::advice;
+use super::advice::advice;
 
 /// What saving may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,13 +6,14 @@
 //! sheet shows what an import would bring before it is pressed, and pressing it only takes that.
 
 mod robot;
+mod said;
 mod trial;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
-use crate::importers::{Inspection, Matching, Motion, Reading, inspect_watched};
+use crate::importers::{Inspection, Reading, inspect_watched};
 use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::files;
@@ -20,6 +21,7 @@ use crate::sessions::files;
 use crate::gui::jobs::Watch;
 
 pub(crate) use robot::{RobotFrom, TypedAxis};
+pub(crate) use said::{Beside, Said};
 pub(crate) use trial::{Trial, in_the_sheets_words};
 
 /// A file that is longer, in bytes, is not read into memory.
@@ -27,57 +29,6 @@ const LONGEST: u64 = 1 << 30;
 
 /// What is said until the file was looked at with everything that was said.
 pub(crate) const LOOKING: &str = "Looking at the file…";
-
-/// What a person said.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Said {
-    /// What the session is called.
-    pub(crate) name: String,
-    /// About the measured file.
-    pub(crate) reading: Reading,
-    /// Whose robot was measured.
-    pub(crate) robot: RobotFrom,
-    /// A table with the commands, where the file has none; as it is typed.
-    pub(crate) commands: String,
-    /// How commands find their measurements.
-    pub(crate) matching: Matching,
-    /// What becomes a sample where they are matched by time.
-    pub(crate) motion: Motion,
-    /// What to add to a measured time, s; `None`: it is found.
-    pub(crate) clock_offset_s: Option<f64>,
-    /// Points that are known in the base frame, as it is typed.
-    pub(crate) reference: String,
-    /// Whether the alignment may scale.
-    pub(crate) scale: bool,
-    /// Reflectors in the tool frame, as it is typed.
-    pub(crate) targets: String,
-}
-
-/// A file beside the measured one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Beside {
-    /// The robot.
-    Robot,
-    /// Where it was sent.
-    Commands,
-    /// Points that are known in the base frame.
-    Reference,
-    /// Reflectors in the tool frame.
-    Targets,
-}
-
-impl Said {
-    /// Takes a file that was chosen.
-    pub(crate) fn choose(&mut self, which: Beside, path: &Path) {
-        let typed = path.to_string_lossy().into_owned();
-        match which {
-            Beside::Robot => self.robot = self.robot.of_file(typed),
-            Beside::Commands => self.commands = typed,
-            Beside::Reference => self.reference = typed,
-            Beside::Targets => self.targets = typed,
-        }
-    }
-}
 
 /// What was seen with what was said.
 #[derive(Debug)]

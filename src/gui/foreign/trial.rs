@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Said;
+use super::said::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::gui::core::subject::{Origin, Subject};
 use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings, import_watched};

@@ -16,7 +16,7 @@ use crate::gui::workbench::Workbench;
 use crate::kinematics::Robot;
 use crate::units::deg_from_rad;
 
-use super::results::named;
+use super::names::named;
 
 /// A button that copies a table.
 pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {

@@ -3,9 +3,8 @@
 use egui::{ProgressBar, RichText, Ui};
 
 use crate::diagnosis::Verdict;
-use crate::effects::Term;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::search::{SEARCHING, STAGES, term_of};
+use crate::gui::core::search::{SEARCHING, STAGES};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
 use crate::gui::widgets::{self, Progress};
@@ -109,7 +108,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
 /// What was found so far; a later step may exchange it for something likelier.
 fn names_so_far(ui: &mut Ui, found: &[String]) {
     for name in found {
-        let title = super::findings::title_of(name);
+        let title = super::names::title_of(name);
         ui.indent(("found so far", name), |ui| ui.label(title));
     }
     if !found.is_empty() {
@@ -131,19 +130,6 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Edit(Edit::Switch(index, on)));
         }
     }
-}
-
-/// What was found and is not in the model.
-pub(super) fn missing(workbench: &Workbench) -> Vec<Term> {
-    let Some(diagnosis) = workbench.diagnosis() else {
-        return Vec::new();
-    };
-    let there = |term: &Term| {
-        let mut added = workbench.document().added.iter();
-        added.any(|a| a.term.same_column(term))
-    };
-    let found = diagnosis.found.iter().filter_map(|f| term_of(diagnosis, f));
-    found.filter(|term| !there(term)).collect()
 }
 
 /// What the step has to show for itself.
@@ -174,7 +160,7 @@ pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         }
         return;
     }
-    let missing = missing(workbench);
+    let missing = workbench.not_added();
     if workbench.diagnosis().is_none() {
         let measured = !workbench.subject().is_empty();
         let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, "Run diagnosis"));

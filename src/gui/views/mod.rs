@@ -11,6 +11,7 @@ mod identify;
 mod known;
 pub(super) mod menu;
 mod model;
+mod names;
 pub(super) mod pictures;
 mod regions;
 pub(super) mod results;

@@ -4,7 +4,7 @@ use egui::{Grid, RichText, Ui};
 
 use crate::effects::find;
 use crate::fit::noise::StatedNoise;
-use crate::fit::{Estimate, Gap, IMPLAUSIBLE, NotIdentifiable, RegionResult};
+use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
 use crate::gui::style::room::Room;
@@ -15,6 +15,7 @@ use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
 use crate::units::deg_from_rad;
 
+use super::names::{implausible, named, not_identifiable, title};
 use super::{copies, model, samples};
 
 /// Shows the right-hand side.
@@ -100,24 +101,6 @@ fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
     }
     not_identifiable(ui, &found.not_identifiable);
     notes(ui, workbench, answer);
-}
-
-/// The card of what the samples do not determine.
-pub(super) fn not_identifiable(ui: &mut Ui, all: &[NotIdentifiable]) {
-    if all.is_empty() {
-        return;
-    }
-    widgets::card(ui, |ui| {
-        title(ui, "Not identifiable");
-        for one in all {
-            ui.label(&one.combination);
-            widgets::hint(ui, &one.because);
-        }
-    });
-}
-
-fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
 }
 
 /// How many samples are within the tolerance, of how many; before the answer, or after it.
@@ -207,16 +190,6 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
     copies::button(ui, "parameters", || copies::parameters(estimates));
 }
 
-/// Says which sizes no machine has.
-pub(super) fn implausible(ui: &mut Ui, estimates: &[Estimate]) {
-    let warning = Palette::of(ui).warning;
-    for one in estimates.iter().filter(|one| one.is_implausible()) {
-        let usual = find(one.effect).map_or("", |e| e.about().usual_size);
-        let text = format!("{}: {IMPLAUSIBLE} ({usual})", named(one.name).0);
-        ui.label(RichText::new(text).color(warning));
-    }
-}
-
 /// A parameter: its name, its value and how sure that is, each in a column of one width throughout,
 /// so that a long name does not push the numbers out; the last below the others where all three
 /// have no room.
@@ -256,35 +229,6 @@ fn estimate(ui: &mut Ui, name: &str, value: &str, half: &str) {
             ui.label(half)
         });
     }
-}
-
-/// A parameter's name and its unit, as people write them.
-pub(super) fn named(parameter: &str) -> (String, &'static str) {
-    const UNITS: [(&str, &str); 16] = [
-        ("_urad_per_nm", "µrad/(N·m)"),
-        ("_mm_per_kg", "mm/kg"),
-        ("_mm_per_h", "mm/h"),
-        ("_ppm_per_degc", "ppm/°C"),
-        ("ppm_per_degc", "ppm/°C"),
-        ("mm_per_kg", "mm/kg"),
-        ("deg_per_degc", "°/°C"),
-        ("_ppm", "ppm"),
-        ("_mrad", "mrad"),
-        ("_rad", "rad"),
-        ("_deg", "°"),
-        ("_mm", "mm"),
-        ("_um", "µm"),
-        ("_s", "s"),
-        ("_kg", "kg"),
-        ("_c", "°C"),
-    ];
-    for (suffix, unit) in UNITS {
-        if let Some(name) = parameter.strip_suffix(suffix) {
-            let name = if name.is_empty() { "rate" } else { name };
-            return (name.replace('_', " "), unit);
-        }
-    }
-    (parameter.replace('_', " "), "")
 }
 
 /// Room for the numbers of a region beside its name, points.

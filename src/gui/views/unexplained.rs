@@ -13,7 +13,7 @@ use crate::kinematics::JointKind;
 use crate::model::Model;
 use crate::units::deg_from_rad;
 
-use super::findings::{curve_link, titles};
+use super::names::{curve_link, titles};
 
 /// The card of what a search could not name.
 pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
@@ -64,7 +64,7 @@ fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: 
         None => {
             if widgets::secondary(ui, "Add smooth correction").clicked() {
                 // It is what the names leave: without them it would correct something else.
-                let mut terms = super::gap::missing(workbench);
+                let mut terms = workbench.not_added();
                 terms.push(found.term.clone());
                 commands.push(Command::Edit(Edit::Add(terms)));
             }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
+use crate::effects::Term;
 use crate::gui::cache::backdrop::{Backdrop, Scenery};
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::nearest::Nearest;
@@ -13,6 +14,7 @@ use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::given::Given;
+use crate::gui::core::search::term_of;
 use crate::gui::view::{Canvas, Step};
 
 use super::Workbench;
@@ -132,6 +134,19 @@ impl Workbench {
     /// The diagnosis of the open session.
     pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
         self.searched().and_then(Result::ok)
+    }
+
+    /// What was found and is not in the model.
+    pub(crate) fn not_added(&self) -> Vec<Term> {
+        let Some(diagnosis) = self.diagnosis() else {
+            return Vec::new();
+        };
+        let there = |term: &Term| {
+            let mut added = self.document().added.iter();
+            added.any(|a| a.term.same_column(term))
+        };
+        let found = diagnosis.found.iter().filter_map(|f| term_of(diagnosis, f));
+        found.filter(|term| !there(term)).collect()
     }
 
     /// A search begins where the exact identification ends.

@@ -11,19 +11,11 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search::Search;
 use crate::gui::core::subject::Subject;
 use crate::gui::files::{self, Opened};
-use crate::gui::jobs::{Jobs, Kind, Latest, Running};
+use crate::gui::jobs::{Jobs, Kind, Running};
 use crate::gui::units::number_of;
 use crate::gui::view::{Message, Sheet, What};
 
 use super::{Command, Workbench};
-
-/// What is asked faster than it is answered.
-#[derive(Default)]
-pub(super) struct Asked {
-    questions: Latest<Question>,
-    previews: Latest<Wanted>,
-    sceneries: Latest<Scenery>,
-}
 
 impl Workbench {
     /// Jobs that are under way.

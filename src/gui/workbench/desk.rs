@@ -1,53 +1,20 @@
 //! Files: where an opening stands on the disk, what changed there, and what outlives the window.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::disk::{Fate, Print};
-use crate::gui::core::document::{Document, Question};
+use crate::gui::core::disk::Fate;
+use crate::gui::core::document::Document;
 use crate::gui::core::subject::{Origin, Subject};
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::keeping::recovery::{self, Keeper, LeftBehind};
 use crate::gui::keeping::settings::{self, Recent};
 use crate::gui::keeping::watcher::{Order, Seen, Watched, Watcher};
-use crate::gui::view::{OnDisk, Sheet, Then};
+use crate::gui::view::{OnDisk, Sheet};
 
+use super::state::Place;
 use super::{Command, Workbench};
-
-/// Where an opening stands on the disk.
-#[derive(Debug, Clone)]
-pub(super) struct Place {
-    pub(super) path: PathBuf,
-    /// As they looked when they were last read or written.
-    pub(super) files: Vec<Print>,
-    pub(super) samples: Option<PathBuf>,
-}
-
-/// See the module.
-#[derive(Default)]
-pub(super) struct Desk {
-    pub(super) home: Option<PathBuf>,
-    pub(super) keeper: Option<Keeper>,
-    pub(super) left_behind: Vec<LeftBehind>,
-    /// Restored, and to be removed as soon as this window keeps it itself.
-    pub(super) restored: Vec<LeftBehind>,
-    pub(super) recent: Vec<PathBuf>,
-    pub(super) missing: Vec<PathBuf>,
-    pub(super) places: BTreeMap<u64, Place>,
-    /// Documents that stand in a file, or need none.
-    pub(super) on_file: Vec<Arc<Document>>,
-    /// What was asked of the model that was written last.
-    pub(super) model_on_file: Option<Question>,
-    pub(super) then: Option<Then>,
-    /// The document as recovery has it.
-    pub(super) kept: Option<Arc<Document>>,
-    /// The opening whose samples file is followed.
-    pub(super) followed: Option<u64>,
-    /// How many samples came while it was followed.
-    pub(super) came: usize,
-}
 
 impl Workbench {
     /// Keeps preferences, recent files and what is not saved in this folder, and looks what it

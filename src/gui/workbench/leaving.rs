@@ -11,7 +11,7 @@ use crate::gui::keeping::settings::Recent;
 use crate::gui::view::What;
 use crate::gui::view::{Message, Sheet, Then};
 
-use super::desk::Place;
+use super::state::Place;
 use super::{Command, Workbench};
 
 /// Documents that are remembered as standing in a file.

@@ -18,6 +18,7 @@ mod leaving;
 mod letters;
 mod papers;
 mod recovering;
+mod state;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -29,10 +30,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 pub(crate) use command::Command;
-pub(crate) use papers::{Draw, Drawer};
 
-use background::Asked;
-use desk::Desk;
+use state::{Asked, Desk};
 
 use crate::gui::cache::backdrop::Backdrop;
 use crate::gui::cache::figures::Figures;
@@ -49,10 +48,17 @@ use crate::gui::keeping::settings::Recent;
 use crate::gui::keeping::watcher::Watcher;
 use crate::gui::style::letters::Letters;
 use crate::gui::units::Units;
-use crate::gui::view::{Aspect, Message, Part, Plane, Sheet, Side, Step, Then, ViewState};
+use crate::gui::view::{Aspect, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState};
+use crate::report::drawing::Drawing;
 use crate::sessions::Samples;
 
-/// Document, view, answer and tasks.
+/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
+pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
+
+/// Who knows how plots are drawn: the views, which stand above the workbench.
+pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
+
+/// Document, view, answer and jobs.
 pub(crate) struct Workbench {
     history: History<Document>,
     /// The session that nobody opened: the window began with it.

@@ -10,17 +10,10 @@ use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::About;
 use crate::gui::view::Plot;
 use crate::gui::view::Step;
-use crate::report::drawing::Drawing;
 use crate::report::exported::sidecar_of;
 use crate::sessions::samples_path;
 
 use super::Workbench;
-
-/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
-pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
-
-/// Who knows how plots are drawn: the views, which stand above the workbench.
-pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
 
 impl Workbench {
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.

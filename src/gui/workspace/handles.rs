@@ -164,7 +164,7 @@ fn follows(
     frame: Rect,
 ) {
     let subject = workbench.subject();
-    let few = subject.len() <= crate::gui::cache::backdrop::FEW;
+    let few = subject.len() <= crate::gui::core::scale::FEW;
     let tally = subject.tally_if_made();
     let Some(tally) = tally.or_else(|| few.then(|| subject.tally())) else {
         return;

@@ -4,7 +4,7 @@
 use egui::{
     Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
 };
-use egui::{Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Stroke, Ui, pos2, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::layers::{OUTLINE, scale_at};
@@ -18,15 +18,12 @@ use super::layout;
 use super::model::Scene;
 use super::polar::Polar;
 use super::robot::Drawn;
-use super::scales;
+use super::scales::{self, HIGH, entry};
 
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
 const SCALE: f32 = 100.0;
-/// Height of a row, points.
-const HIGH: f32 = 18.0;
-
 /// A mark of the legend.
 #[derive(Clone, Copy)]
 enum Sign {
@@ -84,24 +81,6 @@ impl Sign {
             }
         }
     }
-}
-
-/// An entry of the legend: so much room for what is drawn, and its name behind it. Where the room
-/// is.
-pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Rect {
-    let font = FontId::proportional(size::SMALL);
-    let galley = ui
-        .painter()
-        .layout_no_wrap(name.to_owned(), font, palette.muted);
-    let between = if name.is_empty() { 0.0 } else { 5.0 };
-    let wide = room + between + galley.size().x;
-    let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
-    let label = format!("legend: {name}");
-    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
-    let at = pos2(rect.right(), rect.center().y);
-    let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
-    ui.painter().galley(place.min, galley, palette.muted);
-    rect.with_max_x(rect.left() + room)
 }
 
 fn sign(ui: &mut Ui, name: &str, sign: Sign, palette: &Palette) {

@@ -11,6 +11,7 @@ mod layout;
 mod legend;
 mod model;
 mod paint;
+mod pointer;
 mod polar;
 mod robot;
 mod room;
@@ -18,6 +19,7 @@ mod scales;
 mod toolbar;
 
 pub(crate) use layout::nearest;
-pub(crate) use paint::{hover, marked, show};
+pub(crate) use paint::show;
+pub(crate) use pointer::{hover, marked};
 pub(crate) use polar::sheet::sheet as polar_sheet;
 pub(crate) use toolbar::show as bar;

@@ -1,19 +1,20 @@
 //! The workspace plot in egui.
 
-use egui::{CursorIcon, Role, Ui, WidgetInfo};
+use egui::{Role, Ui, WidgetInfo};
 use egui_plot::{Axis, PlotTransform};
 
 use crate::gui::plots::{Drawing, axis, gestures, steps};
 use crate::gui::style::tokens::Palette;
-use crate::gui::view::{Canvas, Step, ViewState};
+use crate::gui::view::{Canvas, Step};
 use crate::gui::workbench::{Command, Workbench};
 
 use super::drawn::{arrows, emphasis, names_of_regions, path, points, ring, sectors};
 use super::layout;
 use super::model::Scene;
+use super::pointer::{hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
-use super::{card, crowd, handles, layers, legend};
+use super::{crowd, handles, layers, legend};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -173,44 +174,4 @@ impl Notes {
             ui.ctx().request_repaint();
         }
     }
-}
-
-/// Sends what is under the pointer, and says what it is.
-pub(crate) fn hover(
-    response: &egui::Response,
-    workbench: &Workbench,
-    under: Option<usize>,
-    commands: &mut Vec<Command>,
-) {
-    let left = left(response, &response.ctx);
-    if (response.hovered() || left) && under != workbench.view().hovered {
-        commands.push(Command::Hover(under));
-    }
-    if response.clicked() {
-        commands.push(Command::Select(under));
-    }
-    if let Some(sample) = under
-        && let Some(pointer) = response.hover_pos()
-    {
-        response.ctx.set_cursor_icon(CursorIcon::PointingHand);
-        card::show(&response.ctx, workbench, sample, pointer, response.rect);
-    }
-}
-
-/// Whether the pointer has just left this widget.
-pub(crate) fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
-    let id = response.id.with("was hovered");
-    let now = response.hovered();
-    ctx.data_mut(|data| {
-        let before: bool = data.get_temp(id).unwrap_or_default();
-        data.insert_temp(id, now);
-        before && !now
-    })
-}
-
-/// The samples that a finding is about, no more than can be told apart.
-pub(crate) fn marked(view: &ViewState, samples: usize) -> impl Iterator<Item = usize> + '_ {
-    const MOST: usize = 2000;
-    let there = view.marked.iter().copied().filter(move |s| *s < samples);
-    there.take(MOST)
 }

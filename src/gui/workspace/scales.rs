@@ -2,7 +2,7 @@
 //! length, a direction by its direction, a condition by its width.
 
 use egui::epaint::Mesh;
-use egui::{FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
+use egui::{Align2, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{WEDGE, scale_at};
@@ -12,7 +12,6 @@ use crate::gui::units::{significant, trimmed};
 use crate::gui::view::Colouring;
 use crate::gui::workbench::Workbench;
 
-use super::legend;
 use super::model::Scene;
 
 /// Length of a scale, points; and in a low plot.
@@ -91,7 +90,7 @@ pub(super) fn show(
     for scale in scales(workbench, scene) {
         let Some([low, high]) = &scale.ends else {
             let name = &scale.name;
-            let room = legend::entry(ui, DIRECTIONS, name, palette);
+            let room = entry(ui, DIRECTIONS, name, palette);
             ui.painter().extend(arrows(room, palette));
             continue;
         };
@@ -102,7 +101,7 @@ pub(super) fn show(
         };
         let ends = [number(low), number(high)];
         let wide: f32 = ends.iter().map(|end| end.size().x + 4.0).sum();
-        let room = legend::entry(ui, wide + long, &scale.name, palette);
+        let room = entry(ui, wide + long, &scale.name, palette);
         let [low, high] = ends;
         let left = room.left() + low.size().x + 4.0;
         let y = |galley: &egui::Galley| room.center().y - 0.5 * galley.size().y;
@@ -154,6 +153,27 @@ fn arrows(room: Rect, palette: &Palette) -> Vec<Shape> {
         marks::arrow(&mut shapes, middle - half, middle + half, stroke);
     }
     shapes
+}
+
+/// Height of a row, points.
+pub(super) const HIGH: f32 = 18.0;
+
+/// An entry of the legend: so much room for what is drawn, and its name behind it. Where the room
+/// is.
+pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Rect {
+    let font = FontId::proportional(size::SMALL);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, palette.muted);
+    let between = if name.is_empty() { 0.0 } else { 5.0 };
+    let wide = room + between + galley.size().x;
+    let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
+    let label = format!("legend: {name}");
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
+    let at = pos2(rect.right(), rect.center().y);
+    let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
+    ui.painter().galley(place.min, galley, palette.muted);
+    rect.with_max_x(rect.left() + room)
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@ pub(crate) mod orders;
 pub(crate) mod over;
 mod sums;
 
-use crate::gui::cache::backdrop::FEW;
 use crate::gui::core::answer::Answer;
+use crate::gui::core::scale::FEW;
 use crate::gui::core::subject::{Component, Subject};
 
 use crate::gui::cache::charts::effect::EffectCurve;

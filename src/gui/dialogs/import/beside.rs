@@ -15,7 +15,7 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         "File of the commands",
         "a table with q1_deg, … and perhaps name, time_s, dir1, load_kg",
     );
-    super::path(ui, field, &mut next.commands, Beside::Commands, commands);
+    super::parts::path(ui, field, &mut next.commands, Beside::Commands, commands);
     if next.commands.trim().is_empty() {
         return;
     }
@@ -89,7 +89,7 @@ pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         "File of the known points",
         "a table with name, x_mm, y_mm, z_mm; the same names as in the measured file",
     );
-    super::path(ui, field, &mut next.reference, Beside::Reference, commands);
+    super::parts::path(ui, field, &mut next.reference, Beside::Reference, commands);
     if next.reference.trim().is_empty() {
         return;
     }
@@ -160,5 +160,5 @@ pub(super) fn reflectors(ui: &mut Ui, next: &mut Said, commands: &mut Vec<Comman
         "File of the reflectors",
         "a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin",
     );
-    super::path(ui, field, &mut next.targets, Beside::Targets, commands);
+    super::parts::path(ui, field, &mut next.targets, Beside::Targets, commands);
 }

@@ -182,7 +182,7 @@ fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, Stri
                         }
                     });
                 let label = format!("Meaning of column {}", k + 1);
-                super::name(ui, &list.response, &label);
+                super::parts::name(ui, &list.response, &label);
             }
             ui.end_row();
             widgets::dense(ui);

@@ -35,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     widgets::form_row(ui, "Session", |ui| {
         let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
         let field = ui.add(field);
-        super::name(ui, &field, "Name of the session");
+        super::parts::name(ui, &field, "Name of the session");
     });
     let reading = &mut next.reading;
     let kind = reading.kind.or(found.kind);
@@ -53,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
                     }
                 }
             });
-        super::name(ui, &list.response, "What wrote the file");
+        super::parts::name(ui, &list.response, "What wrote the file");
     });
     if asks.table {
         let separators = [
@@ -124,7 +124,7 @@ fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str
         if option.values.is_empty() {
             let field = TextEdit::singleline(&mut value).desired_width(300.0);
             let field = ui.add(field.hint_text(option.help));
-            super::name(ui, &field, option.title);
+            super::parts::name(ui, &field, option.title);
         } else {
             let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
             let said = option.values.iter().copied().find(|v| *v == value);

@@ -5,14 +5,14 @@
 mod beside;
 mod columns;
 mod file;
+mod parts;
 mod result;
 mod robot;
 
 use egui::text::LayoutJob;
-use egui::{Align, FontId, Layout, ProgressBar, RichText, ScrollArea, TextEdit, Ui, vec2};
+use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
-use crate::diagnostic::Severity;
-use crate::gui::foreign::{Beside, Foreign, LOOKING, Said, in_the_sheets_words};
+use crate::gui::foreign::{Foreign, LOOKING, Said, in_the_sheets_words};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
@@ -62,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
     // They end where what is above them ends.
     let pressed = ui.scope(|ui| {
         ui.set_max_width(scrolled.inner);
-        crate::gui::dialogs::buttons_without_enter(ui, "Import", missing.is_none(), commands)
+        super::ends::buttons_without_enter(ui, "Import", missing.is_none(), commands)
     });
     if pressed.inner {
         commands.push(Command::Import);
@@ -115,56 +115,10 @@ fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
 /// What is wrong with the file, and what somebody should know.
 fn findings(ui: &mut Ui, now: &Foreign) {
     for finding in now.seen.inspection.findings.iter().take(8) {
-        line(
+        parts::line(
             ui,
             finding.severity,
             &in_the_sheets_words(&finding.to_string()),
         );
     }
-}
-
-/// A finding as a line; its kind is a word as well as a colour.
-fn line(ui: &mut Ui, severity: Severity, says: &str) {
-    let palette = Palette::of(ui);
-    let (word, color) = match severity {
-        Severity::Note => ("", palette.muted),
-        Severity::Warning => ("Warning: ", palette.warning),
-        Severity::Error => ("Error: ", palette.outside),
-    };
-    let text = RichText::new(format!("{word}{says}"));
-    ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
-}
-
-/// A field for the path of a file, with a button that asks for it.
-fn path(
-    ui: &mut Ui,
-    (label, hint): (&str, &str),
-    typed: &mut String,
-    which: Beside,
-    commands: &mut Vec<Command>,
-) -> bool {
-    let mut changed = false;
-    ui.horizontal(|ui| {
-        let text = egui::WidgetText::from("Choose…");
-        let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
-        let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
-        let room = ui.available_width() - button - ui.spacing().item_spacing.x;
-        let field = TextEdit::singleline(typed).hint_text(hint);
-        let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
-        name(ui, &field, label);
-        changed = field.changed();
-        let button = ui.button("Choose…");
-        name(ui, &button, &format!("Choose: {label}"));
-        if button.clicked() {
-            commands.push(Command::ChooseBeside(which));
-        }
-    });
-    changed
-}
-
-/// Gives a control the name under which it is read out.
-fn name(ui: &Ui, response: &egui::Response, label: &str) {
-    let label = label.to_owned();
-    ui.ctx()
-        .accesskit_node_builder(response.id, |node| node.set_label(label));
 }

@@ -33,7 +33,7 @@ fn contents(ui: &mut Ui, now: &Foreign) {
         Some(Err(because)) => {
             widgets::section(ui, "To fix");
             for line in because {
-                super::line(ui, Severity::Error, line);
+                super::parts::line(ui, Severity::Error, line);
             }
         }
     }
@@ -57,6 +57,6 @@ fn brings(ui: &mut Ui, trial: &Trial) {
     let mut notes: Vec<_> = trial.notes.iter().collect();
     notes.sort_by_key(|(severity, _)| std::cmp::Reverse(*severity == Severity::Warning));
     for (severity, note) in notes.iter().take(MOST) {
-        super::line(ui, *severity, note);
+        super::parts::line(ui, *severity, note);
     }
 }

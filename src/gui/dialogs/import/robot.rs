@@ -46,7 +46,7 @@ pub(super) fn show(
         _ => String::new(),
     };
     let field = ("File of the robot", "a robot, a session, or a URDF file");
-    if super::path(ui, field, &mut path, Beside::Robot, commands) {
+    if super::parts::path(ui, field, &mut path, Beside::Robot, commands) {
         next.robot = next.robot.of_file(path);
     }
     if let RobotFrom::File { path, base, tip } = &mut next.robot
@@ -58,7 +58,7 @@ pub(super) fn show(
         ] {
             widgets::form_row(ui, row, |ui| {
                 let field = ui.add(TextEdit::singleline(link).hint_text("name of a link"));
-                super::name(ui, &field, label);
+                super::parts::name(ui, &field, label);
             });
         }
     }
@@ -84,7 +84,7 @@ pub(super) fn show(
 fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
     widgets::form_row(ui, "Name", |ui| {
         let field = ui.add(TextEdit::singleline(&mut typed.name));
-        super::name(ui, &field, "Name of the robot");
+        super::parts::name(ui, &field, "Name of the robot");
     });
     numbers(
         ui,

@@ -9,13 +9,9 @@ use crate::gui::core::search::term_of;
 use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::units::{Units, significant};
-use crate::gui::view::Chart;
-use crate::gui::views::gap;
-use crate::gui::views::results::{implausible, named};
+use crate::gui::views::names::{implausible, in_words, named, title_of};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
-
-use super::in_words;
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -46,7 +42,7 @@ pub(super) fn show(
             } else {
                 significant(found.odds_over_next, 2)
             };
-            let next = super::title_of(next).to_lowercase();
+            let next = title_of(next).to_lowercase();
             let text = format!("{odds} times likelier than the next candidate, {next}");
             widgets::hint_about(ui, text, help::ODDS);
         }
@@ -67,7 +63,7 @@ pub(super) fn show(
     match added.position(|a| a.term.same_column(&term)) {
         None => {
             // One thing stands out: with several names it is to add them all.
-            let button = if gap::missing(workbench).len() > 1 {
+            let button = if workbench.not_added().len() > 1 {
                 widgets::secondary(ui, "Add to model")
             } else {
                 widgets::primary(ui, "Add to model")
@@ -102,19 +98,4 @@ fn estimates(ui: &mut Ui, units: Units, id: &str, parameters: &[Estimate]) {
             }
         });
     implausible(ui, parameters);
-}
-
-/// Shows what an effect does, in the chart.
-pub(in crate::gui::views) fn curve_link(
-    ui: &mut Ui,
-    workbench: &Workbench,
-    index: usize,
-    commands: &mut Vec<Command>,
-) {
-    let view = workbench.view();
-    let shown = workbench.chart() == Chart::Effect && view.effect == index;
-    let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, "Show its curve"));
-    if button.inner.clicked() {
-        commands.push(Command::ShowEffect(index));
-    }
 }

@@ -6,7 +6,7 @@ use crate::diagnosis::{Diagnosis, Sight};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::{number_of, significant};
 use crate::gui::views::copies;
-use crate::gui::views::results::named;
+use crate::gui::views::names::{named, title_of};
 use crate::gui::widgets::{self};
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
@@ -21,7 +21,7 @@ pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
             let name = name.map_or(limit.effect.to_owned(), |j| {
                 format!("{} {}", limit.effect, j + 1)
             });
-            ui.label(super::title_of(&name));
+            ui.label(title_of(&name));
             let sizes = limit.sizes.iter().map(|(name, size)| {
                 let (name, unit) = named(name);
                 match Sight::of(*size) {
@@ -52,7 +52,7 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
             let name = name.map_or(one.effect.to_owned(), |j| {
                 format!("{} {}", one.effect, j + 1)
             });
-            ui.label(super::title_of(&name));
+            ui.label(title_of(&name));
             widgets::hint(ui, &one.because);
         }
     });

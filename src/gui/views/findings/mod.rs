@@ -6,19 +6,16 @@ mod data;
 mod limits;
 mod next;
 
-pub(in crate::gui::views) use card::curve_link;
-
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
-use crate::effects::find;
 use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{grouped, significant};
 use crate::gui::widgets::{self};
 use crate::gui::workbench::{Command, Workbench};
 
-use crate::gui::views::results::not_identifiable;
+use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
 
 /// Shows the right-hand side of the step.
@@ -56,37 +53,6 @@ fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Com
     not_identifiable(ui, &d.identification.not_identifiable);
     limits::show(ui, d);
     limits::not_testable(ui, d);
-}
-
-fn title(ui: &mut Ui, text: &str) {
-    ui.label(RichText::new(text).font(strong(size::BODY)));
-}
-
-/// A name in words, with its joint where there are several.
-fn in_words(id: &str, joint: Option<usize>, workbench: &Workbench) -> String {
-    let title = find(id).map_or(id, |e| e.about().title);
-    let joints = workbench.subject().session.robot.joints.len();
-    match joint {
-        Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
-        _ => title.to_owned(),
-    }
-}
-
-/// Names in words; one with its joint is `id joint`.
-pub(in crate::gui::views) fn titles(names: &[String]) -> String {
-    let all = names.iter().map(|name| title_of(name).to_lowercase());
-    all.collect::<Vec<_>>().join(" and ")
-}
-
-/// A name in words, with its joint where it has one.
-pub(in crate::gui::views) fn title_of(name: &str) -> String {
-    let (id, joint) = name.split_once(' ').unwrap_or((name, ""));
-    let title = find(id).map_or(id, |e| e.about().title);
-    if joint.is_empty() {
-        title.to_owned()
-    } else {
-        format!("{title}, joint {joint}")
-    }
 }
 
 fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {

@@ -12,7 +12,7 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::{Joint, JointKind};
 use crate::units::deg_from_rad;
 
-use super::title;
+use crate::gui::views::names::title;
 
 pub(super) fn show(
     ui: &mut Ui,

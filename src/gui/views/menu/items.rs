@@ -81,3 +81,7 @@ pub(super) fn named(response: Response, text: &str) -> Response {
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, text));
     response
 }
+
+pub(super) fn results_says(open: bool) -> &'static str {
+    if open { "Hide results" } else { "Show results" }
+}

@@ -9,8 +9,7 @@ use crate::gui::preferences::ZOOM;
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{Plane, Step};
 
-use super::items::{Menu, named};
-use super::results_says;
+use super::items::{Menu, named, results_says};
 
 pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
     let workbench = menu.workbench;

@@ -13,7 +13,7 @@ use crate::gui::workbench::{Command, Workbench};
 
 use crate::gui::actions;
 
-use items::{Menu, header};
+use items::{Menu, header, results_says};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -81,10 +81,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
         });
     });
-}
-
-fn results_says(open: bool) -> &'static str {
-    if open { "Hide results" } else { "Show results" }
 }
 
 fn name(ui: &mut Ui, workbench: &Workbench) {

@@ -1,13 +1,24 @@
 //! What can be done with a region: a menu at the end of its row, and keys while that has the focus.
 
-use egui::{Button, Key, Ui};
+use egui::{Button, Id, Key, Modifiers, Ui};
 
 use crate::gui::core::edit::Edit;
 use crate::gui::core::placing;
 use crate::gui::workbench::Command;
 use crate::sessions::Region;
 
-use super::rows::{COLUMNS, key, name_id};
+/// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
+pub(super) const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
+
+/// The field for a region's name: the menu's “Rename” puts the cursor into it.
+pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
+    ui.ctx().viewport_id().0.with(("name of region", region))
+}
+
+/// Whether a key was pressed that is meant for the control with this focus.
+pub(super) fn key(ui: &Ui, focused: bool, key: Key) -> bool {
+    focused && ui.input_mut(|i| i.consume_key(Modifiers::NONE, key))
+}
 
 /// One thing that can be done.
 struct Deed {

@@ -1,6 +1,6 @@
 //! The regions, one row each: name, boundaries, samples, and what can be done with it.
 
-use egui::{Align, Id, Key, Layout, Modifiers, RichText, TextEdit, Ui, UiBuilder, vec2};
+use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
 use crate::fit::regions::Assignment;
 use crate::gui::core::angles::Count;
@@ -13,12 +13,10 @@ use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::sessions::Region;
 
-use super::row;
+use super::row::{self, COLUMNS, name_id};
 
 /// More regions than this are too many to be listed with fields.
 const MOST_LISTED: usize = 60;
-/// Widths of the columns: name, from, to, samples, what can be done; the ends share what is left.
-pub(super) const COLUMNS: [f32; 5] = [38.0, 60.0, 60.0, 36.0, 26.0];
 /// Widest field for an end: all digits that a boundary is shown with.
 const WIDEST: f32 = 76.0;
 /// Between the columns.
@@ -130,11 +128,6 @@ fn note(ui: &mut Ui, text: &str) {
         let text = RichText::new(text).size(size::SMALL).color(warning);
         ui.add(egui::Label::new(text).wrap());
     });
-}
-
-/// The field for a region's name: the menu's “Rename” puts the cursor into it.
-pub(super) fn name_id(ui: &Ui, region: usize) -> Id {
-    ui.ctx().viewport_id().0.with(("name of region", region))
 }
 
 fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
@@ -354,9 +347,4 @@ fn samples_of(workbench: &Workbench, region: usize) -> Vec<usize> {
     (0..q.len())
         .filter(|i| assignment.region_of(q[*i]) == Some(region))
         .collect()
-}
-
-/// Whether a key was pressed that is meant for the control with this focus.
-pub(super) fn key(ui: &Ui, focused: bool, key: Key) -> bool {
-    focused && ui.input_mut(|i| i.consume_key(Modifiers::NONE, key))
 }

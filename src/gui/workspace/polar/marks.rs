@@ -3,7 +3,7 @@
 
 use egui::epaint::Mesh;
 use egui::{Color32, Pos2, Shape, Stroke, vec2};
-use egui_plot::PlotTransform;
+use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::cache::charts::envelope::Envelope;
 use crate::gui::plots::marks;
@@ -11,7 +11,6 @@ use crate::gui::style::tokens::Palette;
 
 use super::layout::{self, Bearing};
 use super::model::{Polar, Spot, Trace};
-use super::paint::screen;
 
 /// Columns of extremes around.
 const COLUMNS: usize = 720;
@@ -157,4 +156,8 @@ pub(super) fn extremes(
 )]
 fn single(value: f64) -> f32 {
     value as f32
+}
+
+pub(super) fn screen(transform: &PlotTransform, [x, y]: [f64; 2]) -> Pos2 {
+    transform.position_from_point(&PlotPoint::new(x, y))
 }

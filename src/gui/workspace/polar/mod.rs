@@ -7,5 +7,5 @@ pub(crate) mod model;
 mod paint;
 pub(crate) mod sheet;
 
-pub(super) use model::Polar;
-pub(super) use paint::{scale, show};
+pub(super) use model::{Polar, scale};
+pub(super) use paint::show;

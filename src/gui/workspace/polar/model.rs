@@ -9,10 +9,11 @@
 //!
 //! Source: ISO 230-4 (circular tests), where e is the radial deviation of a circular path.
 
-use crate::gui::cache::backdrop::FEW;
 use crate::gui::core::answer::Answer;
+use crate::gui::core::scale::FEW;
 use crate::gui::core::scale::{round_down, stride};
 use crate::gui::core::subject::{Component, Subject};
+use crate::gui::units::{Units, trimmed};
 use crate::gui::workbench::Workbench;
 
 /// The largest deviation is at most so many divisions long.
@@ -234,6 +235,16 @@ fn traces(mut values: Vec<(f64, f64, f64)>) -> Vec<Trace> {
         }
     }
     traces
+}
+
+/// `1 division = 0.5 mm`.
+pub(crate) fn scale(polar: &Polar, units: Units) -> String {
+    let division = units.length_value(polar.division_mm);
+    format!(
+        "1 division = {} {}",
+        trimmed(division, 6),
+        units.length_name()
+    )
 }
 
 #[cfg(test)]

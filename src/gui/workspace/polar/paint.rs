@@ -2,7 +2,7 @@
 
 use egui::epaint::Mesh;
 use egui::{Align2, FontId, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
-use egui_plot::{PlotPoint, PlotTransform};
+use egui_plot::PlotTransform;
 
 use crate::gui::cache::charts::envelope::Envelope;
 use crate::gui::plots::{Drawing, gestures, marks};
@@ -12,10 +12,10 @@ use crate::gui::workbench::{Command, Workbench};
 
 use super::super::layout::nearest;
 use super::super::model::dial;
-use super::super::paint::{hover, marked};
+use super::super::pointer::{hover, marked};
 use super::layout::{self, Bearing, NOMINAL, SPOKES};
-use super::marks::{dots, extremes, lines};
-use super::model::{Polar, Spot};
+use super::marks::{dots, extremes, lines, screen};
+use super::model::{Polar, Spot, scale};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -111,16 +111,6 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
     hover(&response, workbench, under, commands);
 }
 
-/// `1 division = 0.5 mm`.
-pub(crate) fn scale(polar: &Polar, units: Units) -> String {
-    let division = units.length_value(polar.division_mm);
-    format!(
-        "1 division = {} {}",
-        trimmed(division, 6),
-        units.length_name()
-    )
-}
-
 /// Samples at the angles around the pointer, on every turn.
 fn near(
     envelope: &Envelope,
@@ -139,10 +129,6 @@ fn near(
     let angles = angles.take_while(move |q| *q <= high + half);
     let near = move |q: f64| envelope.samples([q - half, q + half], MOST_NEAR);
     angles.flat_map(near).collect::<Vec<_>>().into_iter()
-}
-
-pub(super) fn screen(transform: &PlotTransform, [x, y]: [f64; 2]) -> Pos2 {
-    transform.position_from_point(&PlotPoint::new(x, y))
 }
 
 /// Rings, spokes, the tolerance and the nominal circle.

@@ -1,13 +1,35 @@
-//! Columns of extremes in egui: before as a pale band with edges, after as a solid one.
+//! The axes of a deviation chart, and columns of extremes in egui: before as a pale band with edges, after as a solid one.
 
 use egui::epaint::Mesh;
 use egui::{Color32, Rect, Shape, pos2};
-use egui_plot::PlotTransform;
+use egui_plot::{PlotPoint, PlotTransform};
 
+use crate::gui::cache::charts::over::Scale;
 use crate::gui::style::tokens::Palette;
+use crate::gui::units::Units;
 
-use super::paint::Axes;
+use super::layout::Extent;
 use crate::gui::cache::charts::envelope::Column;
+
+/// The chart's axes in the user's units.
+#[derive(Clone)]
+pub(super) struct Axes {
+    pub(super) units: Units,
+    pub(super) scale: Scale,
+}
+
+impl Axes {
+    pub(super) fn at(&self, x: f64, mm: f64) -> PlotPoint {
+        PlotPoint::new(self.scale.shown(x), self.units.length_value(mm))
+    }
+
+    pub(super) fn corners(&self, extent: &Extent) -> [[f64; 2]; 2] {
+        [0, 1].map(|k| {
+            let corner = self.at(extent.x[k], extent.mm[k]);
+            [corner.x, corner.y]
+        })
+    }
+}
 
 /// The lowest that a column gets, points.
 const LEAST: f32 = 1.5;

@@ -1,20 +1,19 @@
 //! The deviation charts in egui.
 
 use egui::{Color32, Shape, Stroke, Ui, pos2};
-use egui_plot::{PlotPoint, PlotTransform};
+use egui_plot::PlotTransform;
 
-use crate::gui::cache::charts::over::{Over, Scale, Variable};
+use crate::gui::cache::charts::over::{Over, Variable};
 use crate::gui::core::scale::thinned;
 use crate::gui::core::subject::Component;
 use crate::gui::plots::sketch::Sketch;
 use crate::gui::plots::strip::{self, Entry, Sign};
 use crate::gui::plots::{Drawing, figure, gestures, marks};
 use crate::gui::style::tokens::Palette;
-use crate::gui::units::Units;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::workspace;
 
-use super::columns;
+use super::columns::{self, Axes};
 use super::layout::{self, Extent, Many};
 use super::model::{Dot, Series};
 use crate::gui::cache::charts::envelope::Envelope;
@@ -23,26 +22,6 @@ use crate::gui::cache::charts::envelope::Envelope;
 const REACH: f32 = 14.0;
 /// Of so many near it at most; more stand on one another.
 const MOST_NEAR: usize = 400;
-
-/// The chart's axes in the user's units.
-#[derive(Clone)]
-pub(super) struct Axes {
-    pub(super) units: Units,
-    pub(super) scale: Scale,
-}
-
-impl Axes {
-    pub(super) fn at(&self, x: f64, mm: f64) -> PlotPoint {
-        PlotPoint::new(self.scale.shown(x), self.units.length_value(mm))
-    }
-
-    pub(super) fn corners(&self, extent: &Extent) -> [[f64; 2]; 2] {
-        [0, 1].map(|k| {
-            let corner = self.at(extent.x[k], extent.mm[k]);
-            [corner.x, corner.y]
-        })
-    }
-}
 
 /// What the chart shows at present, and where.
 pub(super) struct Shown<'a> {

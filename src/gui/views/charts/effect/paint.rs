@@ -3,9 +3,9 @@
 use egui::{Color32, Shape, Stroke, Ui};
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::cache::backdrop::FEW;
 use crate::gui::cache::charts::Charted;
 use crate::gui::cache::charts::over::Scale;
+use crate::gui::core::scale::FEW;
 use crate::gui::core::scale::{LEAST_SPAN, stride, thinned};
 use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
