@@ -1,205 +1,260 @@
-//! The keyboard: one table for what the keys do, what the menus show and what the help lists.
+//! What can be done by a key or from a menu: one table for what the keys do, what the menus offer and
+//! what the help lists.
 
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::gui::core::edit::Edit;
+use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::room::Room;
 use crate::gui::units::{AngleUnit, LengthUnit};
-use crate::gui::view::What;
-use crate::gui::view::{Plane, Sheet, Step};
+use crate::gui::view::{Plane, Sheet, Step, What};
 use crate::gui::workbench::{Command, Workbench};
 
-/// Something that a key does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Action {
-    /// Ask for a file to open.
-    Open,
-    /// Open the file that was open last.
-    OpenLatest,
-    /// Open a session that comes with the program.
-    Example(usize),
-    /// A session by simulation.
-    New,
-    /// Save to the session's own file.
-    Save,
-    /// Ask for a file to save to.
-    SaveAs,
-    /// Type a path to save to.
-    SaveToPath,
-    /// Ask for a file for the model.
-    SaveModel,
-    /// Ask for a file for the table.
-    SaveTable,
-    /// Read the file again.
-    Reload,
-    /// Follow the file as it grows, or stop.
-    Follow,
-    /// Close the window.
-    Quit,
-    /// Take back.
-    Undo,
-    /// Bring back.
-    Redo,
-    /// Identify.
-    Identify,
-    /// Search for what is missing.
-    Search,
-    /// Drop what is running.
-    Cancel,
-    /// Units, digits, colours.
-    Preferences,
-    /// The next unit of lengths.
-    NextLength,
-    /// The other unit of angles.
-    NextAngle,
-    /// Light instead of dark, or the other way round.
-    OtherTheme,
-    /// Open the results, or shut them.
-    Results,
-    /// Show everything again.
-    Fit,
-    /// The first step, and so on.
-    Step(Step),
-    /// The workspace from another side.
-    Look(Plane),
-    /// The deviation around the joint's angle.
-    LookAround,
-    /// What the words mean.
-    Words,
-    /// The keyboard.
-    Keys,
-    /// What this program is.
-    About,
+/// The window as it stands.
+#[derive(Clone, Copy)]
+pub(crate) struct Now<'a> {
+    pub(crate) ctx: &'a Context,
+    pub(crate) workbench: &'a Workbench,
 }
 
-const fn with(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
-    KeyboardShortcut::new(modifiers, key)
+impl Now<'_> {
+    fn preferences(self) -> Preferences {
+        self.workbench.view().preferences
+    }
+
+    fn dark(self) -> bool {
+        self.ctx.global_style().visuals.dark_mode
+    }
+
+    fn looks_at(self, plane: Plane) -> bool {
+        let view = self.workbench.view();
+        view.plane == plane && !view.polar()
+    }
+}
+
+/// Something that can be done.
+#[derive(Clone, Copy)]
+pub(crate) struct Action {
+    keys: KeyboardShortcut,
+    /// What the list of keys says.
+    help: &'static str,
+    /// What the menu says.
+    label: fn(Now<'_>) -> String,
+    enabled: fn(Now<'_>) -> bool,
+    /// One of several ways to look: whether it is this.
+    on: Option<fn(Now<'_>) -> bool>,
+    command: fn(Now<'_>) -> Command,
+}
+
+impl Action {
+    const fn new(
+        modifiers: Modifiers,
+        key: Key,
+        help: &'static str,
+        label: fn(Now<'_>) -> String,
+        command: fn(Now<'_>) -> Command,
+    ) -> Self {
+        Self {
+            keys: KeyboardShortcut::new(modifiers, key),
+            help,
+            label,
+            enabled: |_| true,
+            on: None,
+            command,
+        }
+    }
+
+    const fn when(self, enabled: fn(Now<'_>) -> bool) -> Self {
+        Self { enabled, ..self }
+    }
+
+    const fn on(self, on: fn(Now<'_>) -> bool) -> Self {
+        Self {
+            on: Some(on),
+            ..self
+        }
+    }
+
+    pub(crate) fn label(&self, now: Now<'_>) -> String {
+        (self.label)(now)
+    }
+
+    pub(crate) fn enabled(&self, now: Now<'_>) -> bool {
+        (self.enabled)(now)
+    }
+
+    /// Whether it is chosen, where it is one of several ways to look.
+    pub(crate) fn chosen(&self, now: Now<'_>) -> Option<bool> {
+        self.on.map(|on| on(now))
+    }
+
+    pub(crate) fn command(&self, now: Now<'_>) -> Command {
+        (self.command)(now)
+    }
+
+    /// Its keys as a menu shows them.
+    pub(crate) fn keys(&self, ctx: &Context) -> String {
+        in_words(ctx, self.keys)
+    }
+
+    /// Its keys, and what they do.
+    pub(crate) fn help(&self, ctx: &Context) -> (String, &'static str) {
+        (self.keys(ctx), self.help)
+    }
 }
 
 const PLAIN: Modifiers = Modifiers::NONE;
 const COMMAND: Modifiers = Modifiers::COMMAND;
 const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-/// All shortcuts; where one contains another, the longer stands first.
-pub(crate) const ALL: [(Action, KeyboardShortcut, &str); 38] = [
-    (Action::Redo, with(SHIFTED, Key::Z), "redo"),
-    (Action::Undo, with(COMMAND, Key::Z), "undo"),
-    (
-        Action::OpenLatest,
-        with(SHIFTED, Key::O),
-        "open the last file again",
-    ),
-    (Action::Open, with(COMMAND, Key::O), "open a file"),
-    (Action::Example(0), with(PLAIN, Key::F2), "first example"),
-    (Action::Example(1), with(PLAIN, Key::F3), "second example"),
-    (Action::Example(2), with(PLAIN, Key::F4), "third example"),
-    (Action::New, with(COMMAND, Key::N), "new by simulation"),
-    (Action::SaveAs, with(SHIFTED, Key::S), "save session as"),
-    (Action::Save, with(COMMAND, Key::S), "save session"),
-    (
-        Action::SaveToPath,
-        with(SHIFTED, Key::P),
-        "save session to a path",
-    ),
-    (Action::SaveModel, with(COMMAND, Key::M), "save model"),
-    (Action::SaveTable, with(COMMAND, Key::T), "save table"),
-    (Action::Reload, with(COMMAND, Key::R), "read the file again"),
-    (
-        Action::Follow,
-        with(COMMAND, Key::L),
-        "follow the file, or stop",
-    ),
-    (Action::Quit, with(COMMAND, Key::Q), "quit"),
-    (Action::Identify, with(COMMAND, Key::I), "identify"),
-    (
-        Action::Search,
-        with(COMMAND, Key::G),
-        "search for what is missing",
-    ),
-    (Action::Cancel, with(COMMAND, Key::Period), "cancel"),
-    (
-        Action::Preferences,
-        with(COMMAND, Key::Comma),
-        "preferences",
-    ),
-    (
-        Action::NextAngle,
-        with(SHIFTED, Key::U),
-        "other unit of angles",
-    ),
-    (
-        Action::NextLength,
-        with(COMMAND, Key::U),
-        "next unit of lengths",
-    ),
-    (Action::OtherTheme, with(COMMAND, Key::D), "light or dark"),
-    (
-        Action::Results,
-        with(COMMAND, Key::B),
-        "results, or more room for plots",
-    ),
-    (
-        Action::Look(Plane::Xy),
-        with(SHIFTED, Key::Num1),
-        "workspace from above",
-    ),
-    (
-        Action::Look(Plane::Xz),
-        with(SHIFTED, Key::Num2),
-        "workspace from the side",
-    ),
-    (
-        Action::Look(Plane::Yz),
-        with(SHIFTED, Key::Num3),
-        "workspace from the front",
-    ),
-    (
-        Action::LookAround,
-        with(SHIFTED, Key::Num4),
-        "deviation around the angle (polar)",
-    ),
-    (Action::Fit, with(COMMAND, Key::F), "fit the plots' view"),
-    (Action::Fit, with(PLAIN, Key::Home), "the same"),
-    (
-        Action::Step(Step::Session),
-        with(COMMAND, Key::Num1),
-        "step 1, session",
-    ),
-    (
-        Action::Step(Step::Regions),
-        with(COMMAND, Key::Num2),
-        "step 2, regions",
-    ),
-    (
-        Action::Step(Step::Identify),
-        with(COMMAND, Key::Num3),
-        "step 3, identify",
-    ),
-    (
-        Action::Step(Step::Gap),
-        with(COMMAND, Key::Num4),
-        "step 4, diagnose",
-    ),
-    (
-        Action::Step(Step::Export),
-        with(COMMAND, Key::Num5),
-        "step 5, export",
-    ),
-    (
-        Action::About,
-        with(Modifiers::SHIFT, Key::F1),
-        "about truepose",
-    ),
-    (Action::Words, with(PLAIN, Key::F1), "glossary"),
-    (Action::Keys, with(COMMAND, Key::K), "this list"),
-];
+fn sheet(sheet: Sheet) -> Command {
+    Command::Sheet(Some(sheet))
+}
 
-/// How a menu shows the keys of an action.
-pub(crate) fn keys(ctx: &Context, action: Action) -> String {
-    let found = ALL.iter().find(|(other, _, _)| *other == action);
-    found.map_or_else(String::new, |(_, keys, _)| in_words(ctx, *keys))
+fn measured(now: Now<'_>) -> bool {
+    !now.workbench.subject().is_empty()
+}
+
+fn answered(now: Now<'_>) -> bool {
+    now.workbench.answer().is_some()
+}
+
+/// What is done, and to what.
+fn with(verb: &str, what: Option<&str>) -> String {
+    what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"))
+}
+
+/// A table of actions, row by row: name, keys, help, label in the menu, command, and what else there
+/// is to say of it.
+macro_rules! actions {
+    ($($name:ident: $modifiers:expr, $key:ident, $help:expr, $label:expr, $command:expr $(, [$more:ident($of:expr)])*;)*) => {
+        $(pub(crate) const $name: Action =
+            Action::new($modifiers, Key::$key, $help, $label, $command)$(.$more($of))*;)*
+        /// All of them; where the keys of one contain another's, the longer stand first.
+        pub(crate) const ALL: &[Action] = &[$($name),*];
+    };
+}
+
+actions! {
+    REDO: SHIFTED, Z, "redo", |now| with("Redo", now.workbench.redoes()), |_| Command::Redo,
+        [when(|now| now.workbench.redoes().is_some())];
+    UNDO: COMMAND, Z, "undo", |now| with("Undo", now.workbench.undoes()), |_| Command::Undo,
+        [when(|now| now.workbench.undoes().is_some())];
+    OPEN_LATEST: SHIFTED, O, "open the last file again", |_| String::new(), open_latest;
+    OPEN: COMMAND, O, "open a file", |_| "Open…".into(), |_| Command::ChooseFile;
+    EXAMPLE_1: PLAIN, F2, "first example", |_| EXAMPLES[0].name.into(), |_| Command::OpenExample(0);
+    EXAMPLE_2: PLAIN, F3, "second example", |_| EXAMPLES[1].name.into(), |_| Command::OpenExample(1);
+    EXAMPLE_3: PLAIN, F4, "third example", |_| EXAMPLES[2].name.into(), |_| Command::OpenExample(2);
+    NEW: COMMAND, N, "new by simulation", |_| "New by simulation…".into(),
+        |_| sheet(Sheet::Simulate(Form::default()));
+    SAVE_AS: SHIFTED, S, "save session as", |_| "Save session as…".into(),
+        |_| Command::ChooseWhereToSave, [when(measured)];
+    SAVE: COMMAND, S, "save session", |_| "Save session".into(), |_| Command::Save, [when(measured)];
+    SAVE_TO_PATH: SHIFTED, P, "save session to a path", |_| "Save session to path…".into(),
+        |now| now.workbench.typed_path(), [when(measured)];
+    SAVE_MODEL: COMMAND, M, "save model", |_| "Save model…".into(),
+        |_| Command::ChooseWhereToExport(What::Model), [when(answered)];
+    SAVE_TABLE: COMMAND, T, "save table", |_| "Save table…".into(),
+        |_| Command::ChooseWhereToExport(What::Table), [when(answered)];
+    RELOAD: COMMAND, R, "read the file again", |_| "Read the file again".into(),
+        |_| Command::Reload, [when(|now| now.workbench.file().is_some())];
+    FOLLOW: COMMAND, L, "follow the file, or stop", follow_says,
+        |now| Command::Follow(now.workbench.following().is_none()),
+        [when(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some())];
+    QUIT: COMMAND, Q, "quit", |_| "Quit".into(), |_| Command::Leave;
+    IDENTIFY: COMMAND, I, "identify", |_| "Identify".into(),
+        |_| Command::Edit(Edit::Identify), [when(measured)];
+    SEARCH: COMMAND, G, "search for what is missing", |_| "Run diagnosis".into(),
+        |_| Command::Search, [when(measured)];
+    CANCEL: COMMAND, Period, "cancel", |_| "Cancel what is running".into(), |_| Command::Cancel,
+        [when(|now| now.workbench.jobs().newest().is_some())];
+    PREFERENCES: COMMAND, Comma, "preferences", |_| "Preferences…".into(),
+        |_| sheet(Sheet::Preferences);
+    NEXT_ANGLE: SHIFTED, U, "other unit of angles", |now| next_angle(now).1.into(),
+        |now| Command::Prefer(Preferences { angle: next_angle(now).0, ..now.preferences() });
+    NEXT_LENGTH: COMMAND, U, "next unit of lengths", |now| next_length(now).1.into(),
+        |now| Command::Prefer(Preferences { length: next_length(now).0, ..now.preferences() });
+    OTHER_THEME: COMMAND, D, "light or dark", |now| other_theme(now).1.into(),
+        |now| Command::Prefer(Preferences { theme: other_theme(now).0, ..now.preferences() });
+    RESULTS: COMMAND, B, "results, or more room for plots",
+        |now| results_says(room(now.ctx, now.workbench).results()).into(),
+        |now| Command::Results(!room(now.ctx, now.workbench).results());
+    LOOK_XY: SHIFTED, Num1, "workspace from above", |_| "Workspace from above".into(),
+        |_| Command::Look(Plane::Xy), [on(|now| now.looks_at(Plane::Xy))];
+    LOOK_XZ: SHIFTED, Num2, "workspace from the side", |_| "Workspace from the side".into(),
+        |_| Command::Look(Plane::Xz), [on(|now| now.looks_at(Plane::Xz))];
+    LOOK_YZ: SHIFTED, Num3, "workspace from the front", |_| "Workspace from the front".into(),
+        |_| Command::Look(Plane::Yz), [on(|now| now.looks_at(Plane::Yz))];
+    LOOK_AROUND: SHIFTED, Num4, "deviation around the angle (polar)",
+        |_| "Deviation around the angle".into(), |_| Command::LookAround,
+        [on(|now| now.workbench.view().polar())];
+    FIT: COMMAND, F, "fit the plots' view", |_| "Show everything in the plots".into(),
+        |_| Command::Fit;
+    FIT_TOO: PLAIN, Home, "the same", |_| String::new(), |_| Command::Fit;
+    SESSION: COMMAND, Num1, "step 1, session", |_| Step::Session.name().into(),
+        |_| Command::GoTo(Step::Session), [on(|now| now.workbench.view().step == Step::Session)];
+    REGIONS: COMMAND, Num2, "step 2, regions", |_| Step::Regions.name().into(),
+        |_| Command::GoTo(Step::Regions), [on(|now| now.workbench.view().step == Step::Regions)];
+    IDENTIFICATION: COMMAND, Num3, "step 3, identify", |_| Step::Identify.name().into(),
+        |_| Command::GoTo(Step::Identify), [on(|now| now.workbench.view().step == Step::Identify)];
+    DIAGNOSIS: COMMAND, Num4, "step 4, diagnose", |_| Step::Gap.name().into(),
+        |_| Command::GoTo(Step::Gap), [on(|now| now.workbench.view().step == Step::Gap)];
+    EXPORT: COMMAND, Num5, "step 5, export", |_| Step::Export.name().into(),
+        |_| Command::GoTo(Step::Export), [on(|now| now.workbench.view().step == Step::Export)];
+    ABOUT: Modifiers::SHIFT, F1, "about truepose", |_| "About truepose".into(),
+        |_| sheet(Sheet::About);
+    WORDS: PLAIN, F1, "glossary", |_| "Glossary".into(), |_| sheet(Sheet::Words);
+    KEYS: COMMAND, K, "this list", |_| "Keyboard and mouse".into(), |_| sheet(Sheet::Shortcuts);
+}
+
+/// The examples, in their order.
+pub(crate) const OPEN_EXAMPLE: [Action; EXAMPLES.len()] = [EXAMPLE_1, EXAMPLE_2, EXAMPLE_3];
+
+fn open_latest(now: Now<'_>) -> Command {
+    match now.workbench.recent().find(|(_, there)| *there) {
+        Some((path, _)) => Command::OpenFile(path.to_path_buf()),
+        None => Command::ChooseFile,
+    }
+}
+
+fn follow_says(now: Now<'_>) -> String {
+    let follows = now.workbench.following().is_some();
+    let says = if follows {
+        "Stop following the file"
+    } else {
+        "Follow the file as it grows"
+    };
+    says.to_owned()
+}
+
+fn next_length(now: Now<'_>) -> (LengthUnit, &'static str) {
+    match now.preferences().length {
+        LengthUnit::Millimetre => (LengthUnit::Micrometre, "Lengths in µm"),
+        LengthUnit::Micrometre => (LengthUnit::Inch, "Lengths in inches"),
+        LengthUnit::Inch => (LengthUnit::Millimetre, "Lengths in mm"),
+    }
+}
+
+fn next_angle(now: Now<'_>) -> (AngleUnit, &'static str) {
+    match now.preferences().angle {
+        AngleUnit::Degree => (AngleUnit::Radian, "Angles in radians"),
+        AngleUnit::Radian => (AngleUnit::Degree, "Angles in degrees"),
+    }
+}
+
+fn other_theme(now: Now<'_>) -> (Theme, &'static str) {
+    if now.dark() {
+        (Theme::Light, "Light")
+    } else {
+        (Theme::Dark, "Dark")
+    }
+}
+
+/// What opens the right-hand side, or shuts it.
+pub(crate) fn results_says(open: bool) -> &'static str {
+    if open { "Hide results" } else { "Show results" }
 }
 
 /// Keys as they stand on the keyboard.
@@ -221,73 +276,15 @@ pub(crate) fn room(ctx: &Context, workbench: &Workbench) -> Room {
     Room::of(size.x, size.y, workbench.view().results)
 }
 
-/// What an action does, as the workbench stands.
-pub(crate) fn command_for(ctx: &Context, action: Action, workbench: &Workbench) -> Command {
-    let dark = ctx.global_style().visuals.dark_mode;
-    let preferences = workbench.view().preferences;
-    let sheet = |sheet| Command::Sheet(Some(sheet));
-    match action {
-        Action::Open => Command::ChooseFile,
-        Action::OpenLatest => match workbench.recent().find(|(_, there)| *there) {
-            Some((path, _)) => Command::OpenFile(path.to_path_buf()),
-            None => Command::ChooseFile,
-        },
-        Action::Example(index) => Command::OpenExample(index),
-        Action::New => sheet(Sheet::Simulate(Form::default())),
-        Action::Save => Command::Save,
-        Action::SaveAs => Command::ChooseWhereToSave,
-        Action::SaveToPath => workbench.typed_path(),
-        Action::SaveModel => Command::ChooseWhereToExport(What::Model),
-        Action::SaveTable => Command::ChooseWhereToExport(What::Table),
-        Action::Reload => Command::Reload,
-        Action::Follow => Command::Follow(workbench.following().is_none()),
-        Action::Quit => Command::Leave,
-        Action::Undo => Command::Undo,
-        Action::Redo => Command::Redo,
-        Action::Identify => Command::Edit(Edit::Identify),
-        Action::Search => Command::Search,
-        Action::Cancel => Command::Cancel,
-        Action::Preferences => sheet(Sheet::Preferences),
-        Action::NextLength => Command::Prefer(Preferences {
-            length: match preferences.length {
-                LengthUnit::Millimetre => LengthUnit::Micrometre,
-                LengthUnit::Micrometre => LengthUnit::Inch,
-                LengthUnit::Inch => LengthUnit::Millimetre,
-            },
-            ..preferences
-        }),
-        Action::NextAngle => Command::Prefer(Preferences {
-            angle: match preferences.angle {
-                AngleUnit::Degree => AngleUnit::Radian,
-                AngleUnit::Radian => AngleUnit::Degree,
-            },
-            ..preferences
-        }),
-        Action::OtherTheme => Command::Prefer(Preferences {
-            theme: if dark { Theme::Light } else { Theme::Dark },
-            ..preferences
-        }),
-        Action::Results => Command::Results(!room(ctx, workbench).results()),
-        Action::Fit => Command::Fit,
-        Action::Step(step) => Command::GoTo(step),
-        Action::Look(plane) => Command::Look(plane),
-        Action::LookAround => Command::LookAround,
-        Action::Words => sheet(Sheet::Words),
-        Action::Keys => sheet(Sheet::Shortcuts),
-        Action::About => sheet(Sheet::About),
-    }
-}
-
 /// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text.
 pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
     if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
         return Vec::new();
     }
-    let pressed = |shortcut: &KeyboardShortcut| ctx.input_mut(|i| i.consume_shortcut(shortcut));
-    ALL.iter()
-        .filter(|(_, shortcut, _)| pressed(shortcut))
-        .map(|(action, _, _)| command_for(ctx, *action, workbench))
-        .collect()
+    let pressed = |action: &&Action| ctx.input_mut(|i| i.consume_shortcut(&action.keys));
+    let now = Now { ctx, workbench };
+    let all = ALL.iter().filter(pressed);
+    all.map(|action| action.command(now)).collect()
 }
 
 #[cfg(test)]
@@ -296,13 +293,17 @@ mod tests {
 
     #[test]
     fn no_keys_do_two_things_and_none_hides_another() {
-        for (k, (action, keys, _)) in ALL.iter().enumerate() {
-            for (other, before, _) in &ALL[..k] {
-                assert_ne!(keys, before, "{action:?} and {other:?}");
+        for (k, action) in ALL.iter().enumerate() {
+            for before in &ALL[..k] {
+                assert_ne!(
+                    action.keys, before.keys,
+                    "{} and {}",
+                    action.help, before.help
+                );
                 // Without Shift a shortcut also takes what has it: the longer stands first.
-                let hides = before.logical_key == keys.logical_key
-                    && keys.modifiers.contains(before.modifiers);
-                assert!(!hides, "{other:?} hides {action:?}");
+                let hides = before.keys.logical_key == action.keys.logical_key
+                    && action.keys.modifiers.contains(before.keys.modifiers);
+                assert!(!hides, "{} hides {}", before.help, action.help);
             }
         }
     }

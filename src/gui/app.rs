@@ -337,7 +337,6 @@ impl eframe::App for App {
 
 #[cfg(test)]
 impl App {
-    /// The workbench.
     pub(crate) fn bench(&mut self) -> &mut Workbench {
         &mut self.workbench
     }

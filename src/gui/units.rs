@@ -12,12 +12,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum LengthUnit {
-    /// Millimetres.
     #[default]
     Millimetre,
-    /// Micrometres.
     Micrometre,
-    /// Inches.
     Inch,
 }
 
@@ -25,19 +22,15 @@ pub(crate) enum LengthUnit {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum AngleUnit {
-    /// Degrees.
     #[default]
     Degree,
-    /// Radians.
     Radian,
 }
 
 /// The chosen units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Units {
-    /// Of lengths.
     pub(crate) length: LengthUnit,
-    /// Of angles.
     pub(crate) angle: AngleUnit,
 }
 
@@ -113,7 +106,6 @@ impl Units {
         }
     }
 
-    /// `−1.234 mm`.
     pub(crate) fn length(self, mm: f64) -> String {
         format!("{} {}", self.length_number(mm), self.length_name())
     }
@@ -177,7 +169,6 @@ impl Units {
         self.with_interval(one.value, one.ci95, unit)
     }
 
-    /// `36.0°`.
     pub(crate) fn angle(self, rad: f64) -> String {
         match self.angle {
             AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),

@@ -78,7 +78,6 @@ impl Scenery {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Backdrop {
     /// What it was made of.

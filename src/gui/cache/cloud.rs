@@ -15,12 +15,10 @@ use crate::sessions::Samples;
 /// there is none.
 pub(crate) type Place = [f32; 9];
 
-/// See the module.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cloud {
     /// What is known of each sample that can be used.
     pub(crate) places: Vec<Place>,
-    /// Which samples these are.
     pub(crate) samples: Vec<u32>,
     /// The middle of the workspace, mm of the measuring frame.
     pub(crate) centre_mm: [f64; 3],

@@ -10,7 +10,6 @@ use crate::standards::{Positioning, at_least, standards};
 use super::outcome::Outcome;
 use crate::gui::units::{plain_number, significant};
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Figures {
     /// The identification behind the corrected commands.
@@ -50,7 +49,6 @@ pub(crate) struct Group {
 pub(crate) struct Row {
     /// Its symbol in the standard.
     pub(crate) symbol: &'static str,
-    /// Its name.
     pub(crate) name: &'static str,
     /// As measured.
     pub(crate) before: Option<f64>,

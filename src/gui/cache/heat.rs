@@ -30,7 +30,6 @@ const FEW_PLACES: usize = 1500;
 /// The Gaussian ends at so many σ.
 const END: f64 = 4.5;
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Heat {
     /// The middle of the first cell, mm.

@@ -5,7 +5,6 @@
 //! costs about log n wherever the samples are, also where one of them is far away from all others,
 //! which would ruin a grid.
 
-/// See the module.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Nearest {
     points: Vec<([f64; 2], u32)>,

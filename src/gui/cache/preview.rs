@@ -16,7 +16,6 @@ use crate::gui::core::document::ExportChoice;
 pub(crate) struct Wanted {
     /// The identification that it comes from.
     pub(crate) outcome: Arc<Outcome>,
-    /// How.
     pub(crate) choice: ExportChoice,
     /// What the file is called, where it was saved already: what is to be entered in the controller
     /// names it.
@@ -31,10 +30,8 @@ impl PartialEq for Wanted {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Preview {
-    /// What was wanted.
     pub(crate) wanted: Wanted,
     /// What it gives, or why it gives nothing.
     pub(crate) made: Result<Made, String>,

@@ -22,7 +22,6 @@ const CELLS: f64 = 26.0;
 /// See the module. In ascending order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Thinned {
-    /// These samples.
     pub(crate) samples: Vec<u32>,
 }
 
@@ -51,7 +50,6 @@ impl Thinned {
     }
 }
 
-/// Those with the largest lengths.
 fn largest(usable: &[u32], lengths_mm: &[f64]) -> Vec<u32> {
     let length = |sample: u32| {
         let length = lengths_mm[sample as usize];

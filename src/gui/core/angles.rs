@@ -15,7 +15,6 @@ use crate::sessions::Region;
 /// a billionth.
 const NEAR_RAD: f64 = 1e-8;
 
-/// See the module.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Angles {
     /// Every angle at which there is a sample, ascending, rad.

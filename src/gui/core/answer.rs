@@ -7,7 +7,6 @@ use crate::model::Calibration;
 /// An identification, and what is left of every sample's deviation.
 #[derive(Debug, Clone)]
 pub(crate) struct Answer {
-    /// The identification.
     pub(crate) identification: Identification,
     /// The model that goes with it, to be saved and exported.
     pub(crate) calibration: Calibration,

@@ -14,10 +14,8 @@ pub(crate) const NARROWEST_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Dragged boundaries stop at multiples of this.
 pub(crate) const SNAP_DEG: f64 = 0.5;
 
-/// One boundary.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Boundary {
-    /// Where it is, rad.
     pub(crate) at_rad: f64,
     /// The region that ends here.
     pub(crate) below: Option<usize>,

@@ -83,9 +83,7 @@ pub(crate) struct Added {
 /// How a session was identified, as far as that outlives the window.
 #[derive(Debug, Clone)]
 pub(crate) struct Choices {
-    /// Whether it was identified.
     pub(crate) identified: bool,
-    /// How.
     pub(crate) method: Method,
     /// Effects of the exact fit; names that no effect has do not count.
     pub(crate) effects: Vec<String>,
@@ -219,7 +217,6 @@ impl Document {
 pub(crate) struct Question {
     /// The session.
     pub(crate) subject: Arc<Subject>,
-    /// What.
     pub(crate) asks: Asks,
 }
 

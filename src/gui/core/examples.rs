@@ -4,7 +4,6 @@
 pub(crate) struct Example {
     /// Its name in the menu.
     pub(crate) name: &'static str,
-    /// What it is.
     pub(crate) what: &'static str,
     document: &'static [u8],
     samples: &'static [u8],

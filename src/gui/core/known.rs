@@ -12,7 +12,6 @@ const PARTS: usize = 24;
 /// in every part, however the parts lie on it and although no place is reached exactly.
 const WIDER: f64 = 1.25;
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Known {
     /// Conditions: which vary, and how far.

@@ -28,7 +28,6 @@ impl Lengths {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Overview {
     /// Samples that can be used, in the order of the session.

@@ -27,9 +27,7 @@ pub(crate) enum End {
 pub(crate) struct Typed {
     /// The region's name.
     pub(crate) region: String,
-    /// Which end of it.
     pub(crate) end: End,
-    /// The text.
     pub(crate) text: String,
 }
 

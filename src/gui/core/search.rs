@@ -10,7 +10,6 @@ use crate::pipeline::diagnose;
 use super::subject::Subject;
 use crate::gui::jobs::Watch;
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Search {
     /// The session that was searched.

@@ -11,7 +11,6 @@ use crate::units::{deg_from_rad, rad_from_deg};
 /// A joint as it is filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct JointForm {
-    /// Its name.
     pub(crate) name: String,
     /// Turning or sliding.
     pub(crate) kind: JointKind,
@@ -28,7 +27,6 @@ pub(crate) struct JointForm {
 /// A reflector as it is filled in.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TargetForm {
-    /// Its name.
     pub(crate) name: String,
     /// Where it sits in the tool frame, mm.
     pub(crate) position_mm: [f64; 3],
@@ -45,7 +43,6 @@ pub(crate) enum SigmaForm {
     Three([f64; 3]),
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct SetupForm {
     /// Name of the robot.

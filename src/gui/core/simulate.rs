@@ -35,7 +35,6 @@ pub(crate) mod field {
 pub(crate) struct Chosen {
     /// The effect's name.
     pub(crate) id: &'static str,
-    /// Its parameters.
     pub(crate) parameters: Vec<(&'static str, f64)>,
 }
 
@@ -48,7 +47,6 @@ impl Chosen {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Form {
     /// Nominal radius of the tool, mm.

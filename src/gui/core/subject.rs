@@ -52,7 +52,6 @@ pub(crate) struct NotTestable {
 /// A component of a deviation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Component {
-    /// Its length.
     Length,
     /// In the direction of motion of joint 1.
     #[default]
@@ -81,7 +80,6 @@ impl Component {
         Self::Length,
     ];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Length => "length",
@@ -102,10 +100,8 @@ impl Component {
 
 static OPENINGS: AtomicU64 = AtomicU64::new(1);
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
-    /// The session.
     pub(crate) session: Session,
     /// What was found while it was read.
     pub(crate) findings: Vec<Diagnostic>,
@@ -141,7 +137,6 @@ pub(crate) struct Subject {
     pub(crate) lineage: u64,
     /// The files that it was read from, as they looked then: the document first.
     pub(crate) files: Vec<Print>,
-    /// The file with the samples, where they are in one.
     pub(crate) samples_file: Option<PathBuf>,
     /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
     pub(crate) measured_range: Option<Range>,

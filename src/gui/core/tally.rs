@@ -24,7 +24,6 @@ use super::angles::pieces;
 /// Sums of 1, ΔPx, l1·ΔPy, l1², |ΔP|².
 type Sums = [f64; 5];
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tally {
     /// Angles of all samples that have one, ascending, rad.

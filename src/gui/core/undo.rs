@@ -15,7 +15,6 @@ struct Entry<D> {
     what: &'static str,
 }
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct History<D> {
     present: Arc<D>,

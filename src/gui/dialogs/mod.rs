@@ -180,8 +180,7 @@ fn keys(ui: &mut Ui, commands: &mut Vec<Command>) {
         ("Ctrl++, Ctrl+−, Ctrl+0", "larger, smaller, usual text"),
         ("Esc", "close a sheet"),
     ];
-    let all = actions::ALL.iter();
-    let all = all.map(|(_, keys, what)| (actions::in_words(ui.ctx(), *keys), *what));
+    let all = actions::ALL.iter().map(|action| action.help(ui.ctx()));
     let others = others.map(|(keys, what)| (keys.to_owned(), what));
     let all: Vec<_> = all.chain(others).collect();
     let rows = all.len().div_ceil(2);

@@ -8,7 +8,6 @@ use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
-/// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(440.0);
     widgets::heading(ui, "Preferences");

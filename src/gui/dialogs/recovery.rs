@@ -8,7 +8,6 @@ use crate::gui::style::tokens::{size, space, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
-/// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(460.0);
     widgets::heading(ui, "Not saved when the program ended");

@@ -8,7 +8,6 @@ use crate::gui::view::Sheet;
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 
-/// Shows the form and sends what is filled in.
 pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
     widgets::heading(ui, "New by simulation");

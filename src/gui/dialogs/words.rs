@@ -10,7 +10,6 @@ use crate::gui::workbench::Command;
 /// Height of what stands around the list, points.
 const REST: f32 = 240.0;
 
-/// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.set_width(520.0);
     widgets::heading(ui, "Glossary");

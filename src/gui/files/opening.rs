@@ -21,7 +21,6 @@ use crate::gui::view::Message;
 
 use super::advice::CANCELLED;
 
-/// What was opened.
 #[derive(Debug)]
 pub(crate) enum Opened {
     /// A session was read or made.

@@ -22,7 +22,6 @@ use crate::gui::view::Message;
 pub(crate) enum Source {
     /// A session, with its search if there was one, and the model in use if there is one.
     Session(Arc<Document>, Option<Arc<Search>>, Option<Arc<Outcome>>),
-    /// A model.
     Model(Arc<Outcome>),
 }
 

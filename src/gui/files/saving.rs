@@ -14,7 +14,6 @@ use super::advice::advice;
 /// What saving may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Replace {
-    /// Nothing.
     Nothing,
     /// What has that name: the user was asked. But not what changed since it was read.
     Named,

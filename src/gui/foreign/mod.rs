@@ -43,7 +43,6 @@ pub(crate) struct Look {
     pub(crate) trial: Option<Result<Trial, Vec<String>>>,
 }
 
-/// See the module.
 #[derive(Debug, Clone)]
 pub(crate) struct Foreign {
     /// The file.

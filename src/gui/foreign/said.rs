@@ -34,7 +34,6 @@ pub(crate) struct Said {
 /// A file beside the measured one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Beside {
-    /// The robot.
     Robot,
     /// Where it was sent.
     Commands,

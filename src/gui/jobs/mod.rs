@@ -37,7 +37,6 @@ pub(crate) type Outcome<B> = Box<dyn FnOnce(&mut B) + Send>;
 /// The outcome of a job with this number; `None`: it broke off, which is a bug.
 type Arrived<B> = (u64, Option<Outcome<B>>);
 
-/// See the module.
 pub(crate) struct Jobs<B> {
     runner: Runner,
     wake: Wake,

@@ -56,9 +56,7 @@ pub(crate) struct Kept {
     pub(crate) session: Session,
     /// The file that it was opened from.
     pub(crate) file: Option<PathBuf>,
-    /// Whether it was identified.
     pub(crate) identified: bool,
-    /// How.
     pub(crate) method: Method,
     /// Effects of the exact fit.
     pub(crate) effects: Vec<String>,

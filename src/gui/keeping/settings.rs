@@ -16,7 +16,6 @@ use crate::gui::preferences::Preferences;
 const MOST_RECENT: usize = 10;
 const FORMAT: &str = "truepose-settings/1";
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Settings {
     format: String,

@@ -27,7 +27,6 @@ pub(crate) enum Order {
     Recent(Vec<PathBuf>),
 }
 
-/// What was seen.
 #[derive(Debug)]
 pub(crate) enum Seen {
     /// A file is not what it was; `None`: it is again.
@@ -40,7 +39,6 @@ pub(crate) enum Seen {
     Missing(Vec<PathBuf>),
 }
 
-/// See the module.
 #[derive(Debug, Default)]
 pub(crate) struct Watched {
     /// With what was said last about each.

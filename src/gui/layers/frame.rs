@@ -23,13 +23,11 @@ pub(crate) const HEAT: f32 = 0.72;
 /// What the layers show, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
-    /// The plane.
     pub(crate) plane: Plane,
     /// The middle of the cloud, mm.
     pub(crate) centre_mm: [f64; 3],
     /// From before, 0, to after, 1; 0 without an answer.
     pub(crate) blend: f32,
-    /// Whether there is an answer.
     pub(crate) answered: bool,
     /// How much longer than real the vectors are drawn.
     pub(crate) magnification: f64,
@@ -51,7 +49,6 @@ impl Look {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Frame {
     /// The uniform.

@@ -29,7 +29,6 @@ pub(crate) enum Sign {
 /// A name.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Entry {
-    /// What.
     pub(crate) name: String,
     /// Its mark.
     pub(crate) sign: Sign,
@@ -57,7 +56,6 @@ impl Entry {
     }
 }
 
-/// Shows the line.
 pub(crate) fn show(ui: &mut Ui, note: &str, entries: &[Entry], commands: &mut Vec<Command>) {
     let room = vec2(ui.available_width(), HEIGHT);
     ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {

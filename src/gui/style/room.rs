@@ -16,7 +16,6 @@ const SAMPLES_TOO: f32 = 2400.0;
 /// Below this height the list of steps has one line for each, points.
 const LOW: f32 = 640.0;
 
-/// See the module.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Room {
     /// Width of the steps and their controls.

@@ -23,7 +23,6 @@ pub(crate) enum Sight {
 }
 
 impl Sight {
-    /// All of them.
     pub(crate) const ALL: [Self; 4] = [
         Self::Usual,
         Self::Protanopia,

@@ -13,10 +13,8 @@ pub(crate) enum Plane {
 }
 
 impl Plane {
-    /// All of them.
     pub(crate) const ALL: [Self; 3] = [Self::Xy, Self::Xz, Self::Yz];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Xy => "x y",
@@ -64,16 +62,12 @@ pub(crate) enum Colouring {
     Deviation,
     /// Where it points to.
     Direction,
-    /// The load.
     Load,
-    /// The temperature.
     Temperature,
-    /// The time.
     Time,
 }
 
 impl Colouring {
-    /// All of them.
     pub(crate) const ALL: [Self; 6] = [
         Self::State,
         Self::Deviation,
@@ -83,7 +77,6 @@ impl Colouring {
         Self::Time,
     ];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::State => "before and after",

@@ -45,7 +45,6 @@ impl Step {
         Self::Export,
     ];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Session => "Session",
@@ -69,7 +68,6 @@ pub(crate) enum Side {
     /// What was identified.
     #[default]
     Results,
-    /// Sample by sample.
     Samples,
 }
 
@@ -120,7 +118,6 @@ impl Fitted {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ViewState {
     /// The chosen step.

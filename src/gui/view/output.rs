@@ -15,7 +15,6 @@ pub(crate) enum What {
     Poses,
     /// The calibration report.
     Report(About),
-    /// A plot.
     Picture(Plot),
 }
 
@@ -33,22 +32,17 @@ pub(crate) enum About {
 pub(crate) enum Plot {
     /// Where the points are, and how far off.
     Workspace,
-    /// The deviation over the joint's value.
-    Deviation,
-    /// The gap, step by step.
-    Waterfall,
-    /// Another chart, as it is shown.
+    /// A chart, as it is shown.
     Chart(Chart),
     /// A component of the deviation around the joint's angle.
     Polar,
 }
 
 impl Plot {
-    /// All of them.
     pub(crate) const ALL: [Self; 11] = [
         Self::Workspace,
-        Self::Deviation,
-        Self::Waterfall,
+        Self::Chart(Chart::Angle),
+        Self::Chart(Chart::Gap),
         Self::Chart(Chart::Time),
         Self::Chart(Chart::Load),
         Self::Chart(Chart::Temperature),
@@ -63,8 +57,8 @@ impl Plot {
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Workspace => "workspace",
-            Self::Deviation | Self::Chart(Chart::Angle) => "deviation",
-            Self::Waterfall | Self::Chart(Chart::Gap) => "gap by step",
+            Self::Chart(Chart::Angle) => "deviation",
+            Self::Chart(Chart::Gap) => "gap by step",
             Self::Chart(Chart::Time) => "deviation over time",
             Self::Chart(Chart::Load) => "deviation over load",
             Self::Chart(Chart::Temperature) => "deviation over temperature",

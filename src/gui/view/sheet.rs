@@ -11,7 +11,6 @@ use crate::gui::view::What;
 pub(crate) enum Sheet {
     /// A path to save to, as it is typed.
     SavePath {
-        /// The path.
         path: String,
         /// Whether a file that is there may be replaced.
         replace: bool,
@@ -20,7 +19,6 @@ pub(crate) enum Sheet {
     ExportPath {
         /// What is exported.
         what: What,
-        /// The path.
         path: String,
         /// Whether a file that is there may be replaced.
         replace: bool,

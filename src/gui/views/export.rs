@@ -18,7 +18,6 @@ use crate::kinematics::JointKind;
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
 
-/// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         widgets::hint(
@@ -271,7 +270,6 @@ fn text(ui: &mut Ui, text: &str) {
     }
 }
 
-/// What to do next.
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         if widgets::primary(ui, "Go to identify").clicked() {

@@ -10,7 +10,6 @@ use crate::gui::view::Step;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
 
-/// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.subject().is_empty() {
         widgets::hint(ui, "Open a session that was measured on this robot first");
@@ -152,7 +151,6 @@ pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
     (caption, Progress::Done)
 }
 
-/// What to do next.
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.searching().is_some() {
         if widgets::secondary(ui, "Stop the search").clicked() {

@@ -10,7 +10,6 @@ use crate::gui::view::Step;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
-/// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     if let Some(given) = &document.given {
@@ -112,7 +111,6 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         });
 }
 
-/// What to do next.
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     if !document.identified {

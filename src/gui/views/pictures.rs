@@ -8,7 +8,7 @@ use crate::gui::cache::outcome::Outcome;
 use crate::gui::core::document::Document;
 use crate::gui::core::subject::Component;
 use crate::gui::plots::sketch::Sketch;
-use crate::gui::view::Plot;
+use crate::gui::view::{Chart, Plot};
 use crate::gui::workbench::{Draw, Workbench};
 use crate::gui::workspace::polar_sheet;
 use crate::report::drawing::{Drawing, Label, MUTED};
@@ -58,20 +58,21 @@ fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
         let session = crate::report::document::clean(&session.name);
         return Ok((sketch.on_paper(&session), title));
     }
-    if let Plot::Chart(_) = wanted.plot {
-        return Err("this chart has nothing to show yet".to_owned());
+    match wanted.plot {
+        Plot::Workspace | Plot::Polar | Plot::Chart(Chart::Angle | Chart::Gap) => {}
+        Plot::Chart(_) => return Err("this chart has nothing to show yet".to_owned()),
     }
     let answer = match &wanted.outcome {
         Some(outcome) => Some(outcome.answer.as_ref().map_err(Clone::clone)?),
         None => None,
     };
-    if wanted.plot == Plot::Waterfall {
+    if wanted.plot == Plot::Chart(Chart::Gap) {
         let answer = answer.ok_or("nothing is identified yet")?;
         let steps = &answer.calibration.history;
         let drawing = waterfall(steps, wanted.floor_mm, session.tolerance_mm);
         return Ok((drawing, of("the gap step by step")));
     }
-    if session.samples.is_empty() || wanted.plot == Plot::Deviation {
+    if session.samples.is_empty() || wanted.plot == Plot::Chart(Chart::Angle) {
         return Err("there are no samples to draw".to_owned());
     }
     if wanted.plot == Plot::Polar {

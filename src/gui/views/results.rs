@@ -18,7 +18,6 @@ use crate::units::deg_from_rad;
 use super::names::{implausible, named, not_identifiable, title};
 use super::{copies, model, samples};
 
-/// Shows the right-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
     // Samples that stand beside the results are not shown in their place as well.
     let alone = room.samples.is_none();

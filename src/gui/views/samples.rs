@@ -14,7 +14,6 @@ const ROW: f32 = 22.0;
 const NUMBER: f32 = 44.0;
 const MARK: f32 = 20.0;
 
-/// Shows the table.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     let units = workbench.units();

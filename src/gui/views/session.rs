@@ -16,7 +16,6 @@ use super::setup;
 use crate::kinematics::JointKind;
 use crate::sessions::Sigma;
 
-/// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, "Measured");
     facts(ui, workbench);
@@ -227,7 +226,6 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
 
-/// What to do next.
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if subject.origin == Origin::Bundled {

@@ -22,7 +22,6 @@ const SHARE: f32 = 0.34;
 /// The chart's panel.
 const CHART: &str = "deviation";
 
-/// Shows the middle.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let height = ui.available_height();
     notices(ui, workbench, commands, NOTICES * height);
@@ -101,7 +100,6 @@ fn keep_share(ui: &Ui, height: f32) {
 struct Share {
     /// Height of the middle, points.
     of: f32,
-    /// The share.
     share: f32,
     /// Height of the chart in the frame before; `None` where it has just been set.
     chart: Option<f32>,

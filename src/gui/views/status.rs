@@ -90,7 +90,6 @@ fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// Room for what runs in the background, points.
 const BUSY: f32 = 420.0;
 
-/// Shows the bar.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
     ui.horizontal_centered(|ui| {

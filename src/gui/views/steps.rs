@@ -15,7 +15,6 @@ use super::{export, gap, identify, regions, session};
 /// The button at the foot stands no lower than this below the top of its panel, points.
 const HIGHEST: f32 = 960.0;
 
-/// Shows the left-hand side.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
     // On a high screen the button at the foot would be far from what it belongs to.
     let mut rect = ui.available_rect_before_wrap();

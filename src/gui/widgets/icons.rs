@@ -80,7 +80,6 @@ pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str
 pub(crate) struct Sign {
     /// Whether it was pressed, and so on.
     pub(crate) response: Response,
-    /// Where it is.
     pub(crate) rect: egui::Rect,
     /// Whether the pointer or the keyboard is on it.
     pub(crate) lit: bool,

@@ -11,16 +11,13 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 pub(crate) enum Progress {
     /// Nothing to show for it yet.
     Open,
-    /// Done.
     Done,
 }
 
 /// A step in the list of steps.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StepRow<'a> {
-    /// Which one, from 1.
     pub(crate) number: usize,
-    /// Its name.
     pub(crate) name: &'a str,
     /// What it has to show.
     pub(crate) caption: &'a str,
@@ -33,7 +30,6 @@ pub(crate) struct StepRow<'a> {
 }
 
 impl StepRow<'_> {
-    /// Shows it.
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let palette = Palette::of(ui);
         let height = if self.low { 30.0 } else { 44.0 };

@@ -77,7 +77,6 @@ pub(crate) enum Command {
     ChooseWhereToExport(What),
     /// Write the table, or the model, to this file.
     ExportTo {
-        /// What.
         what: What,
         /// The file.
         path: PathBuf,
@@ -90,9 +89,7 @@ pub(crate) enum Command {
     Type {
         /// The region's name.
         region: String,
-        /// Which end.
         end: End,
-        /// The text.
         text: Option<String>,
     },
     /// Search for what is missing.

@@ -22,7 +22,6 @@ const MOST_ON_FILE: usize = 64;
 pub(crate) struct Losses {
     /// The session, or changes of it.
     pub(crate) session: bool,
-    /// The model.
     pub(crate) model: bool,
 }
 
@@ -89,7 +88,6 @@ impl Workbench {
         }
     }
 
-    /// Does it.
     pub(super) fn go(&mut self, then: Then) {
         self.desk.then = None;
         self.view.sheet = None;

@@ -118,7 +118,6 @@ impl Workbench {
         workbench
     }
 
-    /// The document.
     pub(crate) fn document(&self) -> &Document {
         self.history.present()
     }
@@ -151,7 +150,6 @@ impl Workbench {
         self.history.redoes()
     }
 
-    /// Does it.
     pub(crate) fn execute(&mut self, command: Command) {
         match command {
             Command::Edit(edit) => self.edit(&edit, false),

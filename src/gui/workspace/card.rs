@@ -22,7 +22,6 @@ const COLUMNS: f32 = 18.0;
 /// More lines than this stand in two columns.
 const TALL: usize = 5;
 
-/// Shows the card of a sample that is under the pointer in a plot with this frame.
 pub(super) fn show(
     ctx: &Context,
     workbench: &Workbench,

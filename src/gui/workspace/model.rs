@@ -11,7 +11,6 @@ use crate::gui::workbench::Workbench;
 /// An error vector of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Arrow {
-    /// The sample.
     pub(crate) sample: usize,
     /// Where the simulation is, mm.
     pub(crate) from_mm: [f64; 2],
@@ -26,7 +25,6 @@ pub(crate) struct Arrow {
 /// A measured point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Point {
-    /// The sample.
     pub(crate) sample: usize,
     /// Where it was measured, mm.
     pub(crate) at_mm: [f64; 2],
@@ -70,7 +68,6 @@ impl Dial {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scene {
     /// Error vectors, perhaps thinned; none where a layer draws them.

@@ -29,7 +29,6 @@ const PIECES: u16 = 48;
 /// A scale: what it is of, its ends in words, and what colour it has.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scale {
-    /// What it is of.
     pub(crate) name: String,
     /// Its ends; none for directions.
     pub(crate) ends: Option<[String; 2]>,
@@ -78,7 +77,6 @@ pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
     scales
 }
 
-/// Shows them as entries of the legend.
 pub(super) fn show(
     ui: &mut Ui,
     scene: &Scene,

@@ -45,7 +45,6 @@ impl PartialEq for Asked {
 /// A sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Spot {
-    /// The sample.
     pub(crate) sample: usize,
     /// Where it stands along the chart, inner units.
     pub(crate) x: f64,
@@ -66,7 +65,6 @@ pub(crate) struct Line {
     pub(crate) points: Vec<[f64; 2]>,
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct EffectCurve {
     /// Name of the effect.

@@ -94,7 +94,6 @@ pub(crate) struct Column {
     pub(crate) after_mm: Option<[f64; 2]>,
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Envelope {
     tracks: Vec<Track>,

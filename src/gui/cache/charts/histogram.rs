@@ -28,7 +28,6 @@ pub(crate) const RULE: &str = "bars as wide as the spread of the samples asks fo
 pub(crate) struct Bins {
     /// Where the first begins, mm.
     pub(crate) from_mm: f64,
-    /// Width of each, mm.
     pub(crate) width_mm: f64,
     /// How many.
     pub(crate) count: usize,
@@ -66,7 +65,6 @@ impl Bins {
 /// One picture: bins that suit it, and how many samples are in each.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Counted {
-    /// The bins.
     pub(crate) bins: Bins,
     /// Of the nominal robot's deviations; `None` where they are left out.
     pub(crate) before: Option<Vec<usize>>,
@@ -76,7 +74,6 @@ pub(crate) struct Counted {
     pub(crate) beyond: usize,
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Histogram {
     /// Before and after, as far as there is one.
@@ -85,7 +82,6 @@ pub(crate) struct Histogram {
     pub(crate) only_after: Option<Counted>,
     /// Sizes before, in ascending order.
     pub(crate) sizes_before: Lengths,
-    /// And after.
     pub(crate) sizes_after: Option<Lengths>,
 }
 

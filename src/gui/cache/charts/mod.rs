@@ -38,7 +38,6 @@ pub(crate) enum Asked {
 pub(crate) enum Charted {
     /// The extremes of many samples.
     Over(Envelope),
-    /// The orders.
     Orders(Spectrum),
     /// How many samples deviate by how much; `None` where there is none.
     Histogram(Option<Histogram>),

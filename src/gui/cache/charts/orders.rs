@@ -56,7 +56,6 @@ impl Amplitude {
     }
 }
 
-/// One order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Order {
     /// Cycles per turn.
@@ -67,7 +66,6 @@ pub(crate) struct Order {
     pub(crate) after: Option<Amplitude>,
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spectrum {
     /// The orders, ascending; those that the range does not show are left out.
@@ -186,7 +184,6 @@ fn smallest(m: &Matrix2<f64>) -> f64 {
     half - apart.hypot(m[(0, 1)])
 }
 
-/// The amplitudes of all orders in one series.
 fn fit(sums: &Sums, series: usize, orders: &[usize]) -> Vec<Amplitude> {
     let alone: Vec<Matrix2<f64>> = orders.iter().map(|k| alone(sums, *k)).collect();
     let mut taken: Vec<usize> = Vec::new();

@@ -5,7 +5,6 @@ use crate::gui::core::subject::Subject;
 use crate::gui::units::AngleUnit;
 use crate::gui::units::{Units, trimmed};
 
-/// The variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Variable {
     /// Commanded value of the joint, rad or mm.
@@ -25,7 +24,6 @@ pub(crate) enum Variable {
 /// A variable, and the joint that it is about; its side is what the marks point to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Over {
-    /// The variable.
     pub(crate) variable: Variable,
     /// The joint, counted from 0.
     pub(crate) joint: usize,
@@ -198,7 +196,6 @@ pub(crate) struct Scale {
     pub(crate) factor: f64,
     /// What is zero on the screen, inner units.
     pub(crate) origin: f64,
-    /// The unit.
     pub(crate) unit: String,
     /// Whether the axis is divided into parts of a turn.
     pub(crate) degrees: bool,

@@ -10,7 +10,6 @@
 //!
 //! cos kθ and sin kθ come from those of k − 1 by one multiplication of complex numbers.
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sums {
     /// Number of samples.

@@ -85,7 +85,6 @@ fn how(guess: &ColumnGuess) -> &'static str {
     }
 }
 
-/// Shows the table.
 pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
     let found = &now.seen.inspection;
     if found.columns.is_empty() {

@@ -25,7 +25,6 @@ const AROUND: f32 = 228.0;
 /// Two lines of what is in the way, points.
 const FOOT: f32 = 34.0;
 
-/// Shows the sheet.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: &mut Vec<Command>) {
     let window = ui.ctx().content_rect();
     ui.set_width(WIDTH.min(window.width() - 80.0));

@@ -8,7 +8,6 @@ use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::{JointKind, Robot};
 
-/// Shows the choice and what was read.
 pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,

@@ -20,7 +20,6 @@ pub(crate) enum Stands {
     After,
     /// A reference: zero, a boundary.
     Reference,
-    /// The tolerance.
     Tolerance,
     /// What noise alone does.
     Noise,
@@ -45,7 +44,6 @@ impl Stands {
 /// A mark at a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mark {
-    /// Where.
     pub(crate) at: [f64; 2],
     /// Side from which the joint came; 0: a disc.
     pub(crate) side: f64,
@@ -66,7 +64,6 @@ pub(crate) enum Ink {
     Word([f64; 2], String, Align2),
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sketch {
     /// What it shows, in one line.

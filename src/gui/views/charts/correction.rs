@@ -6,13 +6,39 @@ use egui_plot::{Axis, Line, PlotPoints};
 use crate::compensation::SortedTable;
 use crate::gui::cache::preview::Made;
 use crate::gui::core::scale::{LEAST_SPAN, MOST_POINTS, stride, thinned};
+use crate::gui::help;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
-use crate::gui::plots::{axis, gestures, steps};
+use crate::gui::plots::{axis, gestures, steps, strip};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{cell, plain_number};
+use crate::gui::view::Chart;
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+
+use super::view::View;
 use crate::kinematics::JointKind;
+
+pub(super) const VIEW: View = View {
+    chart: Chart::Table,
+    short: "table",
+    name: "Correction table",
+    word: help::CORRECTION,
+    of_component: false,
+    of_joint: false,
+    show: |ui, workbench, commands| {
+        if let Some(made) = made(workbench) {
+            strip::show(ui, &caption(made), &[], commands);
+            show(ui, workbench, made);
+        }
+    },
+    sketch: |workbench, _| sketch(made(workbench)?),
+    numbers: |workbench| made(workbench).map_or_else(String::new, numbers),
+    has_picture: |workbench| made(workbench).is_some(),
+};
+
+fn made(workbench: &Workbench) -> Option<&Made> {
+    workbench.export()?.ok()
+}
 
 /// Points of one curve: commanded value and correction, in the table's unit.
 fn curve(column: &SortedTable) -> Vec<[f64; 2]> {
@@ -30,8 +56,7 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
     [low - more, high + more]
 }
 
-/// Shows the curve in the space that is left.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
+fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
     let palette = Palette::of(ui);
     let Some(table) = &made.export.reads_as else {
         widgets::hint(
@@ -85,7 +110,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, made: &Made) {
 }
 
 /// Every entry as a table.
-pub(crate) fn numbers(made: &Made) -> String {
+fn numbers(made: &Made) -> String {
     let Some(table) = &made.export.reads_as else {
         return String::new();
     };
@@ -106,7 +131,7 @@ pub(crate) fn numbers(made: &Made) -> String {
 }
 
 /// The curve to be saved; `None` where the export has no table.
-pub(crate) fn sketch(made: &Made) -> Option<Sketch> {
+fn sketch(made: &Made) -> Option<Sketch> {
     let table = made.export.reads_as.as_ref()?;
     let degrees = table.kind == JointKind::Revolute;
     let unit = if degrees { "°" } else { "mm" };
@@ -136,7 +161,7 @@ pub(crate) fn sketch(made: &Made) -> Option<Sketch> {
 }
 
 /// What has to be said about the curve.
-pub(crate) fn caption(made: &Made) -> String {
+fn caption(made: &Made) -> String {
     let Some(table) = &made.export.reads_as else {
         return String::new();
     };

@@ -1,18 +1,18 @@
 //! What stands below the workspace: a bar in which the chart is chosen, and the chart.
 
-pub(crate) mod correction;
-pub(crate) mod deviation;
-pub(crate) mod effect;
-pub(crate) mod histogram;
-pub(crate) mod orders;
-pub(crate) mod waterfall;
+mod correction;
+mod deviation;
+mod effect;
+mod histogram;
+mod orders;
+mod view;
+mod waterfall;
 
 use egui::{Align, ComboBox, Layout, Ui};
 
 use crate::gui::core::subject::Component;
-use crate::gui::help::{self, Word};
 use crate::gui::plots::sketch::Sketch;
-use crate::gui::plots::{gestures, picture, strip};
+use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::Chart;
 use crate::gui::view::Plot;
@@ -20,6 +20,7 @@ use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
 use super::copies;
+use view::View;
 
 /// Room for the marks at the right end of the bar, points.
 const MARKS: f32 = 120.0;
@@ -28,48 +29,37 @@ const LIST: f32 = 104.0;
 /// Space beside each name where charts stand side by side: as much as there is room for.
 const BESIDE: [f32; 3] = [10.0, 7.0, 5.0];
 
+/// Every chart, in the order in which they are offered.
+static CHARTS: [View; 9] = [
+    deviation::ANGLE,
+    deviation::TIME,
+    deviation::LOAD,
+    deviation::TEMPERATURE,
+    orders::VIEW,
+    histogram::VIEW,
+    waterfall::VIEW,
+    effect::VIEW,
+    correction::VIEW,
+];
+
+fn view_of(chart: Chart) -> &'static View {
+    let there = CHARTS.iter().find(|view| view.chart == chart);
+    // A test finds one that is not registered.
+    there.unwrap_or(&CHARTS[0])
+}
+
 /// The chart as it is shown, to be saved.
 pub(super) fn sketch(workbench: &Workbench, plot: Plot) -> Option<Sketch> {
-    let chart = match plot {
-        Plot::Workspace | Plot::Polar | Plot::Waterfall => return None,
-        Plot::Deviation => Chart::Angle,
-        Plot::Chart(chart) => chart,
-    };
-    match chart {
-        Chart::Orders => orders::sketch(workbench),
-        Chart::Histogram => histogram::sketch(workbench),
-        Chart::Effect => effect::sketch(workbench),
-        Chart::Gap => None,
-        Chart::Table => correction::sketch(workbench.export()?.ok()?),
-        _ => deviation::sketch(workbench, workbench.over_in(chart)?),
+    match plot {
+        Plot::Workspace | Plot::Polar => None,
+        Plot::Chart(chart) => (view_of(chart).sketch)(workbench, chart),
     }
 }
 
-/// Shows the bar and the chart.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let chart = workbench.chart();
-    bar(ui, workbench, chart, commands);
-    match chart {
-        Chart::Angle | Chart::Time | Chart::Load | Chart::Temperature => {
-            if let Some(over) = workbench.over_in(chart) {
-                deviation::show(ui, workbench, over, commands);
-            }
-        }
-        Chart::Orders => orders::show(ui, workbench, commands),
-        Chart::Histogram => histogram::show(ui, workbench, commands),
-        Chart::Effect => effect::show(ui, workbench, commands),
-        Chart::Gap => {
-            let says = "root mean square over the samples that were fitted";
-            strip::show(ui, says, &[], commands);
-            waterfall::show(ui, workbench);
-        }
-        Chart::Table => {
-            if let Some(Ok(made)) = workbench.export() {
-                strip::show(ui, &correction::caption(made), &[], commands);
-                correction::show(ui, workbench, made);
-            }
-        }
-    }
+    let view = view_of(workbench.chart());
+    bar(ui, workbench, view, commands);
+    (view.show)(ui, workbench, commands);
 }
 
 /// What is chosen in a list or side by side, and how it is called.
@@ -125,10 +115,10 @@ impl<T: Copy + PartialEq> Choice<'_, T> {
 }
 
 fn charts(workbench: &Workbench, current: Chart) -> Choice<'static, Chart> {
-    let offered = Chart::ALL.into_iter().filter(|c| workbench.offers(*c));
+    let offered = CHARTS.iter().filter(|view| workbench.offers(view.chart));
     Choice {
         of: "Chart",
-        offered: offered.map(|c| (c, c.short(), c.name())).collect(),
+        offered: offered.map(|v| (v.chart, v.short, v.name)).collect(),
         current,
     }
 }
@@ -145,24 +135,21 @@ fn components(workbench: &Workbench) -> Choice<'static, Component> {
 }
 
 /// The joints, where there are several and the chart is about one of them.
-fn joints(workbench: &Workbench, chart: Chart) -> Option<Choice<'_, usize>> {
+fn joints<'a>(workbench: &'a Workbench, view: &View) -> Option<Choice<'a, usize>> {
     let joints = &workbench.subject().session.robot.joints;
-    let about_one = matches!(
-        chart,
-        Chart::Angle | Chart::Time | Chart::Load | Chart::Temperature | Chart::Orders
-    );
     let offered = joints.iter().enumerate();
-    (about_one && joints.len() > 1).then(|| Choice {
+    (view.of_joint && joints.len() > 1).then(|| Choice {
         of: "Joint of the chart",
         offered: offered.map(|(k, j)| (k, &*j.name, &*j.name)).collect(),
         current: workbench.chart_joint(),
     })
 }
 
-fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Command>) {
+fn bar(ui: &mut Ui, workbench: &Workbench, view: &View, commands: &mut Vec<Command>) {
+    let chart = view.chart;
     let charts = charts(workbench, chart);
-    let components = chart.has_components().then(|| components(workbench));
-    let joints = joints(workbench, chart);
+    let components = view.of_component.then(|| components(workbench));
+    let joints = joints(workbench, view);
     // Side by side as long as there is room: the charts first, they are what is looked for.
     let lists = [components.is_some(), joints.is_some()];
     let lists = lists.into_iter().filter(|there| *there).count() as f32;
@@ -185,63 +172,28 @@ fn bar(ui: &mut Ui, workbench: &Workbench, chart: Chart, commands: &mut Vec<Comm
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = space::TIGHT;
-            if has_picture(workbench, chart) {
-                picture(ui, plot_of(chart), commands);
+            if (view.has_picture)(workbench) {
+                picture(ui, Plot::Chart(chart), commands);
             }
             if chart != Chart::Gap {
                 gestures::fit(ui, "Fit chart to view", Command::FitChart, commands);
             }
-            copies::chart_button(ui, chart.name(), || numbers(workbench, chart));
-            widgets::question(ui, word(chart));
+            copies::chart_button(ui, view.name, || (view.numbers)(workbench));
+            widgets::question(ui, view.word);
         });
     });
 }
 
-/// What the chart's question mark explains.
-fn word(chart: Chart) -> Word {
-    match chart {
-        Chart::Angle => help::DEVIATION,
-        Chart::Time => help::OVER_TIME,
-        Chart::Load => help::OVER_LOAD,
-        Chart::Temperature => help::OVER_TEMPERATURE,
-        Chart::Orders => help::ORDERS,
-        Chart::Histogram => help::HISTOGRAM,
-        Chart::Gap => help::GAP,
-        Chart::Effect => help::EFFECT_CURVE,
-        Chart::Table => help::CORRECTION,
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The chart as a file.
-fn plot_of(chart: Chart) -> Plot {
-    match chart {
-        Chart::Gap => Plot::Waterfall,
-        Chart::Angle => Plot::Deviation,
-        other => Plot::Chart(other),
-    }
-}
-
-fn has_picture(workbench: &Workbench, chart: Chart) -> bool {
-    match chart {
-        Chart::Gap => true,
-        Chart::Table => workbench.export().is_some_and(|made| made.is_ok()),
-        _ => !workbench.subject().is_empty(),
-    }
-}
-
-/// The chart as a table for a spreadsheet.
-fn numbers(workbench: &Workbench, chart: Chart) -> String {
-    match chart {
-        Chart::Orders => orders::numbers(workbench),
-        Chart::Histogram => histogram::numbers(workbench),
-        Chart::Effect => effect::numbers(workbench),
-        Chart::Gap => waterfall::numbers(workbench),
-        Chart::Table => match workbench.export() {
-            Some(Ok(made)) => correction::numbers(made),
-            _ => String::new(),
-        },
-        _ => workbench
-            .over_in(chart)
-            .map_or_else(String::new, |over| deviation::numbers(workbench, over)),
+    #[test]
+    fn every_chart_is_registered_once() {
+        for chart in Chart::ALL {
+            let views = CHARTS.iter().filter(|view| view.chart == chart).count();
+            assert_eq!(views, 1, "{chart:?}");
+        }
+        assert_eq!(CHARTS.len(), Chart::ALL.len());
     }
 }

@@ -4,9 +4,32 @@
 use egui::{Align2, FontId, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::effects::find;
+use crate::gui::help;
+use crate::gui::plots::strip;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::{plain_number, significant};
+use crate::gui::view::Chart;
 use crate::gui::workbench::Workbench;
+
+use super::view::View;
+
+pub(super) const VIEW: View = View {
+    chart: Chart::Gap,
+    short: "gap",
+    name: "Gap by step",
+    word: help::GAP,
+    of_component: false,
+    of_joint: false,
+    show: |ui, workbench, commands| {
+        let says = "root mean square over the samples that were fitted";
+        strip::show(ui, says, &[], commands);
+        show(ui, workbench);
+    },
+    // It is drawn as the report draws it.
+    sketch: |_, _| None,
+    numbers,
+    has_picture: |_| true,
+};
 
 /// One step.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +71,7 @@ pub(crate) fn lower(title: &str) -> String {
 }
 
 /// Every step as a table.
-pub(crate) fn numbers(workbench: &Workbench) -> String {
+fn numbers(workbench: &Workbench) -> String {
     let mut text = "step\tgap, mm\n".to_owned();
     for bar in bars(workbench) {
         text += &format!("{}\t{}\n", bar.name, plain_number(bar.gap_mm));
@@ -56,8 +79,7 @@ pub(crate) fn numbers(workbench: &Workbench) -> String {
     text
 }
 
-/// Shows the steps in the space that is left.
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+fn show(ui: &mut Ui, workbench: &Workbench) {
     const NAMES: f32 = 200.0;
     const NUMBERS: f32 = 70.0;
     let palette = Palette::of(ui);

@@ -18,7 +18,6 @@ use crate::gui::workbench::{Command, Workbench};
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
 
-/// Shows the right-hand side of the step.
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, "Diagnosis");
     ui.add_space(space::TIGHT);

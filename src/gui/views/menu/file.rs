@@ -2,8 +2,7 @@
 
 use egui::{Button, RichText, Ui};
 
-use crate::gui::actions;
-use crate::gui::actions::Action;
+use crate::gui::actions::{self, OPEN_EXAMPLE, OPEN_LATEST};
 use crate::gui::core::examples::EXAMPLES;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::workbench::Command;
@@ -11,56 +10,26 @@ use crate::gui::workbench::Command;
 use super::items::{Menu, named};
 
 pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
-    let workbench = menu.workbench;
     ui.set_min_width(260.0);
-    menu.item(ui, "Open…", Action::Open, true);
+    menu.items(ui, &[actions::OPEN]);
     recent(ui, menu);
     ui.menu_button("Examples", |ui| {
-        for (index, example) in EXAMPLES.iter().enumerate() {
-            let keys = actions::keys(ui.ctx(), Action::Example(index));
-            let button = ui.add(Button::new(example.name).shortcut_text(keys));
-            let button = named(button, example.name);
-            if button.on_hover_text(example.what).clicked() {
-                menu.commands.push(Command::OpenExample(index));
-                ui.close();
-            }
+        for (action, example) in OPEN_EXAMPLE.iter().zip(&EXAMPLES) {
+            menu.item_about(ui, action, Some(example.what));
         }
     });
-    menu.item(ui, "New by simulation…", Action::New, true);
+    menu.items(ui, &[actions::NEW]);
     ui.separator();
-    let measured = !workbench.subject().is_empty();
-    menu.item(ui, "Save session", Action::Save, measured);
-    menu.item(ui, "Save session as…", Action::SaveAs, measured);
-    let keys = actions::keys(ui.ctx(), Action::SaveToPath);
-    let to_path = Button::new("Save session to path…").shortcut_text(keys);
-    if named(ui.add_enabled(measured, to_path), "Save session to path…").clicked() {
-        menu.commands.push(workbench.typed_path());
-        ui.close();
-    }
+    menu.items(
+        ui,
+        &[actions::SAVE, actions::SAVE_AS, actions::SAVE_TO_PATH],
+    );
     ui.separator();
-    let answered = workbench.answer().is_some();
-    menu.item(ui, "Save model…", Action::SaveModel, answered);
-    menu.item(ui, "Save table…", Action::SaveTable, answered);
+    menu.items(ui, &[actions::SAVE_MODEL, actions::SAVE_TABLE]);
     ui.separator();
-    let has_file = workbench.file().is_some();
-    menu.item(ui, "Read the file again", Action::Reload, has_file);
-    let follows = workbench.following().is_some();
-    let (text, can) = if follows {
-        ("Stop following the file", true)
-    } else {
-        (
-            "Follow the file as it grows",
-            workbench.samples_file().is_some(),
-        )
-    };
-    let keys = actions::keys(ui.ctx(), Action::Follow);
-    let button = Button::new(text).shortcut_text(keys);
-    if named(ui.add_enabled(can, button), text).clicked() {
-        menu.commands.push(Command::Follow(!follows));
-        ui.close();
-    }
+    menu.items(ui, &[actions::RELOAD, actions::FOLLOW]);
     ui.separator();
-    menu.item(ui, "Quit", Action::Quit, true);
+    menu.items(ui, &[actions::QUIT]);
 }
 
 /// Files that were opened before. One that is not there any more says so, and can be taken out.
@@ -79,7 +48,7 @@ fn recent(ui: &mut Ui, menu: &mut Menu<'_>) {
             let folder = path.parent().map(|f| f.display().to_string());
             ui.horizontal(|ui| {
                 let keys = if k == 0 {
-                    actions::keys(ui.ctx(), Action::OpenLatest)
+                    OPEN_LATEST.keys(ui.ctx())
                 } else {
                     String::new()
                 };

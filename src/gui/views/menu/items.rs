@@ -3,37 +3,43 @@
 use egui::containers::menu::MenuButton;
 use egui::{Button, Id, Popup, Response, Role, Ui, WidgetInfo};
 
-use crate::gui::actions;
-use crate::gui::actions::Action;
+use crate::gui::actions::{Action, Now};
 use crate::gui::workbench::{Command, Workbench};
 
 /// What the items of a menu are about, and what they ask for.
 pub(super) struct Menu<'a> {
-    /// What there is.
     pub(super) workbench: &'a Workbench,
     /// What is asked for.
     pub(super) commands: &'a mut Vec<Command>,
 }
 
 impl Menu<'_> {
-    /// Something to do.
-    pub(super) fn item(&mut self, ui: &mut Ui, text: &str, action: Action, enabled: bool) {
-        let button = Button::new(text).shortcut_text(actions::keys(ui.ctx(), action));
-        let response = ui.add_enabled(enabled, button);
-        self.chosen(ui, response, text, action);
+    /// Things to do, one below the other.
+    pub(super) fn items(&mut self, ui: &mut Ui, actions: &[Action]) {
+        for action in actions {
+            self.item_about(ui, action, None);
+        }
     }
 
-    /// One of several ways to look.
-    pub(super) fn choice(&mut self, ui: &mut Ui, on: bool, text: &str, action: Action) {
-        let keys = actions::keys(ui.ctx(), action);
-        let response = ui.add(Button::selectable(on, text).shortcut_text(keys));
-        self.chosen(ui, response, text, action);
-    }
-
-    fn chosen(&mut self, ui: &mut Ui, response: Response, text: &str, action: Action) {
-        if named(response, text).clicked() {
-            let command = actions::command_for(ui.ctx(), action, self.workbench);
-            self.commands.push(command);
+    /// One of them, with what there is to say about it.
+    pub(super) fn item_about(&mut self, ui: &mut Ui, action: &Action, about: Option<&str>) {
+        let ctx = ui.ctx().clone();
+        let now = Now {
+            ctx: &ctx,
+            workbench: self.workbench,
+        };
+        let text = action.label(now);
+        let button = match action.chosen(now) {
+            Some(on) => Button::selectable(on, &text),
+            None => Button::new(&text),
+        };
+        let button = button.shortcut_text(action.keys(&ctx));
+        let mut response = named(ui.add_enabled(action.enabled(now), button), &text);
+        if let Some(about) = about {
+            response = response.on_hover_text(about);
+        }
+        if response.clicked() {
+            self.commands.push(action.command(now));
             ui.close();
         }
     }
@@ -80,8 +86,4 @@ pub(super) fn named(response: Response, text: &str) -> Response {
     let enabled = response.enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, text));
     response
-}
-
-pub(super) fn results_says(open: bool) -> &'static str {
-    if open { "Hide results" } else { "Show results" }
 }

@@ -4,71 +4,32 @@ use egui::gui_zoom::{kb_shortcuts, zoom_in, zoom_out};
 use egui::{Button, Context, Ui};
 
 use crate::gui::actions;
-use crate::gui::actions::Action;
 use crate::gui::preferences::ZOOM;
-use crate::gui::units::{AngleUnit, LengthUnit};
-use crate::gui::view::{Plane, Step};
 
-use super::items::{Menu, named, results_says};
+use super::items::{Menu, named};
 
 pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
-    let workbench = menu.workbench;
     ui.set_min_width(240.0);
-    let undo = workbench.undoes();
-    let redo = workbench.redoes();
-    let with = |verb: &str, what: Option<&str>| {
-        what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"))
-    };
-    menu.item(ui, &with("Undo", undo), Action::Undo, undo.is_some());
-    menu.item(ui, &with("Redo", redo), Action::Redo, redo.is_some());
+    menu.items(ui, &[actions::UNDO, actions::REDO]);
     ui.separator();
-    let measured = !workbench.subject().is_empty();
-    menu.item(ui, "Identify", Action::Identify, measured);
-    menu.item(ui, "Run diagnosis", Action::Search, measured);
-    let running = workbench.jobs().newest().is_some();
-    menu.item(ui, "Cancel what is running", Action::Cancel, running);
+    menu.items(ui, &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL]);
     ui.separator();
-    menu.item(ui, "Preferences…", Action::Preferences, true);
+    menu.items(ui, &[actions::PREFERENCES]);
 }
 
 pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
-    let workbench = menu.workbench;
+    use actions::{
+        DIAGNOSIS, EXPORT, FIT, IDENTIFICATION, LOOK_AROUND, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE,
+        NEXT_LENGTH, OTHER_THEME, REGIONS, RESULTS, SESSION,
+    };
     ui.set_min_width(260.0);
-    for step in Step::ALL {
-        let on = workbench.view().step == step;
-        menu.choice(ui, on, step.name(), Action::Step(step));
-    }
+    menu.items(ui, &[SESSION, REGIONS, IDENTIFICATION, DIAGNOSIS, EXPORT]);
     ui.separator();
-    for (plane, name) in [
-        (Plane::Xy, "Workspace from above"),
-        (Plane::Xz, "Workspace from the side"),
-        (Plane::Yz, "Workspace from the front"),
-    ] {
-        let on = workbench.view().plane == plane && !workbench.view().polar();
-        menu.choice(ui, on, name, Action::Look(plane));
-    }
-    let (on, name) = (workbench.view().polar(), "Deviation around the angle");
-    menu.choice(ui, on, name, Action::LookAround);
-    menu.item(ui, "Show everything in the plots", Action::Fit, true);
+    menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, FIT]);
     ui.separator();
-    let open = actions::room(ui.ctx(), workbench).results();
-    menu.item(ui, results_says(open), Action::Results, true);
+    menu.items(ui, &[RESULTS]);
     ui.separator();
-    let preferences = &workbench.view().preferences;
-    let length = match preferences.length {
-        LengthUnit::Millimetre => "Lengths in µm",
-        LengthUnit::Micrometre => "Lengths in inches",
-        LengthUnit::Inch => "Lengths in mm",
-    };
-    menu.item(ui, length, Action::NextLength, true);
-    let angle = match preferences.angle {
-        AngleUnit::Degree => "Angles in radians",
-        AngleUnit::Radian => "Angles in degrees",
-    };
-    menu.item(ui, angle, Action::NextAngle, true);
-    let dark = ui.visuals().dark_mode;
-    let other = if dark { "Light" } else { "Dark" };
-    menu.item(ui, other, Action::OtherTheme, true);
+    menu.items(ui, &[NEXT_LENGTH, NEXT_ANGLE, OTHER_THEME]);
     ui.separator();
     let now = ui.ctx().zoom_factor();
     for (text, keys, change, enabled) in [
@@ -102,7 +63,5 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
 
 pub(super) fn help(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.set_min_width(240.0);
-    menu.item(ui, "Glossary", Action::Words, true);
-    menu.item(ui, "Keyboard and mouse", Action::Keys, true);
-    menu.item(ui, "About truepose", Action::About, true);
+    menu.items(ui, &[actions::WORDS, actions::KEYS, actions::ABOUT]);
 }

@@ -13,7 +13,7 @@ use crate::gui::workbench::{Command, Workbench};
 
 use crate::gui::actions;
 
-use items::{Menu, header, results_says};
+use items::{Menu, header};
 
 /// Width of the menus, points.
 const MENUS: f32 = 200.0;
@@ -31,7 +31,6 @@ pub(crate) fn window_title(workbench: &Workbench) -> String {
     format!("{name}{mark} – truepose")
 }
 
-/// Shows the bar.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.horizontal_centered(|ui| {
         let palette = Palette::of(ui);
@@ -76,7 +75,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             }
             ui.add_space(space::ROW);
             let open = actions::room(ui.ctx(), workbench).results();
-            if widgets::side_button(ui, open, results_says(open)).clicked() {
+            if widgets::side_button(ui, open, actions::results_says(open)).clicked() {
                 commands.push(Command::Results(!open));
             }
         });

@@ -23,7 +23,6 @@ const OFFERED: usize = 6;
 /// More even regions than this are a slip of the keyboard.
 const MOST_EVEN: usize = 360;
 
-/// Shows the step.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if !subject.single_revolute() {
@@ -182,7 +181,6 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
-/// What to do next.
 pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;

@@ -77,7 +77,6 @@ fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
     ]
 }
 
-/// Shows the menu.
 pub(super) fn more(ui: &mut Ui, regions: &[Region], k: usize, commands: &mut Vec<Command>) {
     let mut done = None;
     let menu = ui.scope(|ui| {

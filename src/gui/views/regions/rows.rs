@@ -31,7 +31,6 @@ fn columns(available: f32) -> [f32; 5] {
     [name, end, end, samples, more]
 }
 
-/// Shows the rows.
 pub(super) fn show(
     ui: &mut Ui,
     workbench: &Workbench,

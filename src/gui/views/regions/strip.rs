@@ -9,12 +9,10 @@ use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 
 const HEIGHT: f32 = 40.0;
-/// Of that, for the samples.
 const SAMPLES: f32 = 14.0;
 /// Columns of samples.
 const BINS: u16 = 68;
 
-/// Shows the strip.
 pub(super) fn show(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let subject = workbench.subject();
     let (from, to) = subject.travel();

@@ -6,10 +6,8 @@ use crate::gui::workbench::Command;
 
 macro_rules! kinds {
     ($all:ident, $of:ident, $type:ident: $($variant:ident $fields:tt),* $(,)?) => {
-        /// All of them.
         pub(super) const $all: &[&str] = &[$(stringify!($variant)),*];
 
-        /// Which one it is.
         pub(super) fn $of(one: &$type) -> &'static str {
             match one {
                 $(kinds!(@ $type $variant $fields) => stringify!($variant)),*

@@ -28,7 +28,6 @@ const GAP_RAD: f64 = 0.45;
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Spot {
-    /// The sample.
     pub(crate) sample: usize,
     /// Commanded angle, rad.
     pub(crate) q: f64,
@@ -62,16 +61,13 @@ impl Spot {
 /// The mean deviation over the angle, of samples that came from one side: angle and mm.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Trace {
-    /// The side.
     pub(crate) side: f64,
     /// Pieces without gaps.
     pub(crate) pieces: Vec<Vec<[f64; 2]>>,
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Polar {
-    /// The component.
     pub(crate) component: Component,
     /// Samples, perhaps thinned; none where their extremes are shown instead.
     pub(crate) spots: Vec<Spot>,
@@ -81,7 +77,6 @@ pub(crate) struct Polar {
     pub(crate) before: Vec<Trace>,
     /// Mean of what is left, by side.
     pub(crate) after: Vec<Trace>,
-    /// One division, mm.
     pub(crate) division_mm: f64,
     /// So many divisions inside the nominal circle and outside.
     pub(crate) divisions: [f64; 2],

@@ -40,7 +40,6 @@ fn displaced(corners: &[Point3<f64>], tip_mm: Vector3<f64>) -> Vec<Point3<f64>> 
 /// How a joint is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Sign {
-    /// Where, mm.
     pub(crate) at_mm: [f64; 2],
     /// Its axis as it is seen: 1 long where it lies in the plane, 0 where one looks along it.
     pub(crate) along: [f64; 2],
@@ -59,7 +58,6 @@ pub(crate) struct Real {
     pub(crate) identified: bool,
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Drawn {
     /// The sample; `None`: nobody measured this pose.
@@ -68,7 +66,6 @@ pub(crate) struct Drawn {
     pub(crate) asked_for: bool,
     /// The nominal robot from base to tool, mm.
     pub(crate) nominal_mm: Vec<[f64; 2]>,
-    /// The real one.
     pub(crate) real: Option<Real>,
     /// Its joints.
     pub(crate) signs: Vec<Sign>,

@@ -3,12 +3,22 @@
 use crate::gui::cache::charts::over::{Over, Variable};
 use crate::gui::core::scale::FEW;
 use crate::gui::core::scale::stride;
+use crate::gui::view::Chart;
 use crate::gui::workbench::Workbench;
+
+/// The chart's name where there is little room, and its name.
+pub(super) const fn names(chart: Chart) -> [&'static str; 2] {
+    match chart {
+        Chart::Time => ["time", "Deviation over time"],
+        Chart::Load => ["load", "Deviation over load"],
+        Chart::Temperature => ["temperature", "Deviation over temperature"],
+        _ => ["angle", "Deviation over angle"],
+    }
+}
 
 /// One sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Dot {
-    /// The sample.
     pub(crate) sample: usize,
     /// Where it stands along the chart, inner units; NaN where that is not known.
     pub(crate) x: f64,
@@ -21,7 +31,6 @@ pub(crate) struct Dot {
 }
 
 impl Dot {
-    /// A sample as the workbench has it.
     pub(crate) fn of(workbench: &Workbench, over: Over, sample: usize) -> Self {
         let subject = &**workbench.subject();
         let component = workbench.view().component;
@@ -36,7 +45,6 @@ impl Dot {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Series {
     /// Samples in measuring order, perhaps thinned; none where their extremes are shown instead.
@@ -49,7 +57,6 @@ pub(crate) struct Series {
     pub(crate) unplaced: usize,
     /// Region boundaries, rad.
     pub(crate) boundaries_rad: Vec<f64>,
-    /// The tolerance, mm.
     pub(crate) tolerance_mm: Option<f64>,
 }
 

@@ -15,7 +15,7 @@ use crate::gui::workspace;
 
 use super::columns::{self, Axes};
 use super::layout::{self, Extent, Many};
-use super::model::{Dot, Series};
+use super::model::{Dot, Series, names};
 use crate::gui::cache::charts::envelope::Envelope;
 
 /// A sample is under the pointer within this many points.
@@ -183,11 +183,8 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mu
         legend: Vec::new(),
         note: String::new(),
     };
-    let id = (
-        workbench.chart().short(),
-        view.component.name(),
-        shown.only_after,
-    );
+    let [short, name] = names(workbench.chart());
+    let id = (short, view.component.name(), shown.only_after);
     let emphasised = view.hovered.or(view.selected);
     let drawn = &shown;
     let plot = frame.plot(id, view, &palette);
@@ -222,10 +219,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mu
     let component = view.component.name();
     let name = match over.variable {
         Variable::Joint => format!("deviation chart, {component}"),
-        _ => format!(
-            "{} chart, {component}",
-            workbench.chart().name().to_lowercase()
-        ),
+        _ => format!("{} chart, {component}", name.to_lowercase()),
     };
     figure(&response, &name, shown.says());
 

@@ -216,7 +216,6 @@ fn says(workbench: &Workbench, spectrum: &Spectrum) -> String {
     format!("{says}; {}", note(spectrum))
 }
 
-/// Shows the spectrum in the space that is left.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let spectrum = match spectrum(workbench) {
         Ok(spectrum) => spectrum,
