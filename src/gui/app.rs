@@ -16,11 +16,8 @@ use super::view::{Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::letters::Alphabet;
-use crate::gui::style::tokens;
-use crate::gui::style::tokens::{Palette, space};
-use crate::gui::view::About;
-use crate::gui::view::Plot;
-use crate::gui::view::What;
+use crate::gui::style::tokens::{self, Palette, space};
+use crate::gui::view::{About, Plot, What};
 use crate::gui::views;
 use crate::gui::workbench::{Command, Workbench};
 

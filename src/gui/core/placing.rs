@@ -4,8 +4,7 @@
 //! all: every refusal names the region, says what is wrong and what to type instead.
 
 use super::boundaries::{Boundary, NARROWEST_RAD, boundaries};
-use crate::gui::units::AngleUnit;
-use crate::gui::units::{Units, typed};
+use crate::gui::units::{AngleUnit, Units, typed};
 use crate::sessions::Region;
 use crate::units::{deg_from_rad, rad_from_deg};
 

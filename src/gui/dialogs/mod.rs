@@ -14,8 +14,7 @@ use egui::{Grid, Id, Key, Margin, Modal, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::gui::plots::gestures;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::view::Sheet;
-use crate::gui::view::What;
+use crate::gui::view::{Sheet, What};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 

@@ -2,10 +2,9 @@
 
 use egui::{RichText, ScrollArea, Ui};
 
-use crate::gui::help;
 use crate::gui::style::tokens::{size, space, strong};
-use crate::gui::widgets;
 use crate::gui::workbench::Command;
+use crate::gui::{help, widgets};
 
 /// Height of what stands around the list, points.
 const REST: f32 = 240.0;

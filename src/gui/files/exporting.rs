@@ -11,8 +11,7 @@ use crate::progress::Cancelled;
 
 use crate::gui::cache::preview::Wanted;
 use crate::gui::jobs::Watch;
-use crate::gui::view::Message;
-use crate::gui::view::What;
+use crate::gui::view::{Message, What};
 
 use super::advice::advice;
 

@@ -5,8 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
-use crate::model::format_v1::is_model;
-use crate::model::format_v1::load_model;
+use crate::model::format_v1::{is_model, load_model};
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::{self, Loaded};
 

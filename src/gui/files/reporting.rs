@@ -11,8 +11,7 @@ use crate::report::{self, ExportedTable, Extras};
 
 use crate::gui::cache::outcome::Outcome;
 use crate::gui::core::document::Document;
-use crate::gui::core::search;
-use crate::gui::core::search::Search;
+use crate::gui::core::search::{self, Search};
 use crate::gui::files;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;

@@ -15,8 +15,7 @@ pub(crate) use marks::disc;
 
 use egui::{Response, Role, Ui, WidgetInfo};
 
-use crate::gui::view::Plot;
-use crate::gui::view::What;
+use crate::gui::view::{Plot, What};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;
 

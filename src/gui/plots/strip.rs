@@ -1,8 +1,9 @@
 //! The line between a chart's bar and the chart: what the marks are, and what has to be said. It
 //! stands beside the plot, not on it, so that it covers no sample.
 
-use egui::{Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
-use egui::{pos2, vec2};
+use egui::{
+    Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;

@@ -5,8 +5,7 @@ use std::time::Duration;
 
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
-use crate::diagnosis::NextPose;
-use crate::diagnosis::{Diagnosis, Sight};
+use crate::diagnosis::{Diagnosis, NextPose, Sight};
 use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::style::tokens::{size, space};

@@ -5,10 +5,9 @@ use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
 
 use crate::gui::core::edit::Edit;
 use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
-use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, space};
-use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::gui::{help, widgets};
 use crate::kinematics::JointKind;
 
 /// What happened to the fields.

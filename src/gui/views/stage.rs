@@ -5,9 +5,8 @@ use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, ScrollArea
 
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Part;
-use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::gui::workspace;
+use crate::gui::{widgets, workspace};
 
 use super::{charts, disk};
 

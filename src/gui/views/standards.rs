@@ -3,10 +3,9 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::gui::cache::figures::{Group, Made, as_text};
-use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::gui::{help, widgets};
 
 use super::copies;
 

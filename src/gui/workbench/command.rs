@@ -10,8 +10,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::core::subject::Component;
 use crate::gui::foreign::{Beside, Said};
 use crate::gui::preferences::Preferences;
-use crate::gui::view::What;
-use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]

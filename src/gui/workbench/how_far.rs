@@ -11,13 +11,12 @@ use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape
 
 use super::under_way::{gate, idle, on_threads, until};
 use super::{Command, Workbench};
-use crate::gui::dialogs;
-use crate::gui::files;
 use crate::gui::foreign::Foreign;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Sheet, Then};
 use crate::gui::views::status;
+use crate::gui::{dialogs, files};
 use crate::progress::Progress;
 use crate::progress::testing::{assert_grows, no_at, told};
 

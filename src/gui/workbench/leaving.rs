@@ -8,8 +8,7 @@ use crate::gui::core::subject::Origin;
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::keeping::settings::Recent;
-use crate::gui::view::What;
-use crate::gui::view::{Message, Sheet, Then};
+use crate::gui::view::{Message, Sheet, Then, What};
 
 use super::state::Place;
 use super::{Command, Workbench};

@@ -4,12 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::gui::cache::figures::Figures;
-use crate::gui::files::reporting::Source;
-use crate::gui::files::{self, reporting};
+use crate::gui::files;
+use crate::gui::files::reporting::{self, Source};
 use crate::gui::jobs::{Kind, Watch};
-use crate::gui::view::About;
-use crate::gui::view::Plot;
-use crate::gui::view::Step;
+use crate::gui::view::{About, Plot, Step};
 use crate::report::exported::sidecar_of;
 use crate::sessions::samples_path;
 

@@ -13,9 +13,7 @@ use crate::gui::core::setup::SetupForm;
 use crate::gui::core::subject::{Origin, Subject};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::testing::workbench;
-use crate::gui::view::About;
-use crate::gui::view::Step;
-use crate::gui::view::What;
+use crate::gui::view::{About, Step, What};
 use crate::units::rad_from_deg;
 
 fn done(workbench: &mut Workbench, edit: Edit) {

@@ -12,8 +12,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
 use crate::gui::testing::workbench;
-use crate::gui::view::What;
-use crate::gui::view::{Message, Step, Then};
+use crate::gui::view::{Message, Step, Then, What};
 
 pub(super) fn on_threads() -> Workbench {
     let mut bench = workbench();

@@ -3,8 +3,10 @@
 
 use std::sync::Arc;
 
-use egui::{Area, Color32, FontId, Galley, Id, Order, Pos2, Rect, Role, Sense, Stroke, StrokeKind};
-use egui::{Context, Vec2, WidgetInfo, pos2, vec2};
+use egui::{
+    Area, Color32, Context, FontId, Galley, Id, Order, Pos2, Rect, Role, Sense, Stroke, StrokeKind,
+    Vec2, WidgetInfo, pos2, vec2,
+};
 
 use crate::gui::style::tokens::{DARK, LIGHT, size, strong};
 use crate::gui::workbench::Workbench;

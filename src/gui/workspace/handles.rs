@@ -8,8 +8,7 @@ use egui::{
 };
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::core::boundaries;
-use crate::gui::core::boundaries::SNAP_DEG;
+use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::tally::Held;
 use crate::gui::style::tokens::Palette;

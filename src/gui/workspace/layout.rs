@@ -4,8 +4,7 @@
 use egui::Pos2;
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::core::scale::FEW;
-use crate::gui::core::scale::round_down;
+use crate::gui::core::scale::{FEW, round_down};
 use crate::gui::view::Canvas;
 use crate::gui::workbench::Workbench;
 

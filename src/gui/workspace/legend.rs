@@ -3,8 +3,8 @@
 
 use egui::{
     Align2, Color32, FontId, Link, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText,
+    Stroke, Ui, pos2, vec2,
 };
-use egui::{Stroke, Ui, pos2, vec2};
 use egui_plot::PlotTransform;
 
 use crate::gui::layers::{OUTLINE, scale_at};

@@ -9,12 +9,11 @@ use crate::gui::view::{Canvas, Step};
 use crate::gui::workbench::{Command, Workbench};
 
 use super::drawn::{arrows, emphasis, names_of_regions, path, points, ring, sectors};
-use super::layout;
 use super::model::Scene;
 use super::pointer::{hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
-use super::{crowd, handles, layers, legend};
+use super::{crowd, handles, layers, layout, legend};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;

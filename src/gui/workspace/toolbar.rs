@@ -6,8 +6,7 @@ use crate::gui::core::subject::Component;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::units::{significant, trimmed};
-use crate::gui::view::Plot;
-use crate::gui::view::{Colouring, Plane};
+use crate::gui::view::{Colouring, Plane, Plot};
 use crate::gui::widgets::{self, caption, fine, title};
 use crate::gui::workbench::{Command, Workbench};
 

@@ -2,8 +2,7 @@
 //! effect also the joint's speed and its travel since the last reversal.
 
 use crate::gui::core::subject::Subject;
-use crate::gui::units::AngleUnit;
-use crate::gui::units::{Units, trimmed};
+use crate::gui::units::{AngleUnit, Units, trimmed};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Variable {

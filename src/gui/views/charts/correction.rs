@@ -6,14 +6,13 @@ use egui_plot::{Axis, Line, PlotPoints};
 use crate::compensation::SortedTable;
 use crate::gui::cache::preview::Made;
 use crate::gui::core::scale::{LEAST_SPAN, MOST_POINTS, stride, thinned};
-use crate::gui::help;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
 use crate::gui::plots::{axis, gestures, steps, strip};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{cell, plain_number};
 use crate::gui::view::Chart;
-use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
+use crate::gui::{help, widgets};
 
 use super::view::View;
 use crate::kinematics::JointKind;

@@ -14,8 +14,7 @@ use crate::gui::core::subject::Component;
 use crate::gui::plots::sketch::Sketch;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
-use crate::gui::view::Chart;
-use crate::gui::view::Plot;
+use crate::gui::view::{Chart, Plot};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 

@@ -9,11 +9,10 @@ mod next;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
-use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{grouped, significant};
-use crate::gui::widgets::{self};
 use crate::gui::workbench::{Command, Workbench};
+use crate::gui::{help, widgets};
 
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};

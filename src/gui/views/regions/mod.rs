@@ -11,11 +11,10 @@ use crate::gui::core::division::Division;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::placing;
-use crate::gui::help;
 use crate::gui::style::tokens::space;
 use crate::gui::view::Step;
-use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
+use crate::gui::{help, widgets};
 
 /// Regions that are offered when there are none: the paper's number.
 const OFFERED: usize = 6;

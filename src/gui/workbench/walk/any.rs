@@ -19,10 +19,9 @@ use crate::gui::core::subject::{Component, Subject};
 use crate::gui::foreign::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
-use crate::gui::view::About;
-use crate::gui::view::Plot;
-use crate::gui::view::What;
-use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then};
+use crate::gui::view::{
+    About, Canvas, Chart, Colouring, Part, Plane, Plot, Sheet, Side, Step, Then, What,
+};
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 use crate::progress::{Progress, unwatched};

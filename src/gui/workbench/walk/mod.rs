@@ -21,8 +21,7 @@ use crate::gui::core::division::Division;
 use crate::gui::core::document::Document;
 use crate::gui::core::simulate::Form;
 use crate::gui::testing::workbench;
-use crate::gui::view::Then;
-use crate::gui::view::What;
+use crate::gui::view::{Then, What};
 use crate::model::format_v1::load_model;
 use crate::sessions;
 

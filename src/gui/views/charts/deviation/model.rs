@@ -1,8 +1,7 @@
 //! What the deviation chart shows, in inner units.
 
 use crate::gui::cache::charts::over::{Over, Variable};
-use crate::gui::core::scale::FEW;
-use crate::gui::core::scale::stride;
+use crate::gui::core::scale::{FEW, stride};
 use crate::gui::view::Chart;
 use crate::gui::workbench::Workbench;
 

@@ -5,8 +5,7 @@ use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::cache::charts::Charted;
 use crate::gui::cache::charts::over::Scale;
-use crate::gui::core::scale::FEW;
-use crate::gui::core::scale::{LEAST_SPAN, stride, thinned};
+use crate::gui::core::scale::{FEW, LEAST_SPAN, stride, thinned};
 use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
 use crate::gui::plots::{Drawing, figure, gestures, marks};
