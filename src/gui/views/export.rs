@@ -9,14 +9,29 @@ use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::with_minus_signs;
 use crate::gui::view::{About, Step, What};
-use crate::gui::widgets;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
 
 /// Where an own step begins, degrees or mm.
 const FIRST_STEP: f64 = 1.0;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) const STEP: StepView = StepView {
+    step: Step::Export,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    match workbench.exported().and_then(|path| path.file_name()) {
+        Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
+        None => ("not yet".to_owned(), Progress::Open),
+    }
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         widgets::hint(
             ui,
@@ -268,7 +283,7 @@ fn text(ui: &mut Ui, text: &str) {
     }
 }
 
-pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.answer().is_none() {
         if widgets::primary(ui, "Go to identify").clicked() {
             commands.push(Command::GoTo(Step::Identify));

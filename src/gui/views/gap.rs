@@ -7,10 +7,18 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::search::{SEARCHING, STAGES};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Step;
+use crate::gui::views::step::StepView;
 use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) const STEP: StepView = StepView {
+    step: Step::Gap,
+    show,
+    next,
+    state,
+};
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.subject().is_empty() {
         widgets::hint(ui, "Open a session that was measured on this robot first");
         return;
@@ -132,7 +140,7 @@ fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 }
 
 /// What the step has to show for itself.
-pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
+fn state(workbench: &Workbench) -> (String, Progress) {
     if workbench.searching().is_some() {
         return ("searching".to_owned(), Progress::Open);
     }
@@ -151,7 +159,7 @@ pub(super) fn state(workbench: &Workbench) -> (String, Progress) {
     (caption, Progress::Done)
 }
 
-pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.searching().is_some() {
         if widgets::secondary(ui, "Stop the search").clicked() {
             commands.push(Command::StopSearch);

@@ -7,10 +7,33 @@ use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::Step;
-use crate::gui::widgets;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) const STEP: StepView = StepView {
+    step: Step::Identify,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    let document = workbench.document();
+    let caption = match (document.identified, document.method) {
+        _ if document.given.is_some() => "model from a file".to_owned(),
+        (false, _) => "not yet".to_owned(),
+        (true, Method::Regional) => "by region".to_owned(),
+        (true, Method::Exact) => {
+            let n = document.effects.len();
+            let effects = if n == 1 { "effect" } else { "effects" };
+            format!("exact, {n} {effects}")
+        }
+    };
+    (caption, Progress::of(workbench.answer().is_some()))
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     if let Some(given) = &document.given {
         widgets::hint(
@@ -111,7 +134,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         });
 }
 
-pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     if !document.identified {
         if widgets::primary(ui, "Identify").clicked() {

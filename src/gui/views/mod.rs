@@ -21,5 +21,6 @@ mod setup;
 pub(super) mod stage;
 mod standards;
 pub(super) mod status;
+mod step;
 pub(super) mod steps;
 mod unexplained;

@@ -7,16 +7,33 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::simulate::Form;
 use crate::gui::core::subject::Origin;
 use crate::gui::style::tokens::{Palette, size, space, strong};
-use crate::gui::units::grouped;
+use crate::gui::units::{grouped, number_of};
 use crate::gui::view::{Sheet, Step};
-use crate::gui::widgets;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
 use crate::gui::workbench::{Command, Workbench};
 
 use super::setup;
 use crate::kinematics::JointKind;
 use crate::sessions::Sigma;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(super) const STEP: StepView = StepView {
+    step: Step::Session,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    let says = if workbench.subject().is_empty() {
+        "a model, nothing measured".to_owned()
+    } else {
+        number_of(workbench.subject().len(), "sample")
+    };
+    (says, Progress::Done)
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::section(ui, "Measured");
     facts(ui, workbench);
     tolerance(ui, workbench, commands);
@@ -226,7 +243,7 @@ fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
     ui.data_mut(|data| data.insert_temp(id, typed));
 }
 
-pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if subject.origin == Origin::Bundled {
         widgets::hint(ui, "This is an example that comes with the program");

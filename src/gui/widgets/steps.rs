@@ -14,6 +14,12 @@ pub(crate) enum Progress {
     Done,
 }
 
+impl Progress {
+    pub(crate) fn of(done: bool) -> Self {
+        if done { Self::Done } else { Self::Open }
+    }
+}
+
 /// A step in the list of steps.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StepRow<'a> {

@@ -12,7 +12,10 @@ use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::placing;
 use crate::gui::style::tokens::space;
+use crate::gui::units::number_of;
 use crate::gui::view::Step;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::Progress;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{help, widgets};
 
@@ -22,7 +25,29 @@ const OFFERED: usize = 6;
 /// More even regions than this are a slip of the keyboard.
 const MOST_EVEN: usize = 360;
 
-pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+pub(in crate::gui::views) const STEP: StepView = StepView {
+    step: Step::Regions,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    let document = workbench.document();
+    if document.regions.is_empty() {
+        let says = if workbench.subject().is_empty() {
+            "nothing measured"
+        } else {
+            "not for this robot"
+        };
+        return (says.to_owned(), Progress::Open);
+    }
+    let used = document.identified && document.method == Method::Regional;
+    let regions = number_of(document.regions.len(), "region");
+    (regions, Progress::of(used))
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     if !subject.single_revolute() {
         widgets::hint(
@@ -180,7 +205,7 @@ fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     }
 }
 
-pub(crate) fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let document = workbench.document();
     let regional = document.identified && document.method == Method::Regional;
     let subject = workbench.subject();
