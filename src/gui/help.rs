@@ -4,7 +4,6 @@
 /// A word and what it means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Word {
-    /// The word.
     pub(crate) name: &'static str,
     /// What it means, and what to do with it.
     pub(crate) means: &'static str,

@@ -27,7 +27,6 @@ pub(crate) enum AngleUnit {
     Radian,
 }
 
-/// The chosen units.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Units {
     pub(crate) length: LengthUnit,

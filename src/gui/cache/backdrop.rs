@@ -18,11 +18,9 @@ use crate::gui::core::subject::{Component, Subject};
 use crate::gui::view::Plane;
 
 /// What a backdrop is made of.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Scenery {
-    /// The session.
     pub(crate) subject: Arc<Subject>,
-    /// The answer.
     pub(crate) outcome: Option<Arc<Outcome>>,
     /// The plane of the workspace.
     pub(crate) plane: Plane,
@@ -38,32 +36,7 @@ pub(crate) struct Scenery {
     pub(crate) chart: Asked,
 }
 
-impl PartialEq for Scenery {
-    fn eq(&self, other: &Self) -> bool {
-        self.of_same_samples(other)
-            && self.same_answer(other)
-            && self.plane == other.plane
-            && self.heat == other.heat
-            && self.thins == other.thins
-            && self.polar == other.polar
-            && self.component == other.component
-            && self.chart == other.chart
-    }
-}
-
 impl Scenery {
-    fn of_same_samples(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.subject, &other.subject)
-    }
-
-    fn same_answer(&self, other: &Self) -> bool {
-        match (&self.outcome, &other.outcome) {
-            (None, None) => true,
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            _ => false,
-        }
-    }
-
     fn answer(&self) -> Option<&Answer> {
         self.outcome.as_ref()?.answer.as_ref().ok()
     }
@@ -97,9 +70,9 @@ pub(crate) struct Backdrop {
 impl Backdrop {
     /// Works it out; what the last one has already is taken from there.
     pub(crate) fn of(scenery: Scenery, last: Option<&Self>) -> Self {
-        let last = last.filter(|l| l.scenery.of_same_samples(&scenery));
+        let last = last.filter(|l| l.scenery.subject == scenery.subject);
         let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
-        let same_answer = last.filter(|l| l.scenery.same_answer(&scenery));
+        let same_answer = last.filter(|l| l.scenery.outcome == scenery.outcome);
         let heat_of = same_answer.filter(|_| same_plane.is_some());
         let chart_of = same_answer.filter(|l| {
             l.scenery.component == scenery.component && l.scenery.chart == scenery.chart

@@ -38,13 +38,11 @@ pub(crate) struct Group {
     pub(crate) unit: &'static str,
     /// Under which conditions.
     pub(crate) says: String,
-    /// The figures.
     pub(crate) rows: Vec<Row>,
     /// Why others are missing.
     pub(crate) missing: Vec<String>,
 }
 
-/// A figure.
 #[derive(Debug, Clone)]
 pub(crate) struct Row {
     /// Its symbol in the standard.

@@ -14,7 +14,6 @@ use super::cloud::{Cloud, Remainder};
 /// An answer to a question.
 #[derive(Debug, Clone)]
 pub(crate) struct Outcome {
-    /// What was asked.
     pub(crate) question: Question,
     /// The answer, or why there is none.
     pub(crate) answer: Result<Answer, String>,
@@ -41,6 +40,13 @@ impl After {
             lengths: Lengths::new(&answer.lengths_mm),
             readable: readable(subject.overview.reach_mm, &answer.lengths_mm),
         }
+    }
+}
+
+/// Only itself.
+impl PartialEq for Outcome {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
     }
 }
 

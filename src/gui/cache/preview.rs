@@ -12,7 +12,7 @@ use super::outcome::Outcome;
 use crate::gui::core::document::ExportChoice;
 
 /// What is to be exported.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Wanted {
     /// The identification that it comes from.
     pub(crate) outcome: Arc<Outcome>,
@@ -20,14 +20,6 @@ pub(crate) struct Wanted {
     /// What the file is called, where it was saved already: what is to be entered in the controller
     /// names it.
     pub(crate) name: Option<String>,
-}
-
-impl PartialEq for Wanted {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.outcome, &other.outcome)
-            && self.choice == other.choice
-            && self.name == other.name
-    }
 }
 
 #[derive(Debug, Clone)]
@@ -42,7 +34,6 @@ pub(crate) struct Preview {
 pub(crate) struct Made {
     /// Name of the joint whose table it is.
     pub(crate) joint: String,
-    /// The documents.
     pub(crate) export: Export,
     /// The sign convention in words, as the sidecar has it.
     pub(crate) sign: Option<String>,

@@ -23,7 +23,6 @@ pub(crate) struct Answer {
 /// What there is to say about a model that was read from a file.
 #[derive(Debug, Clone)]
 pub(crate) struct Loaded {
-    /// The file's name.
     pub(crate) file: String,
     /// What it does on the session; `None` where nothing was measured.
     pub(crate) verification: Option<Verification>,

@@ -11,7 +11,6 @@ use sha2::{Digest, Sha256};
 /// How a file looked.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Print {
-    /// The file.
     pub(crate) path: PathBuf,
     modified: Option<SystemTime>,
     length: u64,

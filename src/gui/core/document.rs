@@ -92,15 +92,12 @@ pub(crate) struct Choices {
 }
 
 /// See the module. Cloning is cheap: the session is shared.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Document {
-    /// The session.
     pub(crate) subject: Arc<Subject>,
     /// Regions of joint 1.
     pub(crate) regions: Arc<[Region]>,
-    /// How they came about.
     pub(crate) division: Division,
-    /// How to identify.
     pub(crate) method: Method,
     /// Effects of the exact fit, in the order of the catalogue.
     pub(crate) effects: Vec<&'static str>,
@@ -114,21 +111,6 @@ pub(crate) struct Document {
     pub(crate) given: Option<Arc<Given>>,
     /// Whether the robot is to be identified; from then on the answer follows every change.
     pub(crate) identified: bool,
-}
-
-impl PartialEq for Document {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.subject, &other.subject)
-            && self.regions == other.regions
-            && self.division == other.division
-            && self.method == other.method
-            && self.effects == other.effects
-            && self.added == other.added
-            && self.tolerance_mm == other.tolerance_mm
-            && self.export == other.export
-            && self.given == other.given
-            && self.identified == other.identified
-    }
 }
 
 impl Document {
@@ -213,9 +195,8 @@ impl Document {
 }
 
 /// What to identify, from what.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Question {
-    /// The session.
     pub(crate) subject: Arc<Subject>,
     pub(crate) asks: Asks,
 }
@@ -225,7 +206,6 @@ pub(crate) struct Question {
 pub(crate) enum Asks {
     /// Exactly these effects.
     Exact {
-        /// Their names.
         effects: Vec<&'static str>,
         /// What a search found, with its settings.
         with: Vec<Term>,
@@ -301,11 +281,5 @@ impl Question {
             *found = Found::all_of(search, with);
         }
         self
-    }
-}
-
-impl PartialEq for Question {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.subject, &other.subject) && self.asks == other.asks
     }
 }

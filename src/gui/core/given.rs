@@ -14,9 +14,7 @@ use super::subject::{Origin, Subject};
 /// A model and the file that it was read from.
 #[derive(Debug, Clone)]
 pub(crate) struct Given {
-    /// The model.
     pub(crate) calibration: Calibration,
-    /// The file.
     pub(crate) path: PathBuf,
 }
 
@@ -35,7 +33,6 @@ impl Given {
         }
     }
 
-    /// The file's name.
     pub(crate) fn file_name(&self) -> String {
         let name = self.path.file_name().unwrap_or(self.path.as_os_str());
         name.to_string_lossy().into_owned()

@@ -24,7 +24,6 @@ pub(crate) enum End {
 /// What is being typed for an end of a region and could not be taken over, or not yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Typed {
-    /// The region's name.
     pub(crate) region: String,
     pub(crate) end: End,
     pub(crate) text: String,

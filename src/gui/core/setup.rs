@@ -35,7 +35,6 @@ pub(crate) struct TargetForm {
 /// What is known of the instrument's noise, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SigmaForm {
-    /// Nothing.
     Unknown,
     /// One number.
     One(f64),

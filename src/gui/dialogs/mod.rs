@@ -83,10 +83,15 @@ pub(crate) fn show(ui: &Ui, workbench: &Workbench, commands: &mut Vec<Command>) 
 /// What was done with a path that is being typed.
 enum Typed {
     /// It is complete.
-    Done { path: PathBuf, replace: bool },
+    Done {
+        path: PathBuf,
+        replace: bool,
+    },
     /// It is another now.
-    Changed { path: String, replace: bool },
-    /// Nothing.
+    Changed {
+        path: String,
+        replace: bool,
+    },
     Same,
 }
 

@@ -28,7 +28,6 @@ pub(crate) enum Replace {
 pub(crate) struct Saved {
     /// The document that was saved.
     pub(crate) document: Arc<crate::gui::core::document::Document>,
-    /// The file.
     pub(crate) path: PathBuf,
     /// The files as they look now, the document first; or why there are none.
     pub(crate) result: Result<Vec<Print>, NotSaved>,

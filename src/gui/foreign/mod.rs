@@ -45,7 +45,6 @@ pub(crate) struct Look {
 
 #[derive(Debug, Clone)]
 pub(crate) struct Foreign {
-    /// The file.
     pub(crate) path: PathBuf,
     bytes: Arc<Vec<u8>>,
     /// What a person said.

@@ -283,7 +283,6 @@ pub(crate) fn left_behind(folder: &Path) -> Vec<LeftBehind> {
 }
 
 impl LeftBehind {
-    /// Its file.
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }

@@ -51,7 +51,6 @@ impl Look {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Frame {
-    /// The uniform.
     pub(crate) rows: [[f32; 4]; ROWS],
 }
 

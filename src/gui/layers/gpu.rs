@@ -31,7 +31,6 @@ pub(crate) fn register(state: &RenderState) -> Canvas {
 
 /// Error vectors and measured points.
 pub(crate) struct CloudLayer {
-    /// The samples.
     pub(crate) cloud: Arc<Cloud>,
     /// What an answer leaves.
     pub(crate) remainder: Option<Arc<Remainder>>,
@@ -50,9 +49,7 @@ impl CloudLayer {
     }
 }
 
-/// The heat map.
 pub(crate) struct HeatLayer {
-    /// The map.
     pub(crate) heat: Arc<Heat>,
     /// Where it goes.
     pub(crate) frame: Frame,

@@ -26,7 +26,6 @@ pub(crate) fn disc(at: Pos2, radius: f32, fill: Color32) -> Shape {
     Shape::circle_filled(at, radius, fill)
 }
 
-/// An open ring.
 pub(crate) fn ring(at: Pos2, radius: f32, stroke: Stroke) -> Shape {
     Shape::circle_stroke(at, radius, stroke)
 }

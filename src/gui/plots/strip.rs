@@ -27,11 +27,9 @@ pub(crate) enum Sign {
     Line(Color32, bool),
 }
 
-/// A name.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Entry {
     pub(crate) name: String,
-    /// Its mark.
     pub(crate) sign: Sign,
     /// Whether it is shown, where that can be chosen.
     pub(crate) shown: Option<bool>,

@@ -5,11 +5,8 @@
 pub(crate) enum Chart {
     /// The deviation over the value of a joint.
     Angle,
-    /// Over time.
     Time,
-    /// Over the load.
     Load,
-    /// Over the temperature.
     Temperature,
     /// How large the deviation is at each whole number of cycles per turn.
     Orders,

@@ -36,7 +36,6 @@ pub(crate) enum Step {
 }
 
 impl Step {
-    /// All steps that exist.
     pub(crate) const ALL: [Self; 5] = [
         Self::Session,
         Self::Regions,
@@ -55,7 +54,6 @@ impl Step {
         }
     }
 
-    /// The step after it.
     pub(crate) fn next(self) -> Option<Self> {
         let here = Self::ALL.iter().position(|step| *step == self)?;
         Self::ALL.get(here + 1).copied()
@@ -84,7 +82,6 @@ pub(crate) enum Part {
 /// A file that is open and is not on the disk as it was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OnDisk {
-    /// The file.
     pub(crate) path: PathBuf,
     /// What became of it.
     pub(crate) fate: Fate,
@@ -111,7 +108,6 @@ pub(crate) struct Fitted {
 }
 
 impl Fitted {
-    /// Both of them.
     pub(crate) fn everywhere(&mut self) {
         self.workspace += 1;
         self.chart += 1;
@@ -120,7 +116,6 @@ impl Fitted {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ViewState {
-    /// The chosen step.
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
@@ -142,7 +137,6 @@ pub(crate) struct ViewState {
     pub(crate) only_after: bool,
     /// The sample under the pointer, wherever that is.
     pub(crate) hovered: Option<usize>,
-    /// The chosen sample.
     pub(crate) selected: Option<usize>,
     /// Samples that a finding is about, in ascending order.
     pub(crate) marked: Vec<usize>,

@@ -4,7 +4,6 @@ use crate::gui::core::document::plain;
 
 use super::Chart;
 
-/// What is exported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum What {
     /// The table for the controller.

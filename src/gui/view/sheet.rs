@@ -17,7 +17,6 @@ pub(crate) enum Sheet {
     },
     /// A path to export to, as it is typed.
     ExportPath {
-        /// What is exported.
         what: What,
         path: String,
         /// Whether a file that is there may be replaced.
@@ -25,7 +24,6 @@ pub(crate) enum Sheet {
     },
     /// A simulation, as it is filled in.
     Simulate(Form),
-    /// The keyboard.
     Shortcuts,
     /// What is lost if this is done now.
     Unsaved(Then),
@@ -46,12 +44,8 @@ pub(crate) enum Sheet {
 /// What is done next, when nothing is in the way any more.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Then {
-    /// Close the window.
     Leave,
-    /// Open this file.
     Open(PathBuf),
-    /// Open this example.
     Example(usize),
-    /// Make a session.
     Simulate(Form),
 }

@@ -93,7 +93,6 @@ impl Sign {
         self.rect.center() + vec2(x, y)
     }
 
-    /// Its lines.
     pub(crate) fn stroke(&self) -> Stroke {
         Stroke::new(1.5, self.color)
     }

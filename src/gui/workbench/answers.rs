@@ -65,6 +65,11 @@ impl Workbench {
         self.outcome().and_then(|o| o.answer.as_ref().ok())
     }
 
+    /// Whether charts leave out the deviation before, so that what is left can be seen.
+    pub(crate) fn only_after(&self) -> bool {
+        self.view.only_after && self.answer().is_some()
+    }
+
     /// What follows from the newest answer, for drawing.
     pub(crate) fn after(&self) -> Option<&After> {
         self.outcome().and_then(|o| o.after.as_ref())

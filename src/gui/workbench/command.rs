@@ -19,15 +19,12 @@ pub(crate) enum Command {
     Edit(Edit),
     /// A change within a gesture.
     Drag(Edit),
-    /// The gesture is over.
     EndDrag,
     /// Take the last change back.
     Undo,
-    /// Bring it back again.
     Redo,
     /// Ask for a file to open.
     ChooseFile,
-    /// Read this file.
     OpenFile(PathBuf),
     /// Say something about the foreign file on the sheet.
     Say(Box<Said>),
@@ -67,7 +64,6 @@ pub(crate) enum Command {
     ChooseWhereToSave,
     /// Write the session to this file.
     SaveAs {
-        /// The file.
         path: PathBuf,
         /// Whether a file that is there may be replaced.
         replace: bool,
@@ -77,7 +73,6 @@ pub(crate) enum Command {
     /// Write the table, or the model, to this file.
     ExportTo {
         what: What,
-        /// The file.
         path: PathBuf,
         /// Whether files that are there may be replaced.
         replace: bool,
@@ -86,7 +81,6 @@ pub(crate) enum Command {
     Adapt,
     /// What is being typed for an end of a region; `None`: what the document says.
     Type {
-        /// The region's name.
         region: String,
         end: End,
         text: Option<String>,
@@ -105,7 +99,6 @@ pub(crate) enum Command {
     StopSearch,
     /// Stops looking at a foreign file; saying something looks again.
     StopLooking,
-    /// Show this step.
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
@@ -125,7 +118,6 @@ pub(crate) enum Command {
     OnlyAfter(bool),
     /// The pointer is on this sample.
     Hover(Option<usize>),
-    /// Choose this sample.
     Select(Option<usize>),
     /// Choose these samples: a finding is about them.
     Mark(Vec<usize>),
@@ -149,9 +141,7 @@ pub(crate) enum Command {
     Draft(Option<Box<SetupForm>>),
     /// Open, change or close a sheet.
     Sheet(Option<Sheet>),
-    /// Close the window.
     Leave,
-    /// The message was read.
     Dismiss,
     /// Show everything again.
     Fit,

@@ -122,7 +122,6 @@ impl Workbench {
         self.history.present()
     }
 
-    /// The session.
     pub(crate) fn subject(&self) -> &Arc<Subject> {
         &self.document().subject
     }
@@ -132,7 +131,6 @@ impl Workbench {
         &self.view
     }
 
-    /// The chosen units.
     pub(crate) fn units(&self) -> Units {
         Units {
             length: self.view.preferences.length,
@@ -140,12 +138,10 @@ impl Workbench {
         }
     }
 
-    /// What undo takes back.
     pub(crate) fn undoes(&self) -> Option<&'static str> {
         self.history.undoes()
     }
 
-    /// What redo brings back.
     pub(crate) fn redoes(&self) -> Option<&'static str> {
         self.history.redoes()
     }

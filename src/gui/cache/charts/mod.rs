@@ -18,7 +18,6 @@ use crate::gui::cache::charts::histogram::Histogram;
 use crate::gui::cache::charts::orders::Spectrum;
 use crate::gui::cache::charts::over::{Over, Variable};
 
-/// What a chart needs.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Asked {
     /// It stands on the samples themselves, or on none.
@@ -33,7 +32,6 @@ pub(crate) enum Asked {
     Effect(effect::Asked),
 }
 
-/// It, made.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Charted {
     /// The extremes of many samples.

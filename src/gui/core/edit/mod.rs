@@ -16,14 +16,11 @@ use super::placing::Joint;
 use super::setup::SetupForm;
 use super::subject::Subject;
 
-/// One change.
 #[derive(Debug, Clone)]
 pub(crate) enum Edit {
-    /// Another session.
     Open(Arc<Subject>),
     /// A model: beside the open session, or by itself.
     OpenModel {
-        /// The model.
         given: Arc<Given>,
         /// Whether the open session is one of its robot.
         beside: bool,
@@ -48,7 +45,6 @@ pub(crate) enum Edit {
     Rename(usize, String),
     /// The regions that the session brings along.
     RegionsOfSession,
-    /// How to identify.
     Method(Method),
     /// Fit this effect, or leave it out.
     Effect(&'static str, bool),

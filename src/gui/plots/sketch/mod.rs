@@ -3,13 +3,15 @@
 
 mod paper;
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, pos2};
+use egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Shape, Stroke, StrokeKind, Ui, pos2,
+};
 use egui_plot::{Plot, PlotPoint, PlotTransform};
 
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::ViewState;
 
-use super::{axis, gestures, marks, named_axis, steps};
+use super::{Drawing, axis, gestures, marks, named_axis, steps};
 
 /// What something stands for; it decides the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,6 +125,25 @@ impl Sketch {
                 palette,
                 |y| y,
             ))
+    }
+
+    /// Shows it in a plot, and more on top of it: what was done with the plot, and where it is.
+    pub(crate) fn show<'a>(
+        &'a self,
+        ui: &mut Ui,
+        plot: Plot<'a>,
+        palette: &'a Palette,
+        more: impl Fn(&PlotTransform, &mut Vec<Shape>) + 'a,
+    ) -> (Response, PlotTransform) {
+        let painter = ui.painter().clone();
+        let plotted = gestures::show(ui, plot, |plot| {
+            let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
+                self.shapes(&painter, transform, palette, shapes);
+                more(transform, shapes);
+            };
+            plot.add(Drawing::new("chart", self.bounds, draw));
+        });
+        (plotted.response, plotted.transform)
     }
 
     /// Draws it.

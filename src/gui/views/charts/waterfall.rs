@@ -31,10 +31,8 @@ pub(super) const VIEW: View = View {
     has_picture: |_| true,
 };
 
-/// One step.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bar {
-    /// What was done.
     pub(crate) name: String,
     /// The gap after it, mm.
     pub(crate) gap_mm: f64,

@@ -9,7 +9,6 @@ use crate::gui::workbench::{Command, Workbench};
 /// What the items of a menu are about, and what they ask for.
 pub(super) struct Menu<'a> {
     pub(super) workbench: &'a Workbench,
-    /// What is asked for.
     pub(super) commands: &'a mut Vec<Command>,
 }
 

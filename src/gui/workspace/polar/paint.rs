@@ -34,7 +34,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, polar: &Polar, commands: 
         || Bearing::of([1.0, 0.0], [0.0, 1.0]),
         |dial| Bearing::of(dial.radial, dial.tangential),
     );
-    let only_after = view.only_after && workbench.answer().is_some();
+    let only_after = workbench.only_after();
     let envelope = workbench.around();
     let of = |sample: usize| Spot::of(subject, workbench.answer(), view.component, sample);
     let name = view.component.name();

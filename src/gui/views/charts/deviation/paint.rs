@@ -40,7 +40,7 @@ impl<'a> Shown<'a> {
         let view = workbench.view();
         let units = workbench.units();
         let series = Series::of(workbench, over);
-        let only_after = view.only_after && workbench.answer().is_some();
+        let only_after = workbench.only_after();
         let envelope = workbench.envelope();
         let extent = layout::extent(&series, envelope, only_after);
         let band = layout::band(&series, &extent, view.component == Component::Length);

@@ -1,14 +1,14 @@
 //! An effect's own curve through the residual, in egui.
 
-use egui::{Color32, Shape, Stroke, Ui};
-use egui_plot::{PlotPoint, PlotTransform};
+use egui::{Color32, Stroke, Ui};
+use egui_plot::PlotPoint;
 
 use crate::gui::cache::charts::Charted;
 use crate::gui::cache::charts::over::Scale;
 use crate::gui::core::scale::{FEW, LEAST_SPAN, stride, thinned};
 use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
-use crate::gui::plots::{Drawing, figure, gestures, marks};
+use crate::gui::plots::{figure, marks};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::plain_number;
 use crate::gui::views::charts::waterfall::lower;
@@ -171,19 +171,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let emphasised = view.hovered.or(view.selected);
     let at =
         |spot: &Spot| PlotPoint::new(scale.shown(spot.x), units.length_value(spot.residual_mm));
-    let painter = ui.painter().clone();
-    let plotted = gestures::show(ui, plot, |plot| {
-        let draw = |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
-            sketch.shapes(&painter, transform, &palette, shapes);
-            let marked = workspace::marked(view, workbench.subject().len());
-            for spot in marked.chain(emphasised).filter_map(|s| curve.spot(s)) {
-                let here = transform.position_from_point(&at(spot));
-                shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));
-            }
-        };
-        plot.add(Drawing::new("effect", sketch.bounds, draw));
+    let (response, transform) = sketch.show(ui, plot, &palette, |transform, shapes| {
+        let marked = workspace::marked(view, workbench.subject().len());
+        for spot in marked.chain(emphasised).filter_map(|s| curve.spot(s)) {
+            let here = transform.position_from_point(&at(spot));
+            shapes.push(marks::ring(here, 8.0, Stroke::new(2.5, palette.accent)));
+        }
     });
-    let (response, transform) = (plotted.response, plotted.transform);
     let title = format!("curve of {}, {component}", name(curve));
     figure(&response, &title, says(workbench, curve));
     let under = response.hover_pos().and_then(|pointer| {

@@ -5,9 +5,9 @@ use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::cache::charts::Charted;
 use crate::gui::core::subject::Component;
+use crate::gui::plots::figure;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
-use crate::gui::plots::{Drawing, figure, gestures};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{plain_number, significant};
 use crate::gui::widgets;
@@ -32,10 +32,6 @@ fn histogram(workbench: &Workbench) -> Result<&Histogram, (&'static str, &'stati
         )),
         _ => Err(("Computing…", "")),
     }
-}
-
-fn only_after(workbench: &Workbench) -> bool {
-    workbench.view().only_after && workbench.answer().is_some()
 }
 
 /// How noise alone is spread in the component that is shown, where the noise is known: as the
@@ -75,7 +71,7 @@ fn curve(workbench: &Workbench, bins: &Bins) -> Option<NoiseCurve> {
 fn drawn(workbench: &Workbench, histogram: &Histogram) -> Sketch {
     let units = workbench.units();
     let value = |mm: f64| units.length_value(mm);
-    let counted = histogram.shown(only_after(workbench));
+    let counted = histogram.shown(workbench.only_after());
     let bins = counted.bins;
     let series = [
         (&counted.before, Stands::Before, false),
@@ -177,7 +173,7 @@ fn note(workbench: &Workbench, histogram: &Histogram, counted: &Counted) -> Stri
 /// What is seen, in words.
 fn says(workbench: &Workbench, histogram: &Histogram) -> String {
     let units = workbench.units();
-    let counted = histogram.shown(only_after(workbench));
+    let counted = histogram.shown(workbench.only_after());
     let tallest = |counts: &Option<Vec<usize>>| {
         let counts = counts.as_ref()?;
         let bin = (0..counts.len()).max_by_key(|bin| counts[*bin])?;
@@ -221,7 +217,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     };
     let palette = Palette::of(ui);
     let view = workbench.view();
-    let only = only_after(workbench);
+    let only = workbench.only_after();
     let counted = histogram.shown(only);
     let bins = counted.bins;
     let sketch = drawn(workbench, histogram);
@@ -246,19 +242,13 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         let at = |x: f64| transform.position_from_point(&PlotPoint::new(x, 0.0)).x;
         Rect::from_x_y_ranges(at(from)..=at(to), transform.frame().y_range())
     };
-    let painter = ui.painter().clone();
-    let plotted = gestures::show(ui, plot, |plot| {
-        let draw = |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
-            sketch.shapes(&painter, transform, &palette, shapes);
-            if let Some(bin) = in_bin {
-                let stroke = Stroke::new(2.0, palette.accent);
-                let rect = column(transform, bin);
-                shapes.push(Shape::rect_stroke(rect, 2.0, stroke, StrokeKind::Inside));
-            }
-        };
-        plot.add(Drawing::new("histogram", sketch.bounds, draw));
+    let (response, transform) = sketch.show(ui, plot, &palette, |transform, shapes| {
+        if let Some(bin) = in_bin {
+            let stroke = Stroke::new(2.0, palette.accent);
+            let rect = column(transform, bin);
+            shapes.push(Shape::rect_stroke(rect, 2.0, stroke, StrokeKind::Inside));
+        }
     });
-    let (response, transform) = (plotted.response, plotted.transform);
     let title = format!("histogram, {name}");
     figure(&response, &title, says(workbench, histogram));
     let Some(bin) = response.hover_pos().and_then(|pointer| {
@@ -304,7 +294,7 @@ pub(crate) fn numbers(workbench: &Workbench) -> String {
     let Ok(histogram) = histogram(workbench) else {
         return text;
     };
-    let counted = histogram.shown(only_after(workbench));
+    let counted = histogram.shown(workbench.only_after());
     let noise = noise(workbench);
     let samples = histogram.sizes_before.within(0.0).1;
     for bin in 0..counted.bins.count {

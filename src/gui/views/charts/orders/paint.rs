@@ -1,13 +1,12 @@
 //! The order spectrum in egui.
 
 use egui::{Align2, Ui};
-use egui_plot::PlotTransform;
 
 use crate::gui::cache::charts::Charted;
 use crate::gui::core::scale::LEAST_SPAN;
+use crate::gui::plots::figure;
 use crate::gui::plots::sketch::{Ink, Sketch, Stands};
 use crate::gui::plots::strip::{self, Entry, Sign};
-use crate::gui::plots::{Drawing, figure, gestures};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{plain_number, whole};
 use crate::gui::widgets;
@@ -42,11 +41,6 @@ fn spectrum(workbench: &Workbench) -> Result<&Spectrum, (String, &'static str)> 
     }
 }
 
-/// Whether the deviation before is left out.
-fn only_after(workbench: &Workbench) -> bool {
-    workbench.view().only_after && workbench.answer().is_some()
-}
-
 /// The amplitudes of an order that are shown: before, after.
 fn shown(order: &Order, only_after: bool) -> [Option<Amplitude>; 2] {
     [Some(order.before).filter(|_| !only_after), order.after]
@@ -55,7 +49,7 @@ fn shown(order: &Order, only_after: bool) -> [Option<Amplitude>; 2] {
 /// The spectrum as bars.
 fn drawn(workbench: &Workbench, spectrum: &Spectrum) -> Sketch {
     let units = workbench.units();
-    let only_after = only_after(workbench);
+    let only_after = workbench.only_after();
     let value = |mm: f64| units.length_value(mm);
     // The line belongs to what is shown last.
     let line_of = |order: &Order| {
@@ -231,16 +225,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     entries.push(Entry::new("noise", Sign::Line(palette.muted, true)));
     strip::show(ui, &sketch.note, &entries, commands);
     let component = workbench.view().component.name();
-    let id = ("orders", component, only_after(workbench));
+    let id = ("orders", component, workbench.only_after());
     let plot = sketch.plot(id, workbench.view(), &palette);
-    let painter = ui.painter().clone();
-    let plotted = gestures::show(ui, plot, |plot| {
-        let draw = |transform: &PlotTransform, shapes: &mut Vec<egui::Shape>| {
-            sketch.shapes(&painter, transform, &palette, shapes);
-        };
-        plot.add(Drawing::new("orders", sketch.bounds, draw));
-    });
-    let (response, transform) = (plotted.response, plotted.transform);
+    let (response, transform) = sketch.show(ui, plot, &palette, |_, _| {});
     let name = format!("order spectrum, {component}");
     figure(&response, &name, says(workbench, spectrum));
     let under = response.hover_pos().and_then(|pointer| {
