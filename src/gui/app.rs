@@ -9,17 +9,17 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use crate::fonts::Library;
 
-use super::commands::{Command, Workbench};
 use super::keeping::watcher;
-use super::letters::Alphabet;
-use super::pictures::Plot;
 use super::preferences::Preferences;
-use super::reporting::About;
-use super::tasks::{Runner, Tasks, What};
-use super::tokens::{self, Palette, space};
 use super::units::write_numbers;
 use super::view::{Canvas, Sheet};
-use super::{files, layers, panels, widgets};
+use super::{actions, dialogs, files, layers, widgets};
+use crate::gui::jobs::{Jobs, Runner};
+use crate::gui::style::letters::Alphabet;
+use crate::gui::style::tokens::{self, Palette, space};
+use crate::gui::view::{About, Plot, What};
+use crate::gui::views;
+use crate::gui::workbench::{Command, Workbench};
 
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
@@ -42,8 +42,8 @@ impl App {
         tokens::apply(ctx);
         write_fields(ctx, false);
         let wake = ctx.clone();
-        let tasks = Tasks::new(runner, Arc::new(move || wake.request_repaint()));
-        let mut workbench = Workbench::new(files::first_example(), tasks);
+        let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
+        let mut workbench = Workbench::new(files::first_example(), jobs, views::pictures::drawing);
         if let Some(path) = path {
             workbench.execute(Command::OpenFile(path));
         }
@@ -108,7 +108,7 @@ impl App {
         self.workbench.receive();
         self.keep_preferences(ui.ctx());
         self.keep_time(ui.ctx());
-        let mut commands = panels::shortcuts::read(ui.ctx(), &self.workbench);
+        let mut commands = actions::read(ui.ctx(), &self.workbench);
         self.lay_out(ui, &mut commands);
         let any = !commands.is_empty();
         for command in commands {
@@ -181,24 +181,24 @@ impl App {
             .exact_size(42.0)
             .resizable(false)
             .frame(bar(palette.surface))
-            .show(ui, |ui| panels::menu::show(ui, workbench, commands));
+            .show(ui, |ui| views::menu::show(ui, workbench, commands));
         Panel::bottom("status")
             .exact_size(32.0)
             .resizable(false)
             .frame(bar(palette.surface))
-            .show(ui, |ui| panels::status::show(ui, workbench, commands));
-        let room = panels::shortcuts::room(ui.ctx(), workbench);
+            .show(ui, |ui| views::status::show(ui, workbench, commands));
+        let room = actions::room(ui.ctx(), workbench);
         Panel::left("steps")
             .exact_size(room.left)
             .resizable(false)
             .frame(side(palette.surface))
-            .show(ui, |ui| panels::steps::show(ui, workbench, room, commands));
+            .show(ui, |ui| views::steps::show(ui, workbench, room, commands));
         if let Some(width) = room.samples {
             Panel::right("samples")
                 .exact_size(width)
                 .resizable(false)
                 .frame(side(palette.background))
-                .show(ui, |ui| panels::results::samples(ui, workbench, commands));
+                .show(ui, |ui| views::results::samples(ui, workbench, commands));
         }
         if let Some(width) = room.right {
             Panel::right("results")
@@ -206,7 +206,7 @@ impl App {
                 .resizable(false)
                 .frame(side(palette.background))
                 .show(ui, |ui| {
-                    panels::results::show(ui, workbench, room, commands);
+                    views::results::show(ui, workbench, room, commands);
                 });
         }
         CentralPanel::no_frame()
@@ -214,14 +214,14 @@ impl App {
             .show(ui, |ui| {
                 if room.instead {
                     side(palette.background).show(ui, |ui| {
-                        panels::results::show(ui, workbench, room, commands);
+                        views::results::show(ui, workbench, room, commands);
                     });
                 } else {
-                    panels::stage::show(ui, workbench, commands);
+                    views::stage::show(ui, workbench, commands);
                 }
             });
-        panels::sheets::show(ui, workbench, commands);
-        panels::dropped::show(ui, commands);
+        dialogs::show(ui, workbench, commands);
+        views::dropped::show(ui, commands);
         widgets::focus_ring(ui.ctx());
     }
 
@@ -230,7 +230,7 @@ impl App {
             self.workbench.tidy();
             ctx.send_viewport_cmd(ViewportCommand::Close);
         } else if ctx.input(|i| i.viewport().close_requested()) {
-            if self.workbench.at_risk().any() || self.workbench.tasks().writing().is_some() {
+            if self.workbench.at_risk().any() || self.workbench.writing().is_some() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
                 self.workbench.execute(Command::Leave);
             } else {
@@ -281,7 +281,7 @@ impl App {
         } else {
             self.recovery_due = None;
         }
-        if self.workbench.tasks().wants_looking() && now >= self.look_due {
+        if self.workbench.wants_looking() && now >= self.look_due {
             self.look_due = now + watcher::EVERY.as_secs_f64();
             self.workbench.execute(Command::LookAtDisk);
             self.workbench.receive();
@@ -301,7 +301,7 @@ impl App {
     }
 
     fn keep_title(&mut self, ctx: &Context) {
-        let title = panels::menu::window_title(&self.workbench);
+        let title = views::menu::window_title(&self.workbench);
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
@@ -334,7 +334,6 @@ impl eframe::App for App {
 
 #[cfg(test)]
 impl App {
-    /// The workbench.
     pub(crate) fn bench(&mut self) -> &mut Workbench {
         &mut self.workbench
     }

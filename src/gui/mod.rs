@@ -3,75 +3,46 @@
 //! Data goes one way: panels and plots read the `commands::Workbench` and send
 //! `commands::Command`s; the workbench is the one place that changes anything.
 //!
-//! - `app`: the shell: takes what the tasks brought, lays out the panels, executes commands.
-//! - `document`: what can be undone, as one value (`edit` changes it, `undo` keeps it);
-//!   `view`: how it is looked at.
-//! - `subject`: a session with what follows from it alone; `outcome`: an identification made
-//!   ready for drawing; `given`: a model that was read from a file instead.
-//! - `boundaries`: regions as they are dragged, `placing` as they are typed, `angles`: how many samples
-//!   each has; `division`: how they came about.
-//! - `known`: what its samples cover, before anything is identified.
-//! - `overview`: what every frame needs of a session, so that no frame looks at all samples;
-//!   `backdrop`: what plots of many samples stand on; `layers`: what is drawn for each sample.
-//! - `tally`: what regions hold, for any boundaries; `thinning`: which samples are drawn where not
-//!   all can be.
-//! - `search`: what a diagnosis found, ready to be added.
-//! - `setup`: robot and instrument as they are filled in.
-//! - `preferences`: units, digits, colours; `help`: what the words mean.
-//! - `keeping`: what outlives the window (recent files, what is not saved), and what changes under it.
-//! - `preview`: an export as it would be written; `reporting`, `pictures`: a report, a plot as a file;
-//!   `figures`: the standards' figures.
-//! - `foreign`: a file that an instrument wrote, before it is a session.
-//! - `tasks`: work in the background; `files`: what it reads and writes.
-//! - `letters`: fonts of the machine for what the bundled ones lack.
-//! - `room`: how the window is divided at its size.
-//! - `tokens`: colour, spacing and type; `widgets`: the few controls that egui does not have;
-//!   `vision` (tests): how people see the colours.
-//! - `panels`: what stands around the plots; `plots`: each in model, layout and paint.
+//! Each folder uses only what stands beneath it (`scripts/arrows` counts, a test in `tests/house.rs`
+//! holds it), from the top:
+//!
+//! - `app`: the shell: takes what was done in the background, lays out the views, executes commands.
+//! - `dialogs`: sheets over the window; `views`: what stands around the plots, and the charts (one file
+//!   and one line of a register each); `workspace`: the plot of the robot and its samples.
+//! - `plots`, `widgets`: what views are made of; `layers`: what is drawn for each sample.
+//! - `actions`: one table of what can be done: keys, menus, help.
+//! - `workbench`: what there is, and the commands that change it.
+//! - `files`, `keeping`: reading and writing; what outlives the window and what changes under it.
+//! - `cache`: what is worked out once, in the background, so that no frame looks at all samples.
+//! - `view`: how the document is looked at; `foreign`: a file that an instrument wrote, before it is a
+//!   session.
+//! - `core`: the session and what follows from it, the document, its changes, undo: no view, nothing
+//!   that is drawn.
+//! - `preferences`, `units`, `help`, `style`: numbers, words, colours and type.
+//! - `jobs`: work in the background, whatever it is about.
 
-mod angles;
+mod actions;
 mod app;
-mod backdrop;
-mod boundaries;
-mod commands;
-mod division;
-mod document;
-mod edit;
-mod figures;
+mod cache;
+mod core;
+mod dialogs;
 mod files;
 mod foreign;
-mod given;
 mod help;
+mod jobs;
 mod keeping;
-mod known;
 mod layers;
-mod letters;
-mod outcome;
-mod overview;
-mod panels;
-mod pictures;
-mod placing;
 mod plots;
 mod preferences;
-mod preview;
-mod reporting;
-mod room;
-mod search;
-mod setup;
-mod simulate;
-mod subject;
-mod tally;
-mod tasks;
+mod style;
 #[cfg(test)]
 mod testing;
-mod thinning;
-mod tokens;
-mod undo;
 mod units;
 mod view;
-#[cfg(test)]
-mod vision;
+mod views;
 mod widgets;
+mod workbench;
+mod workspace;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -79,7 +50,7 @@ use std::sync::Arc;
 use anyhow::anyhow;
 
 pub use app::App;
-pub use tasks::Runner;
+pub use jobs::Runner;
 
 const TITLE: &str = "truepose";
 

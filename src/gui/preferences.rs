@@ -5,13 +5,12 @@ use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
 use super::units::Notation;
-use super::view::{AngleUnit, LengthUnit};
+use crate::gui::units::{AngleUnit, LengthUnit};
 
 /// Light, dark, or as the system has it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(crate) enum Theme {
-    /// As the system has it.
     #[default]
     System,
     /// For a bright hall.
@@ -36,13 +35,10 @@ pub(crate) const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=3.0;
 /// Most decimals of a length.
 pub(crate) const MOST_DECIMALS: u8 = 6;
 
-/// See the module.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 pub(crate) struct Preferences {
-    /// Unit of lengths.
     pub(crate) length: LengthUnit,
-    /// Unit of angles.
     pub(crate) angle: AngleUnit,
     /// Decimals of lengths; `None`: as many as can be read.
     pub(crate) decimals: Option<u8>,

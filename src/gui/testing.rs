@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use crate::simulation::unwatched;
 
-use super::commands::Workbench;
-use super::simulate::{Chosen, Form};
-use super::subject::{Origin, Subject};
-use super::tasks::{Runner, Tasks};
+use crate::gui::core::simulate::{Chosen, Form};
+use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::jobs::{Jobs, Runner};
+use crate::gui::views::pictures::drawing;
+use crate::gui::workbench::Workbench;
 
 /// A workbench on a simulated session: both directions, backlash and a little noise.
 pub(crate) fn workbench() -> Workbench {
@@ -17,6 +18,6 @@ pub(crate) fn workbench() -> Workbench {
     };
     let session = form.session(unwatched).expect("the form is valid");
     let subject = Subject::new(session, Vec::new(), Origin::Simulated);
-    let tasks = Tasks::new(Runner::AtOnce, Arc::new(|| {}));
-    Workbench::new(Arc::new(subject), tasks)
+    let jobs = Jobs::new(Runner::AtOnce, Arc::new(|| {}));
+    Workbench::new(Arc::new(subject), jobs, drawing)
 }

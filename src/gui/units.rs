@@ -6,14 +6,30 @@ use std::cell::Cell;
 use crate::fit::Estimate;
 use crate::units::{deg_from_rad, rad_from_deg};
 
-use super::view::{AngleUnit, LengthUnit};
+use serde::{Deserialize, Serialize};
 
-/// The chosen units.
+/// Unit of lengths on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum LengthUnit {
+    #[default]
+    Millimetre,
+    Micrometre,
+    Inch,
+}
+
+/// Unit of angles on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum AngleUnit {
+    #[default]
+    Degree,
+    Radian,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Units {
-    /// Of lengths.
     pub(crate) length: LengthUnit,
-    /// Of angles.
     pub(crate) angle: AngleUnit,
 }
 
@@ -89,7 +105,6 @@ impl Units {
         }
     }
 
-    /// `−1.234 mm`.
     pub(crate) fn length(self, mm: f64) -> String {
         format!("{} {}", self.length_number(mm), self.length_name())
     }
@@ -153,7 +168,6 @@ impl Units {
         self.with_interval(one.value, one.ci95, unit)
     }
 
-    /// `36.0°`.
     pub(crate) fn angle(self, rad: f64) -> String {
         match self.angle {
             AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),

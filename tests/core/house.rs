@@ -172,3 +172,67 @@ fn the_window_takes_no_joint_for_the_only_one() {
         .collect();
     report("a robot has as many joints as it has:", &found);
 }
+
+/// The window's folders from the bottom to the top; what stands in one row is of one floor.
+const FLOORS: [&[&str]; 13] = [
+    &["jobs", "units", "help", "style"],
+    &["preferences"],
+    &["core"],
+    &["foreign"],
+    &["view"],
+    &["cache"],
+    &["files", "keeping"],
+    &["workbench"],
+    &["actions", "layers", "widgets"],
+    &["plots"],
+    &["workspace"],
+    &["views"],
+    &["dialogs"],
+];
+
+/// The first name behind every `from` in a line, also of those in braces.
+fn named_after<'a>(line: &'a str, from: &str) -> Vec<&'a str> {
+    let word = |text: &'a str| {
+        let end = text.find(|c: char| !c.is_alphanumeric() && c != '_');
+        &text[..end.unwrap_or(text.len())]
+    };
+    let mut names = Vec::new();
+    for (at, _) in line.match_indices(from) {
+        let rest = &line[at + from.len()..];
+        match rest.strip_prefix('{') {
+            Some(all) => names.extend(all.split(',').map(|one| word(one.trim()))),
+            None => names.push(word(rest)),
+        }
+    }
+    names
+}
+
+#[test]
+fn the_document_knows_no_cache_the_cache_no_view_and_nothing_in_the_window_what_stands_above() {
+    let floor = |name: &str| FLOORS.iter().position(|floor| floor.contains(&name));
+    let mut found = Vec::new();
+    for line in code() {
+        let Some(inside) = line.path.strip_prefix("gui/") else {
+            continue;
+        };
+        let own = inside.split(['/', '.']).next().unwrap_or_default();
+        // The shell and the module of all stand over everything.
+        if ["app", "mod", "testing"].contains(&own) {
+            continue;
+        }
+        let own_floor = floor(own).unwrap_or_else(|| panic!("gui/{own} stands on no floor"));
+        // A file of its own reaches the others by `super` as well.
+        let mut named = named_after(&line.text, "crate::gui::");
+        if inside.matches('/').count() == 0 {
+            named.extend(named_after(&line.text, "super::"));
+        }
+        let up = |name: &&str| floor(name).is_some_and(|floor| floor > own_floor) || *name == "app";
+        for name in named.into_iter().filter(up) {
+            found.push(format!(
+                "src/{}:{}: {name} stands above {own}",
+                line.path, line.number
+            ));
+        }
+    }
+    report("the window is built from the bottom to the top:", &found);
+}

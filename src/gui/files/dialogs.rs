@@ -1,22 +1,22 @@
 //! The system's dialogs for files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::gui::foreign::Beside;
-use crate::gui::tasks::{Report, What};
+use crate::gui::view::What;
 
 /// Asks the user for a session file.
-pub(crate) fn choose_to_open() -> Report {
+pub(crate) fn choose_to_open() -> Option<PathBuf> {
     let dialog = rfd::FileDialog::new()
         .set_title("Open session, model or measurements")
         .add_filter("Sessions and models", &["json"])
         .add_filter("Measurements", TABLES)
         .add_filter("All files", &["*"]);
-    Report::ChosenToOpen(dialog.pick_file())
+    dialog.pick_file()
 }
 
 /// Asks the user for a file beside a measured one.
-pub(crate) fn choose_beside(which: Beside) -> Report {
+pub(crate) fn choose_beside(which: Beside) -> Option<PathBuf> {
     let (title, kinds): (_, &[&str]) = match which {
         Beside::Robot => ("Which robot was measured", &["json", "urdf", "xml"]),
         Beside::Commands => ("Where the robot was sent", TABLES),
@@ -27,7 +27,7 @@ pub(crate) fn choose_beside(which: Beside) -> Report {
         .set_title(title)
         .add_filter("Files of this kind", kinds)
         .add_filter("All files", &["*"]);
-    Report::ChosenBeside(which, dialog.pick_file())
+    dialog.pick_file()
 }
 
 /// Endings of files with tables.
@@ -44,15 +44,15 @@ fn dialog_at(path: &Path) -> rfd::FileDialog {
 }
 
 /// Asks the user where to save.
-pub(crate) fn choose_to_save(path: &Path) -> Report {
+pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path)
         .set_title("Save session")
         .add_filter("Session", &["json"]);
-    Report::ChosenToSave(dialog.save_file())
+    dialog.save_file()
 }
 
 /// Asks the user where to export to.
-pub(crate) fn choose_to_export(what: What, path: &Path) -> Report {
+pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let title = match what {
         What::Table => "Save table",
         What::Model => "Save model",
@@ -68,5 +68,5 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Report {
         What::Picture(_) => dialog.add_filter("SVG", &["svg"]),
         _ => dialog,
     };
-    Report::ChosenToExport(what, dialog.save_file())
+    dialog.save_file()
 }

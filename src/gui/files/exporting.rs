@@ -9,20 +9,25 @@ use crate::export::{Document, Job, find};
 use crate::model::format_v1::write_model;
 use crate::progress::Cancelled;
 
-use crate::gui::preview::Wanted;
-use crate::gui::tasks::{Report, Watch, What};
-use crate::gui::view::Message;
+use crate::gui::cache::preview::Wanted;
+use crate::gui::jobs::Watch;
+use crate::gui::view::{Message, What};
 
-use super::advice;
+use super::advice::advice;
 
 /// Writes a table with what stands beside it, or a model: all of it, or nothing.
-pub(crate) fn export(wanted: &Wanted, what: What, path: &Path, replace: bool) -> Report {
+pub(crate) fn export(
+    wanted: &Wanted,
+    what: What,
+    path: &Path,
+    replace: bool,
+) -> Result<PathBuf, Message> {
     let written =
         documents(wanted, what, path).and_then(|documents| write_all(&documents, path, replace));
-    Report::Exported(match written {
+    match written {
         Ok(()) => Ok(path.to_path_buf()),
         Err(problem) => Err(not_written(path, problem)),
-    })
+    }
 }
 
 fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, String> {
@@ -82,15 +87,15 @@ fn write_all(documents: &[Document], path: &Path, replace: bool) -> Result<(), S
 }
 
 /// Writes a measuring list.
-pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Report {
+pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Message {
     let document = Document {
         name: String::new(),
         bytes: list.into_bytes(),
     };
-    Report::Listed(match write_all(&[document], path, replace) {
-        Ok(()) => Ok(path.to_path_buf()),
-        Err(problem) => Err(not_written(path, problem)),
-    })
+    match write_all(&[document], path, replace) {
+        Ok(()) => saved(path, Vec::new()),
+        Err(problem) => not_written(path, problem),
+    }
 }
 
 /// Writes one file, unless it was cancelled meanwhile.
@@ -127,6 +132,15 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
             Err("the folder is not there: choose another, or make it first".to_owned())
         }
         _ => Ok(()),
+    }
+}
+
+/// Says that a file was written.
+pub(crate) fn saved(path: &Path, details: Vec<String>) -> Message {
+    Message {
+        wrong: false,
+        title: format!("Saved {}", path.display()),
+        details,
     }
 }
 

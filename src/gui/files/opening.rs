@@ -5,37 +5,47 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
-use crate::model::format_v1::is_model;
-use crate::model::format_v1::load_model;
+use crate::model::format_v1::{is_model, load_model};
 use crate::progress::{Cancelled, Part, Progress, ReadError};
 use crate::sessions::{self, Loaded};
 
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::disk::Print;
+use crate::gui::core::given::Given;
+use crate::gui::core::simulate::Form;
+use crate::gui::core::subject::{Origin, Subject};
 use crate::gui::foreign::Foreign;
-use crate::gui::given::Given;
-use crate::gui::keeping::disk::Print;
-use crate::gui::simulate::Form;
-use crate::gui::subject::{Origin, Subject};
-use crate::gui::tasks::{Report, Watch};
+use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
-use super::CANCELLED;
+use super::advice::CANCELLED;
+
+#[derive(Debug)]
+pub(crate) enum Opened {
+    /// A session was read or made.
+    Session(Arc<Subject>),
+    /// A model was read.
+    Model(Arc<Given>),
+    /// A file that an instrument wrote was looked at.
+    Foreign(Box<Foreign>),
+}
 
 /// Reads a session or a model: its key `format` says which it is.
-pub(crate) fn open(path: &Path, watch: &Watch) -> Report {
+pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
     if is_model(path) {
-        return Report::OpenedModel(match load_model(path) {
-            Ok(calibration) => Ok(Arc::new(Given::new(calibration, path))),
+        return match load_model(path) {
+            Ok(calibration) => Ok(Opened::Model(Arc::new(Given::new(calibration, path)))),
             Err(rejected) => Err(not_read(path.display(), "opened", &rejected.into())),
-        });
+        };
     }
     let told = watch.told();
     let progress = Progress::new(&told);
     let whole = progress.whole();
     match Foreign::of(path, whole) {
         None => {}
-        Some(Ok(foreign)) => return Report::Foreign(Box::new(foreign)),
+        Some(Ok(foreign)) => return Ok(Opened::Foreign(Box::new(foreign))),
         Some(Err(error)) => {
-            return Report::Opened(Err(not_read(path.display(), "read", &error)));
+            return Err(not_read(path.display(), "read", &error));
         }
     }
     let loaded = sessions::load_watched(path, whole.part(0.0, READING).watch());
@@ -44,7 +54,9 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Report {
         let origin = Origin::File(path.to_path_buf());
         Ok(looked_through(loaded, origin, whole.part(READING, 1.0))?)
     });
-    Report::Opened(subject.map_err(|error| not_read(path.display(), "opened", &error)))
+    subject
+        .map(Opened::Session)
+        .map_err(|error| not_read(path.display(), "opened", &error))
 }
 
 /// Everything that follows from a session that was read.
@@ -59,9 +71,10 @@ pub(super) fn looked_through(
     let mut subject = Subject::watched(loaded.session, findings, origin, part.part(0.0, 0.6))?;
     subject.files = loaded.files.iter().filter_map(|f| Print::of(f)).collect();
     subject.samples_file = samples_file.filter(|_| !subject.files.is_empty());
+    // Made here, so that the window never waits for it.
+    Cloud::of(&subject);
     part.reached(0.8)?;
     if subject.single_revolute() {
-        // Sorted here, so that the window never waits for it.
         subject.angles();
     }
     part.reached(1.0)?;
@@ -98,24 +111,25 @@ fn listed(findings: &[Diagnostic]) -> Vec<String> {
 }
 
 /// Makes a session by simulation.
-pub(crate) fn simulate(form: &Form, watch: &Watch) -> Report {
-    Report::Opened(match form.session(watch.told()) {
+pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
+    match form.session(watch.told()) {
         Ok(session) => {
             let subject = Subject::new(session, Vec::new(), Origin::Simulated);
-            Ok(Arc::new(subject))
+            Cloud::of(&subject);
+            Ok(Opened::Session(Arc::new(subject)))
         }
         Err(problems) => Err(Message {
             wrong: true,
             title: "The simulation needs other numbers".to_owned(),
             details: problems,
         }),
-    })
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::files::EXAMPLES;
+    use crate::gui::core::examples::EXAMPLES;
     use crate::progress::testing::{assert_grows, no_at, told};
 
     #[test]

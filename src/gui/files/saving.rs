@@ -5,16 +5,15 @@ use std::sync::Arc;
 
 use crate::sessions::{self, Replacing};
 
-use crate::gui::keeping::disk::{Fate, Print};
-use crate::gui::tasks::{Report, Watch};
+use crate::gui::core::disk::{Fate, Print};
+use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 
-use super::advice;
+use super::advice::advice;
 
 /// What saving may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Replace {
-    /// Nothing.
     Nothing,
     /// What has that name: the user was asked. But not what changed since it was read.
     Named,
@@ -28,8 +27,7 @@ pub(crate) enum Replace {
 #[derive(Debug)]
 pub(crate) struct Saved {
     /// The document that was saved.
-    pub(crate) document: Arc<crate::gui::document::Document>,
-    /// The file.
+    pub(crate) document: Arc<crate::gui::core::document::Document>,
     pub(crate) path: PathBuf,
     /// The files as they look now, the document first; or why there are none.
     pub(crate) result: Result<Vec<Print>, NotSaved>,
@@ -47,12 +45,12 @@ pub(crate) enum NotSaved {
 /// Writes a session: the document, and its samples beside it. `known` are the files that it came
 /// from, as they looked then: what changed since is replaced only where that was asked for.
 pub(crate) fn save(
-    document: Arc<crate::gui::document::Document>,
+    document: Arc<crate::gui::core::document::Document>,
     path: &Path,
     replace: Replace,
     mut known: Vec<Print>,
     watch: &Watch,
-) -> Report {
+) -> Saved {
     let path = if path.extension().is_none() {
         path.with_extension("json")
     } else {
@@ -86,11 +84,11 @@ pub(crate) fn save(
             })),
         }
     };
-    Report::Saved(Box::new(Saved {
+    Saved {
         document,
         path,
         result,
-    }))
+    }
 }
 
 fn same_file(a: &Path, b: &Path) -> bool {

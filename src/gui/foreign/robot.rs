@@ -5,12 +5,11 @@ use std::path::Path;
 use nalgebra::{Point3, Vector3};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::gui::files::EXAMPLES;
+use crate::gui::core::examples::EXAMPLES;
 use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
 use crate::sessions;
 use crate::units::rad_from_deg;
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) enum RobotFrom {
     /// Nobody has said.
@@ -18,7 +17,6 @@ pub(crate) enum RobotFrom {
     Open,
     /// That of the session that is open.
     Here(Box<Robot>),
-    /// That of an example.
     Example(usize),
     /// The one in this file: a robot, a session with one, or a URDF file with the links between
     /// which its chain lies.
@@ -41,7 +39,6 @@ pub(crate) struct TypedAxis {
     pub(crate) name: String,
     /// Direction of the axis at home.
     pub(crate) axis: [f64; 3],
-    /// A point on it, mm.
     pub(crate) point_mm: [f64; 3],
     /// The tool at home, mm.
     pub(crate) tool_mm: [f64; 3],

@@ -2,10 +2,8 @@
 //!
 //! - `settings`: preferences and recent files, in one small file of the data folder;
 //! - `recovery`: what is not saved, kept against a crash;
-//! - `disk`: what a file looked like when it was read, and whether it still does;
 //! - `watcher`: looks at open files from time to time, and reads a file that grows.
 
-pub(crate) mod disk;
 pub(crate) mod recovery;
 pub(crate) mod settings;
 pub(crate) mod watcher;

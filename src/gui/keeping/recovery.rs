@@ -16,7 +16,7 @@ use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
 use crate::effects::{Term, find, form_with};
-use crate::gui::document::{Added, Document, Method};
+use crate::gui::core::document::{Added, Choices, Document, Method};
 use crate::kinematics::Robot;
 use crate::sessions::{self, Session};
 
@@ -56,9 +56,7 @@ pub(crate) struct Kept {
     pub(crate) session: Session,
     /// The file that it was opened from.
     pub(crate) file: Option<PathBuf>,
-    /// Whether it was identified.
     pub(crate) identified: bool,
-    /// How.
     pub(crate) method: Method,
     /// Effects of the exact fit.
     pub(crate) effects: Vec<String>,
@@ -89,7 +87,7 @@ impl KeptTerm {
     }
 
     /// The effect on this robot; `None` where it cannot be one of its.
-    pub(crate) fn added(&self, robot: &Robot) -> Option<Added> {
+    fn added(&self, robot: &Robot) -> Option<Added> {
         let effect = find(&self.effect)?;
         let effect = form_with(effect, |form| {
             form.about().form.coefficients() == self.coefficients.len()
@@ -114,6 +112,18 @@ impl Kept {
             method: document.method,
             effects: document.effects.iter().map(|e| (*e).to_owned()).collect(),
             added: document.added.iter().filter_map(KeptTerm::of).collect(),
+        }
+    }
+
+    /// How it was identified, as far as its robot can have what was added.
+    pub(crate) fn choices(&self) -> Choices {
+        let robot = &self.session.robot;
+        let added = self.added.iter().filter_map(|one| one.added(robot));
+        Choices {
+            identified: self.identified,
+            method: self.method,
+            effects: self.effects.clone(),
+            added: added.collect(),
         }
     }
 }
@@ -273,7 +283,6 @@ pub(crate) fn left_behind(folder: &Path) -> Vec<LeftBehind> {
 }
 
 impl LeftBehind {
-    /// Its file.
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }

@@ -16,7 +16,6 @@ use crate::gui::preferences::Preferences;
 const MOST_RECENT: usize = 10;
 const FORMAT: &str = "truepose-settings/1";
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Settings {
     format: String,
@@ -120,7 +119,7 @@ fn change(folder: &Path, change: impl FnOnce(&mut Settings)) -> Result<(), Write
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::view::LengthUnit;
+    use crate::gui::units::LengthUnit;
 
     #[test]
     fn what_is_kept_comes_back_and_two_windows_share_it() {

@@ -5,13 +5,13 @@
 //! once a second, and speaks only when something happened.
 
 use std::path::PathBuf;
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
 use crate::diagnostic::Rejected;
 use crate::sessions::{Growing, Growth};
 
-use super::disk::{Fate, Print};
+use crate::gui::core::disk::{Fate, Print};
 
 /// Between two looks.
 pub(crate) const EVERY: Duration = Duration::from_secs(1);
@@ -27,7 +27,6 @@ pub(crate) enum Order {
     Recent(Vec<PathBuf>),
 }
 
-/// What was seen.
 #[derive(Debug)]
 pub(crate) enum Seen {
     /// A file is not what it was; `None`: it is again.
@@ -40,7 +39,6 @@ pub(crate) enum Seen {
     Missing(Vec<PathBuf>),
 }
 
-/// See the module.
 #[derive(Debug, Default)]
 pub(crate) struct Watched {
     /// With what was said last about each.
@@ -123,5 +121,51 @@ impl Watched {
                 Err(RecvTimeoutError::Timeout) => self.look().into_iter().for_each(&tell),
             }
         }
+    }
+}
+
+/// Who looks at the disk.
+#[derive(Debug)]
+pub(crate) enum Watcher {
+    /// Whoever asks: [`Watcher::look`] has to be called from time to time.
+    Here(Watched),
+    /// A thread of its own; it ends with this.
+    Thread(Sender<Order>),
+}
+
+impl Watcher {
+    /// Begins to look on a thread, which tells what it sees.
+    pub(crate) fn on_thread(tell: impl Fn(Seen) + Send + 'static) -> Self {
+        let (orders, taken) = channel();
+        let look = move || Watched::default().keep_looking(&taken, tell);
+        let thread = std::thread::Builder::new().name("truepose watcher".to_owned());
+        // Without it the window goes on, and notices a change when it saves.
+        let _ = thread.spawn(look);
+        Self::Thread(orders)
+    }
+
+    /// Looks at something else from now on.
+    pub(crate) fn order(&mut self, order: Order) -> Option<Seen> {
+        match self {
+            Self::Here(watched) => watched.order(order),
+            Self::Thread(orders) => {
+                // A thread that could not be started looks at nothing.
+                let _ = orders.send(order);
+                None
+            }
+        }
+    }
+
+    /// Looks now, where no thread does.
+    pub(crate) fn look(&mut self) -> Vec<Seen> {
+        match self {
+            Self::Here(watched) => watched.look(),
+            Self::Thread(_) => Vec::new(),
+        }
+    }
+
+    /// Whether somebody has to call [`Self::look`].
+    pub(crate) fn wants_looking(&self) -> bool {
+        matches!(self, Self::Here(_))
     }
 }

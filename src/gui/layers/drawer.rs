@@ -9,10 +9,10 @@ use std::sync::{Arc, Weak};
 use egui_wgpu::wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
 
-use super::cloud::{Cloud, Place, Remainder};
 use super::frame::Frame;
-use super::heat::Heat;
 use super::pipelines::{SAMPLE, columns, pipeline, pipeline_layout, shader};
+use crate::gui::cache::cloud::{Cloud, Place, Remainder};
+use crate::gui::cache::heat::Heat;
 
 /// Samples in one buffer: far below the 256 MiB that every device offers.
 const CHUNK: usize = 1 << 20;

@@ -3,10 +3,10 @@
 use egui::{Color32, Rect};
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::tokens::{Palette, STOPS};
+use crate::gui::style::tokens::{Palette, STOPS};
 use crate::gui::view::{Colouring, Plane};
 
-use super::heat::Heat;
+use crate::gui::cache::heat::Heat;
 
 /// Rows of four numbers; `frame.wgsl` names them.
 const ROWS: usize = 16 + STOPS;
@@ -23,13 +23,11 @@ pub(crate) const HEAT: f32 = 0.72;
 /// What the layers show, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
-    /// The plane.
     pub(crate) plane: Plane,
     /// The middle of the cloud, mm.
     pub(crate) centre_mm: [f64; 3],
     /// From before, 0, to after, 1; 0 without an answer.
     pub(crate) blend: f32,
-    /// Whether there is an answer.
     pub(crate) answered: bool,
     /// How much longer than real the vectors are drawn.
     pub(crate) magnification: f64,
@@ -51,10 +49,8 @@ impl Look {
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Frame {
-    /// The uniform.
     pub(crate) rows: [[f32; 4]; ROWS],
 }
 
@@ -184,7 +180,7 @@ mod tests {
     use egui_plot::PlotBounds;
 
     use super::*;
-    use crate::gui::tokens::LIGHT;
+    use crate::gui::style::tokens::LIGHT;
 
     const LOOK: Look = Look {
         plane: Plane::Xz,

@@ -9,10 +9,10 @@ use egui_wgpu::{Callback, CallbackResources, CallbackTrait, RenderState, ScreenD
 
 use crate::gui::view::Canvas;
 
-use super::cloud::{Cloud, Remainder};
 use super::drawer::Drawer;
 use super::frame::Frame;
-use super::heat::Heat;
+use crate::gui::cache::cloud::{Cloud, Remainder};
+use crate::gui::cache::heat::Heat;
 
 /// What a renderer without a graphics processor draws at once: about a tenth of a second.
 const MOST_IN_SOFTWARE: usize = 50_000;
@@ -31,7 +31,6 @@ pub(crate) fn register(state: &RenderState) -> Canvas {
 
 /// Error vectors and measured points.
 pub(crate) struct CloudLayer {
-    /// The samples.
     pub(crate) cloud: Arc<Cloud>,
     /// What an answer leaves.
     pub(crate) remainder: Option<Arc<Remainder>>,
@@ -50,9 +49,7 @@ impl CloudLayer {
     }
 }
 
-/// The heat map.
 pub(crate) struct HeatLayer {
-    /// The map.
     pub(crate) heat: Arc<Heat>,
     /// Where it goes.
     pub(crate) frame: Frame,

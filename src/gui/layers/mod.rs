@@ -6,27 +6,21 @@
 //! costs the window the same for a hundred samples as for a million. What does take time is worked
 //! out where sessions are read and answers are found, in the background.
 //!
-//! - Model: `cloud` (the samples as they are uploaded), `heat` (the error over the plane),
-//!   `nearest` (which sample is under the pointer).
+//! - Model, in [`cache`](crate::gui::cache): `cloud` (the samples as they are uploaded), `heat` (the error over the
+//!   plane), `nearest` (which sample is under the pointer).
 //! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
 //! - Paint: `gpu` (what egui calls back), `drawer` (what stays on the graphics processor) and `pipelines`
 //!   with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws the heat
 //!   map where there is nothing but egui.
 
-mod cloud;
 mod drawer;
 mod frame;
 mod gpu;
-mod heat;
-mod nearest;
 mod pipelines;
 mod shapes;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use cloud::{Cloud, Remainder};
 pub(crate) use frame::{Frame, Look, OUTLINE, WEDGE, WIDTH, scale_at};
 pub(crate) use gpu::{CloudLayer, HeatLayer, register};
-pub(crate) use heat::Heat;
-pub(crate) use nearest::Nearest;
 pub(crate) use shapes::mesh;

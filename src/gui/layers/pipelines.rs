@@ -2,7 +2,7 @@
 
 use egui_wgpu::wgpu::{self, Device};
 
-use super::cloud::Place;
+use crate::gui::cache::cloud::Place;
 
 /// What arrows and marks are both drawn from.
 pub(super) const SAMPLE: &str = include_str!("sample.wgsl");

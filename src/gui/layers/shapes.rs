@@ -3,11 +3,11 @@
 use egui::epaint::Mesh;
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::tokens::Palette;
+use crate::gui::style::tokens::Palette;
 use crate::gui::view::Colouring;
 
 use super::frame::{HEAT, Look, scale_at};
-use super::heat::{Heat, blended};
+use crate::gui::cache::heat::{Heat, blended};
 
 /// Corners along each side.
 const CORNERS: u32 = 64;

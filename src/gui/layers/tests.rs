@@ -11,13 +11,13 @@ use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_set
 use egui_plot::{PlotBounds, PlotTransform};
 use egui_wgpu::RendererOptions;
 
-use crate::gui::tokens::{DARK, LIGHT, Palette};
+use crate::gui::style::tokens::{DARK, LIGHT, Palette};
 use crate::gui::view::{Colouring, Plane};
 
-use super::cloud::{Cloud, Place, Remainder};
 use super::frame::{Frame, HEAT, Look, OUTLINE, WIDTH, scale_at};
 use super::gpu::{CloudLayer, HeatLayer, register};
-use super::heat::Heat;
+use crate::gui::cache::cloud::{Cloud, Place, Remainder};
+use crate::gui::cache::heat::Heat;
 
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
 
@@ -361,7 +361,7 @@ fn the_heat_map_has_the_colour_of_the_error_at_every_sample() {
     let bounds = PlotBounds::from_min_max([-1.5625 * side, -side], [1.5625 * side, side]);
     let transform = PlotTransform::new(frame(), bounds, false);
     let look = Look {
-        centre_mm: subject.cloud.centre_mm,
+        centre_mm: Cloud::of(&subject).centre_mm,
         long_mm: 20.0,
         ..look(Colouring::Deviation, 0.0)
     };

@@ -3,7 +3,7 @@
 use egui::{FontId, Rangef, RichText};
 use egui_plot::{Axis, AxisHints, GridMark};
 
-use crate::gui::tokens::{Palette, size};
+use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::trimmed;
 
 /// An axis with this label; `shown` turns a value of the plot into the one that is written.
@@ -62,7 +62,7 @@ pub(crate) fn steps(bounds: (f64, f64), degrees: bool, lines: f64) -> Vec<GridMa
         in_degrees().unwrap_or(360.0)
     } else {
         // The smallest of 1, 2, 5 × 10ⁿ that is not below.
-        let below = super::round_down(wanted);
+        let below = crate::gui::core::scale::round_down(wanted);
         let lead = below / 10f64.powf(below.log10().floor());
         if below >= wanted * (1.0 - 1e-9) {
             below

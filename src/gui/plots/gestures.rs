@@ -7,9 +7,9 @@ use std::hash::Hash;
 use egui::{Context, Rect, Response, RichText, Ui, Vec2, vec2};
 use egui_plot::{Plot, PlotResponse, PlotUi};
 
-use crate::gui::commands::Command;
-use crate::gui::tokens::{size, strong};
+use crate::gui::style::tokens::{size, strong};
 use crate::gui::widgets::sign;
+use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
 pub(crate) const GESTURES: [(&str, &str); 5] = [

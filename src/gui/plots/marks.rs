@@ -22,12 +22,10 @@ pub(crate) fn arrow(shapes: &mut Vec<Shape>, from: Pos2, to: Pos2, stroke: Strok
     ));
 }
 
-/// A filled disc.
 pub(crate) fn disc(at: Pos2, radius: f32, fill: Color32) -> Shape {
     Shape::circle_filled(at, radius, fill)
 }
 
-/// An open ring.
 pub(crate) fn ring(at: Pos2, radius: f32, stroke: Stroke) -> Shape {
     Shape::circle_stroke(at, radius, stroke)
 }

@@ -1,21 +1,13 @@
-//! Plots: each in a model (what is shown, from the workbench), a layout (where it goes; both are
-//! tested without pixels) and paint (egui).
+//! What plots are made of: axes, marks, the strip above them, gestures, the chart as it is drawn on the
+//! screen and on paper. A plot itself is a model (what is shown), a layout (where it goes; both are
+//! tested without pixels) and paint (egui)
 
 mod axes;
-pub(crate) mod charting;
-pub(crate) mod correction;
-pub(crate) mod deviation;
 mod drawing;
-pub(crate) mod effect;
 pub(crate) mod gestures;
-pub(crate) mod histogram;
-mod marks;
-pub(crate) mod orders;
-pub(crate) mod over;
+pub(crate) mod marks;
 pub(crate) mod sketch;
 pub(crate) mod strip;
-pub(crate) mod waterfall;
-pub(crate) mod workspace;
 
 pub(crate) use axes::{axis, named_axis, steps};
 pub(crate) use drawing::Drawing;
@@ -23,19 +15,9 @@ pub(crate) use marks::disc;
 
 use egui::{Response, Role, Ui, WidgetInfo};
 
-use super::commands::Command;
-use super::pictures::Plot;
-use super::tasks::What;
-use super::widgets;
-
-/// Arrows in one plot; beyond it they are thinned evenly, and the plot says so.
-pub(crate) const MOST_ARROWS: usize = 10_000;
-/// Points in one plot.
-pub(crate) const MOST_POINTS: usize = 100_000;
-
-/// The smallest span of a chart's upward axis, mm or degrees: below it the labels, which have four
-/// decimals, would all be the same, and what filled the chart would be rounding.
-pub(crate) const LEAST_SPAN: f64 = 1e-3;
+use crate::gui::view::{Plot, What};
+use crate::gui::widgets;
+use crate::gui::workbench::Command;
 
 /// Saves a plot as a file.
 pub(crate) fn picture(ui: &mut Ui, plot: Plot, commands: &mut Vec<Command>) {
@@ -51,67 +33,4 @@ pub(crate) fn figure(response: &Response, name: &str, says: String) {
     response
         .ctx
         .accesskit_node_builder(response.id, |node| node.set_description(says));
-}
-
-/// Every how many of `count` things one is shown, so that there are at most `most`.
-pub(crate) fn stride(count: usize, most: usize) -> usize {
-    count.div_ceil(most).max(1)
-}
-
-/// What a plot says when it does not show everything.
-pub(crate) fn thinned(stride: usize, what: &str) -> Option<String> {
-    let ordinal = match (stride % 10, stride % 100) {
-        (1, n) if n != 11 => "st",
-        (2, n) if n != 12 => "nd",
-        (3, n) if n != 13 => "rd",
-        _ => "th",
-    };
-    (stride > 1).then(|| format!("every {stride}{ordinal} {what} shown"))
-}
-
-/// The largest of 1, 2, 5 × 10ⁿ that is not above `value`.
-pub(crate) fn round_down(value: f64) -> f64 {
-    if !(value.is_finite() && value > 0.0) {
-        return 1.0;
-    }
-    let decade = 10f64.powf(value.log10().floor());
-    let lead = value / decade * (1.0 + 1e-12);
-    let lead = if lead >= 5.0 {
-        5.0
-    } else if lead >= 2.0 {
-        2.0
-    } else {
-        1.0
-    };
-    lead * decade
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_plot_shows_more_than_it_can_draw() {
-        for count in [0, 1, 9_999, 10_000, 10_001, 1_000_000] {
-            let stride = stride(count, MOST_ARROWS);
-            assert!(count.div_ceil(stride) <= MOST_ARROWS);
-        }
-    }
-
-    #[test]
-    fn a_thinned_plot_says_so() {
-        assert_eq!(thinned(1, "arrow"), None);
-        let says = |n| thinned(n, "arrow").expect("thinned");
-        assert_eq!(says(100), "every 100th arrow shown");
-        assert_eq!(says(22), "every 22nd arrow shown");
-        assert_eq!(says(13), "every 13th arrow shown");
-    }
-
-    #[test]
-    fn scales_are_round_numbers() {
-        assert_eq!(round_down(2.3), 2.0);
-        assert_eq!(round_down(0.7), 0.5);
-        assert_eq!(round_down(1000.0), 1000.0);
-        assert_eq!(round_down(f64::NAN), 1.0);
-    }
 }

@@ -1,12 +1,13 @@
 //! The line between a chart's bar and the chart: what the marks are, and what has to be said. It
 //! stands beside the plot, not on it, so that it covers no sample.
 
-use egui::{Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo};
-use egui::{pos2, vec2};
+use egui::{
+    Align, Color32, FontId, Layout, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
 
-use crate::gui::commands::{Command, Workbench};
-use crate::gui::tokens::{Palette, size, space};
+use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
 
 use super::marks;
 
@@ -26,12 +27,9 @@ pub(crate) enum Sign {
     Line(Color32, bool),
 }
 
-/// A name.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Entry {
-    /// What.
     pub(crate) name: String,
-    /// Its mark.
     pub(crate) sign: Sign,
     /// Whether it is shown, where that can be chosen.
     pub(crate) shown: Option<bool>,
@@ -57,7 +55,6 @@ impl Entry {
     }
 }
 
-/// Shows the line.
 pub(crate) fn show(ui: &mut Ui, note: &str, entries: &[Entry], commands: &mut Vec<Command>) {
     let room = vec2(ui.available_width(), HEIGHT);
     ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {

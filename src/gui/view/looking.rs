@@ -1,6 +1,4 @@
-//! From where the workspace is looked at, what its colours say, and in which units.
-
-use serde::{Deserialize, Serialize};
+//! From where the workspace is looked at, and what its colours say.
 
 /// The plane that the workspace is looked at in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -15,10 +13,8 @@ pub(crate) enum Plane {
 }
 
 impl Plane {
-    /// All of them.
     pub(crate) const ALL: [Self; 3] = [Self::Xy, Self::Xz, Self::Yz];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Xy => "x y",
@@ -66,16 +62,12 @@ pub(crate) enum Colouring {
     Deviation,
     /// Where it points to.
     Direction,
-    /// The load.
     Load,
-    /// The temperature.
     Temperature,
-    /// The time.
     Time,
 }
 
 impl Colouring {
-    /// All of them.
     pub(crate) const ALL: [Self; 6] = [
         Self::State,
         Self::Deviation,
@@ -85,7 +77,6 @@ impl Colouring {
         Self::Time,
     ];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::State => "before and after",
@@ -97,7 +88,7 @@ impl Colouring {
         }
     }
 
-    /// The condition that it shows, in the order of [`crate::gui::layers::Cloud`].
+    /// The condition that it shows, in the order of [`crate::gui::cache::cloud::Cloud`].
     pub(crate) fn condition(self) -> Option<usize> {
         match self {
             Self::Load => Some(0),
@@ -116,28 +107,4 @@ pub(crate) enum Canvas {
     Shapes,
     /// The graphics processor, at most so many samples.
     Layers(usize),
-}
-
-/// Unit of lengths on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum LengthUnit {
-    /// Millimetres.
-    #[default]
-    Millimetre,
-    /// Micrometres.
-    Micrometre,
-    /// Inches.
-    Inch,
-}
-
-/// Unit of angles on the screen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub(crate) enum AngleUnit {
-    /// Degrees.
-    #[default]
-    Degree,
-    /// Radians.
-    Radian,
 }

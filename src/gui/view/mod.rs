@@ -3,19 +3,21 @@
 
 mod chart;
 mod looking;
+mod output;
 mod sheet;
 
 pub(crate) use chart::Chart;
-pub(crate) use looking::{AngleUnit, Aspect, Canvas, Colouring, LengthUnit, Plane};
+pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
+pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
 use std::path::PathBuf;
 
-use crate::gui::keeping::disk::Fate;
-use crate::gui::placing::Typed;
+use crate::gui::core::disk::Fate;
+use crate::gui::core::placing::Typed;
+use crate::gui::core::setup::SetupForm;
+use crate::gui::core::subject::Component;
 use crate::gui::preferences::Preferences;
-use crate::gui::setup::SetupForm;
-use crate::gui::subject::Component;
 
 /// The steps of the work, in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -34,7 +36,6 @@ pub(crate) enum Step {
 }
 
 impl Step {
-    /// All steps that exist.
     pub(crate) const ALL: [Self; 5] = [
         Self::Session,
         Self::Regions,
@@ -43,7 +44,6 @@ impl Step {
         Self::Export,
     ];
 
-    /// Its name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Session => "Session",
@@ -54,7 +54,6 @@ impl Step {
         }
     }
 
-    /// The step after it.
     pub(crate) fn next(self) -> Option<Self> {
         let here = Self::ALL.iter().position(|step| *step == self)?;
         Self::ALL.get(here + 1).copied()
@@ -67,7 +66,6 @@ pub(crate) enum Side {
     /// What was identified.
     #[default]
     Results,
-    /// Sample by sample.
     Samples,
 }
 
@@ -84,7 +82,6 @@ pub(crate) enum Part {
 /// A file that is open and is not on the disk as it was read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct OnDisk {
-    /// The file.
     pub(crate) path: PathBuf,
     /// What became of it.
     pub(crate) fate: Fate,
@@ -111,17 +108,14 @@ pub(crate) struct Fitted {
 }
 
 impl Fitted {
-    /// Both of them.
     pub(crate) fn everywhere(&mut self) {
         self.workspace += 1;
         self.chart += 1;
     }
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ViewState {
-    /// The chosen step.
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
@@ -143,7 +137,6 @@ pub(crate) struct ViewState {
     pub(crate) only_after: bool,
     /// The sample under the pointer, wherever that is.
     pub(crate) hovered: Option<usize>,
-    /// The chosen sample.
     pub(crate) selected: Option<usize>,
     /// Samples that a finding is about, in ascending order.
     pub(crate) marked: Vec<usize>,

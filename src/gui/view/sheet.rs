@@ -2,32 +2,28 @@
 
 use std::path::PathBuf;
 
+use crate::gui::core::simulate::Form;
 use crate::gui::foreign::Foreign;
-use crate::gui::simulate::Form;
-use crate::gui::tasks::What;
+use crate::gui::view::What;
 
 /// A sheet over the window.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Sheet {
     /// A path to save to, as it is typed.
     SavePath {
-        /// The path.
         path: String,
         /// Whether a file that is there may be replaced.
         replace: bool,
     },
     /// A path to export to, as it is typed.
     ExportPath {
-        /// What is exported.
         what: What,
-        /// The path.
         path: String,
         /// Whether a file that is there may be replaced.
         replace: bool,
     },
     /// A simulation, as it is filled in.
     Simulate(Form),
-    /// The keyboard.
     Shortcuts,
     /// What is lost if this is done now.
     Unsaved(Then),
@@ -48,12 +44,8 @@ pub(crate) enum Sheet {
 /// What is done next, when nothing is in the way any more.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Then {
-    /// Close the window.
     Leave,
-    /// Open this file.
     Open(PathBuf),
-    /// Open this example.
     Example(usize),
-    /// Make a session.
     Simulate(Form),
 }

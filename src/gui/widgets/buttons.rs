@@ -5,7 +5,7 @@ use egui::{
     vec2,
 };
 
-use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::style::tokens::{Palette, size, space, strong};
 
 /// What a wide button looks like: at rest, under the pointer, pressed.
 struct Look {

@@ -2,7 +2,7 @@
 
 use egui::{Align, DragValue, Layout, Response, RichText, Ui, vec2};
 
-use crate::gui::tokens::{Palette, space};
+use crate::gui::style::tokens::{Palette, space};
 use crate::gui::units::typed;
 
 /// A field that takes a number when it is complete, with a point or a comma.

@@ -4,7 +4,7 @@ use egui::{
     Color32, CornerRadius, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::style::tokens::{Palette, size, space, strong};
 
 /// A window with its right-hand side: opens it or shuts it. Where it is shut its name stands beside
 /// the sign.
@@ -80,7 +80,6 @@ pub(crate) fn history_button(ui: &mut Ui, forth: bool, enabled: bool, says: &str
 pub(crate) struct Sign {
     /// Whether it was pressed, and so on.
     pub(crate) response: Response,
-    /// Where it is.
     pub(crate) rect: egui::Rect,
     /// Whether the pointer or the keyboard is on it.
     pub(crate) lit: bool,
@@ -94,7 +93,6 @@ impl Sign {
         self.rect.center() + vec2(x, y)
     }
 
-    /// Its lines.
     pub(crate) fn stroke(&self) -> Stroke {
         Stroke::new(1.5, self.color)
     }

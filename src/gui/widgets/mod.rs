@@ -17,7 +17,7 @@ pub(crate) use text::{
 
 use egui::{Color32, CornerRadius, Frame, Margin, Sense, Stroke, StrokeKind, Ui, vec2};
 
-use crate::gui::tokens::{DARK, LIGHT, Palette, space};
+use crate::gui::style::tokens::{DARK, LIGHT, Palette, space};
 
 /// What is longer than its panel: it fades where it goes on, and its bar stands in the panel's
 /// margin, so that edges keep their line with or without it.

@@ -4,23 +4,26 @@ use egui::{
     Color32, CornerRadius, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::style::tokens::{Palette, size, space, strong};
 
 /// How far a step has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Progress {
     /// Nothing to show for it yet.
     Open,
-    /// Done.
     Done,
+}
+
+impl Progress {
+    pub(crate) fn of(done: bool) -> Self {
+        if done { Self::Done } else { Self::Open }
+    }
 }
 
 /// A step in the list of steps.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StepRow<'a> {
-    /// Which one, from 1.
     pub(crate) number: usize,
-    /// Its name.
     pub(crate) name: &'a str,
     /// What it has to show.
     pub(crate) caption: &'a str,
@@ -33,7 +36,6 @@ pub(crate) struct StepRow<'a> {
 }
 
 impl StepRow<'_> {
-    /// Shows it.
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let palette = Palette::of(ui);
         let height = if self.low { 30.0 } else { 44.0 };

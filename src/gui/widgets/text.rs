@@ -8,7 +8,7 @@ use egui::{
 };
 
 use crate::gui::help::{self, Word};
-use crate::gui::tokens::{Palette, size, space, strong};
+use crate::gui::style::tokens::{Palette, size, space, strong};
 
 /// A text on one line, ended by … where it is wider than its room.
 pub(crate) fn cut(

@@ -3,13 +3,15 @@
 
 mod paper;
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, pos2};
+use egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Shape, Stroke, StrokeKind, Ui, pos2,
+};
 use egui_plot::{Plot, PlotPoint, PlotTransform};
 
-use crate::gui::tokens::{Palette, size};
+use crate::gui::style::tokens::{Palette, size};
 use crate::gui::view::ViewState;
 
-use super::{axis, gestures, marks, named_axis, steps};
+use super::{Drawing, axis, gestures, marks, named_axis, steps};
 
 /// What something stands for; it decides the colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,7 +22,6 @@ pub(crate) enum Stands {
     After,
     /// A reference: zero, a boundary.
     Reference,
-    /// The tolerance.
     Tolerance,
     /// What noise alone does.
     Noise,
@@ -45,7 +46,6 @@ impl Stands {
 /// A mark at a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Mark {
-    /// Where.
     pub(crate) at: [f64; 2],
     /// Side from which the joint came; 0: a disc.
     pub(crate) side: f64,
@@ -66,7 +66,6 @@ pub(crate) enum Ink {
     Word([f64; 2], String, Align2),
 }
 
-/// See the module.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sketch {
     /// What it shows, in one line.
@@ -126,6 +125,25 @@ impl Sketch {
                 palette,
                 |y| y,
             ))
+    }
+
+    /// Shows it in a plot, and more on top of it: what was done with the plot, and where it is.
+    pub(crate) fn show<'a>(
+        &'a self,
+        ui: &mut Ui,
+        plot: Plot<'a>,
+        palette: &'a Palette,
+        more: impl Fn(&PlotTransform, &mut Vec<Shape>) + 'a,
+    ) -> (Response, PlotTransform) {
+        let painter = ui.painter().clone();
+        let plotted = gestures::show(ui, plot, |plot| {
+            let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
+                self.shapes(&painter, transform, palette, shapes);
+                more(transform, shapes);
+            };
+            plot.add(Drawing::new("chart", self.bounds, draw));
+        });
+        (plotted.response, plotted.transform)
     }
 
     /// Draws it.
@@ -231,7 +249,7 @@ fn dashes(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::tokens::DARK;
+    use crate::gui::style::tokens::DARK;
 
     #[test]
     fn dashes_have_one_length_however_near_the_points_are() {

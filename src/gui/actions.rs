@@ -1,0 +1,310 @@
+//! What can be done by a key or from a menu: one table for what the keys do, what the menus offer and
+//! what the help lists.
+
+use egui::{Context, Key, KeyboardShortcut, Modifiers};
+
+use crate::gui::core::edit::Edit;
+use crate::gui::core::examples::EXAMPLES;
+use crate::gui::core::simulate::Form;
+use crate::gui::preferences::{Preferences, Theme};
+use crate::gui::style::room::Room;
+use crate::gui::units::{AngleUnit, LengthUnit};
+use crate::gui::view::{Plane, Sheet, Step, What};
+use crate::gui::workbench::{Command, Workbench};
+
+/// The window as it stands.
+#[derive(Clone, Copy)]
+pub(crate) struct Now<'a> {
+    pub(crate) ctx: &'a Context,
+    pub(crate) workbench: &'a Workbench,
+}
+
+impl Now<'_> {
+    fn preferences(self) -> Preferences {
+        self.workbench.view().preferences
+    }
+
+    fn dark(self) -> bool {
+        self.ctx.global_style().visuals.dark_mode
+    }
+
+    fn looks_at(self, plane: Plane) -> bool {
+        let view = self.workbench.view();
+        view.plane == plane && !view.polar()
+    }
+}
+
+/// Something that can be done.
+#[derive(Clone, Copy)]
+pub(crate) struct Action {
+    keys: KeyboardShortcut,
+    /// What the list of keys says.
+    help: &'static str,
+    /// What the menu says.
+    label: fn(Now<'_>) -> String,
+    enabled: fn(Now<'_>) -> bool,
+    /// One of several ways to look: whether it is this.
+    on: Option<fn(Now<'_>) -> bool>,
+    command: fn(Now<'_>) -> Command,
+}
+
+impl Action {
+    const fn new(
+        modifiers: Modifiers,
+        key: Key,
+        help: &'static str,
+        label: fn(Now<'_>) -> String,
+        command: fn(Now<'_>) -> Command,
+    ) -> Self {
+        Self {
+            keys: KeyboardShortcut::new(modifiers, key),
+            help,
+            label,
+            enabled: |_| true,
+            on: None,
+            command,
+        }
+    }
+
+    const fn when(self, enabled: fn(Now<'_>) -> bool) -> Self {
+        Self { enabled, ..self }
+    }
+
+    const fn on(self, on: fn(Now<'_>) -> bool) -> Self {
+        Self {
+            on: Some(on),
+            ..self
+        }
+    }
+
+    pub(crate) fn label(&self, now: Now<'_>) -> String {
+        (self.label)(now)
+    }
+
+    pub(crate) fn enabled(&self, now: Now<'_>) -> bool {
+        (self.enabled)(now)
+    }
+
+    /// Whether it is chosen, where it is one of several ways to look.
+    pub(crate) fn chosen(&self, now: Now<'_>) -> Option<bool> {
+        self.on.map(|on| on(now))
+    }
+
+    pub(crate) fn command(&self, now: Now<'_>) -> Command {
+        (self.command)(now)
+    }
+
+    /// Its keys as a menu shows them.
+    pub(crate) fn keys(&self, ctx: &Context) -> String {
+        in_words(ctx, self.keys)
+    }
+
+    /// Its keys, and what they do.
+    pub(crate) fn help(&self, ctx: &Context) -> (String, &'static str) {
+        (self.keys(ctx), self.help)
+    }
+}
+
+const PLAIN: Modifiers = Modifiers::NONE;
+const COMMAND: Modifiers = Modifiers::COMMAND;
+const SHIFTED: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+
+fn sheet(sheet: Sheet) -> Command {
+    Command::Sheet(Some(sheet))
+}
+
+fn measured(now: Now<'_>) -> bool {
+    !now.workbench.subject().is_empty()
+}
+
+fn answered(now: Now<'_>) -> bool {
+    now.workbench.answer().is_some()
+}
+
+/// What is done, and to what.
+fn with(verb: &str, what: Option<&str>) -> String {
+    what.map_or_else(|| verb.to_owned(), |what| format!("{verb} {what}"))
+}
+
+/// A table of actions, row by row: name, keys, help, label in the menu, command, and what else there
+/// is to say of it.
+macro_rules! actions {
+    ($($name:ident: $modifiers:expr, $key:ident, $help:expr, $label:expr, $command:expr $(, [$more:ident($of:expr)])*;)*) => {
+        $(pub(crate) const $name: Action =
+            Action::new($modifiers, Key::$key, $help, $label, $command)$(.$more($of))*;)*
+        /// All of them; where the keys of one contain another's, the longer stand first.
+        pub(crate) const ALL: &[Action] = &[$($name),*];
+    };
+}
+
+actions! {
+    REDO: SHIFTED, Z, "redo", |now| with("Redo", now.workbench.redoes()), |_| Command::Redo,
+        [when(|now| now.workbench.redoes().is_some())];
+    UNDO: COMMAND, Z, "undo", |now| with("Undo", now.workbench.undoes()), |_| Command::Undo,
+        [when(|now| now.workbench.undoes().is_some())];
+    OPEN_LATEST: SHIFTED, O, "open the last file again", |_| String::new(), open_latest;
+    OPEN: COMMAND, O, "open a file", |_| "Open…".into(), |_| Command::ChooseFile;
+    EXAMPLE_1: PLAIN, F2, "first example", |_| EXAMPLES[0].name.into(), |_| Command::OpenExample(0);
+    EXAMPLE_2: PLAIN, F3, "second example", |_| EXAMPLES[1].name.into(), |_| Command::OpenExample(1);
+    EXAMPLE_3: PLAIN, F4, "third example", |_| EXAMPLES[2].name.into(), |_| Command::OpenExample(2);
+    NEW: COMMAND, N, "new by simulation", |_| "New by simulation…".into(),
+        |_| sheet(Sheet::Simulate(Form::default()));
+    SAVE_AS: SHIFTED, S, "save session as", |_| "Save session as…".into(),
+        |_| Command::ChooseWhereToSave, [when(measured)];
+    SAVE: COMMAND, S, "save session", |_| "Save session".into(), |_| Command::Save, [when(measured)];
+    SAVE_TO_PATH: SHIFTED, P, "save session to a path", |_| "Save session to path…".into(),
+        |now| now.workbench.typed_path(), [when(measured)];
+    SAVE_MODEL: COMMAND, M, "save model", |_| "Save model…".into(),
+        |_| Command::ChooseWhereToExport(What::Model), [when(answered)];
+    SAVE_TABLE: COMMAND, T, "save table", |_| "Save table…".into(),
+        |_| Command::ChooseWhereToExport(What::Table), [when(answered)];
+    RELOAD: COMMAND, R, "read the file again", |_| "Read the file again".into(),
+        |_| Command::Reload, [when(|now| now.workbench.file().is_some())];
+    FOLLOW: COMMAND, L, "follow the file, or stop", follow_says,
+        |now| Command::Follow(now.workbench.following().is_none()),
+        [when(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some())];
+    QUIT: COMMAND, Q, "quit", |_| "Quit".into(), |_| Command::Leave;
+    IDENTIFY: COMMAND, I, "identify", |_| "Identify".into(),
+        |_| Command::Edit(Edit::Identify), [when(measured)];
+    SEARCH: COMMAND, G, "search for what is missing", |_| "Run diagnosis".into(),
+        |_| Command::Search, [when(measured)];
+    CANCEL: COMMAND, Period, "cancel", |_| "Cancel what is running".into(), |_| Command::Cancel,
+        [when(|now| now.workbench.jobs().newest().is_some())];
+    PREFERENCES: COMMAND, Comma, "preferences", |_| "Preferences…".into(),
+        |_| sheet(Sheet::Preferences);
+    NEXT_ANGLE: SHIFTED, U, "other unit of angles", |now| next_angle(now).1.into(),
+        |now| Command::Prefer(Preferences { angle: next_angle(now).0, ..now.preferences() });
+    NEXT_LENGTH: COMMAND, U, "next unit of lengths", |now| next_length(now).1.into(),
+        |now| Command::Prefer(Preferences { length: next_length(now).0, ..now.preferences() });
+    OTHER_THEME: COMMAND, D, "light or dark", |now| other_theme(now).1.into(),
+        |now| Command::Prefer(Preferences { theme: other_theme(now).0, ..now.preferences() });
+    RESULTS: COMMAND, B, "results, or more room for plots",
+        |now| results_says(room(now.ctx, now.workbench).results()).into(),
+        |now| Command::Results(!room(now.ctx, now.workbench).results());
+    LOOK_XY: SHIFTED, Num1, "workspace from above", |_| "Workspace from above".into(),
+        |_| Command::Look(Plane::Xy), [on(|now| now.looks_at(Plane::Xy))];
+    LOOK_XZ: SHIFTED, Num2, "workspace from the side", |_| "Workspace from the side".into(),
+        |_| Command::Look(Plane::Xz), [on(|now| now.looks_at(Plane::Xz))];
+    LOOK_YZ: SHIFTED, Num3, "workspace from the front", |_| "Workspace from the front".into(),
+        |_| Command::Look(Plane::Yz), [on(|now| now.looks_at(Plane::Yz))];
+    LOOK_AROUND: SHIFTED, Num4, "deviation around the angle (polar)",
+        |_| "Deviation around the angle".into(), |_| Command::LookAround,
+        [on(|now| now.workbench.view().polar())];
+    FIT: COMMAND, F, "fit the plots' view", |_| "Show everything in the plots".into(),
+        |_| Command::Fit;
+    FIT_TOO: PLAIN, Home, "the same", |_| String::new(), |_| Command::Fit;
+    SESSION: COMMAND, Num1, "step 1, session", |_| Step::Session.name().into(),
+        |_| Command::GoTo(Step::Session), [on(|now| now.workbench.view().step == Step::Session)];
+    REGIONS: COMMAND, Num2, "step 2, regions", |_| Step::Regions.name().into(),
+        |_| Command::GoTo(Step::Regions), [on(|now| now.workbench.view().step == Step::Regions)];
+    IDENTIFICATION: COMMAND, Num3, "step 3, identify", |_| Step::Identify.name().into(),
+        |_| Command::GoTo(Step::Identify), [on(|now| now.workbench.view().step == Step::Identify)];
+    DIAGNOSIS: COMMAND, Num4, "step 4, diagnose", |_| Step::Gap.name().into(),
+        |_| Command::GoTo(Step::Gap), [on(|now| now.workbench.view().step == Step::Gap)];
+    EXPORT: COMMAND, Num5, "step 5, export", |_| Step::Export.name().into(),
+        |_| Command::GoTo(Step::Export), [on(|now| now.workbench.view().step == Step::Export)];
+    ABOUT: Modifiers::SHIFT, F1, "about truepose", |_| "About truepose".into(),
+        |_| sheet(Sheet::About);
+    WORDS: PLAIN, F1, "glossary", |_| "Glossary".into(), |_| sheet(Sheet::Words);
+    KEYS: COMMAND, K, "this list", |_| "Keyboard and mouse".into(), |_| sheet(Sheet::Shortcuts);
+}
+
+/// The examples, in their order.
+pub(crate) const OPEN_EXAMPLE: [Action; EXAMPLES.len()] = [EXAMPLE_1, EXAMPLE_2, EXAMPLE_3];
+
+fn open_latest(now: Now<'_>) -> Command {
+    match now.workbench.recent().find(|(_, there)| *there) {
+        Some((path, _)) => Command::OpenFile(path.to_path_buf()),
+        None => Command::ChooseFile,
+    }
+}
+
+fn follow_says(now: Now<'_>) -> String {
+    let follows = now.workbench.following().is_some();
+    let says = if follows {
+        "Stop following the file"
+    } else {
+        "Follow the file as it grows"
+    };
+    says.to_owned()
+}
+
+fn next_length(now: Now<'_>) -> (LengthUnit, &'static str) {
+    match now.preferences().length {
+        LengthUnit::Millimetre => (LengthUnit::Micrometre, "Lengths in µm"),
+        LengthUnit::Micrometre => (LengthUnit::Inch, "Lengths in inches"),
+        LengthUnit::Inch => (LengthUnit::Millimetre, "Lengths in mm"),
+    }
+}
+
+fn next_angle(now: Now<'_>) -> (AngleUnit, &'static str) {
+    match now.preferences().angle {
+        AngleUnit::Degree => (AngleUnit::Radian, "Angles in radians"),
+        AngleUnit::Radian => (AngleUnit::Degree, "Angles in degrees"),
+    }
+}
+
+fn other_theme(now: Now<'_>) -> (Theme, &'static str) {
+    if now.dark() {
+        (Theme::Light, "Light")
+    } else {
+        (Theme::Dark, "Dark")
+    }
+}
+
+/// What opens the right-hand side, or shuts it.
+pub(crate) fn results_says(open: bool) -> &'static str {
+    if open { "Hide results" } else { "Show results" }
+}
+
+/// Keys as they stand on the keyboard.
+pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
+    let text = ctx.format_shortcut(&keys);
+    let signs = [
+        ("Comma", ","),
+        ("Period", "."),
+        ("Plus", "+"),
+        ("Minus", "−"),
+    ];
+    let write = |text: String, (name, sign): (&str, &str)| text.replace(name, sign);
+    signs.into_iter().fold(text, write)
+}
+
+/// How the window is divided now.
+pub(crate) fn room(ctx: &Context, workbench: &Workbench) -> Room {
+    let size = ctx.content_rect().size();
+    Room::of(size.x, size.y, workbench.view().results)
+}
+
+/// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text.
+pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
+    if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
+        return Vec::new();
+    }
+    let pressed = |action: &&Action| ctx.input_mut(|i| i.consume_shortcut(&action.keys));
+    let now = Now { ctx, workbench };
+    let all = ALL.iter().filter(pressed);
+    all.map(|action| action.command(now)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_keys_do_two_things_and_none_hides_another() {
+        for (k, action) in ALL.iter().enumerate() {
+            for before in &ALL[..k] {
+                assert_ne!(
+                    action.keys, before.keys,
+                    "{} and {}",
+                    action.help, before.help
+                );
+                // Without Shift a shortcut also takes what has it: the longer stands first.
+                let hides = before.keys.logical_key == action.keys.logical_key
+                    && action.keys.modifiers.contains(before.keys.modifiers);
+                assert!(!hides, "{} hides {}", before.help, action.help);
+            }
+        }
+    }
+}

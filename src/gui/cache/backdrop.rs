@@ -1,0 +1,131 @@
+//! What plots of many samples stand on, worked out in the background: which sample is where, the
+//! heat map, what the chart is made of.
+//!
+//! A few samples are simply looked at anew in every frame, so that nothing has to be waited for.
+
+use std::sync::Arc;
+
+use super::thinning::Thinned;
+use crate::gui::cache::charts::envelope::Envelope;
+use crate::gui::cache::charts::over::{Over, Variable};
+use crate::gui::cache::charts::{Asked, Charted};
+use crate::gui::cache::heat::Heat;
+use crate::gui::cache::nearest::Nearest;
+use crate::gui::cache::outcome::Outcome;
+use crate::gui::core::answer::Answer;
+use crate::gui::core::scale::FEW;
+use crate::gui::core::subject::{Component, Subject};
+use crate::gui::view::Plane;
+
+/// What a backdrop is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scenery {
+    pub(crate) subject: Arc<Subject>,
+    pub(crate) outcome: Option<Arc<Outcome>>,
+    /// The plane of the workspace.
+    pub(crate) plane: Plane,
+    /// Whether the heat map is shown.
+    pub(crate) heat: bool,
+    /// Whether not all samples can be drawn.
+    pub(crate) thins: bool,
+    /// Whether the deviation is looked at around the joint's angle.
+    pub(crate) polar: bool,
+    /// The component in the chart.
+    pub(crate) component: Component,
+    /// What the chart needs.
+    pub(crate) chart: Asked,
+}
+
+impl Scenery {
+    fn answer(&self) -> Option<&Answer> {
+        self.outcome.as_ref()?.answer.as_ref().ok()
+    }
+
+    fn many(&self) -> bool {
+        self.subject.overview.usable.len() > FEW
+    }
+
+    /// Whether there is anything to work out.
+    pub(crate) fn any(&self) -> bool {
+        self.heat || self.many() || self.chart.any(&self.subject)
+    }
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Backdrop {
+    /// What it was made of.
+    pub(crate) scenery: Scenery,
+    /// Which sample is where in the plane, mm.
+    pub(crate) nearest: Option<Arc<Nearest>>,
+    /// The error over the plane.
+    pub(crate) heat: Option<Arc<Heat>>,
+    /// What the chart is made of.
+    pub(crate) charted: Option<Arc<Charted>>,
+    /// Samples that are drawn where not all can be.
+    pub(crate) thinned: Option<Arc<Thinned>>,
+    /// The extremes around the joint's angle, where the polar view shows them.
+    pub(crate) around: Option<Arc<Envelope>>,
+}
+
+impl Backdrop {
+    /// Works it out; what the last one has already is taken from there.
+    pub(crate) fn of(scenery: Scenery, last: Option<&Self>) -> Self {
+        let last = last.filter(|l| l.scenery.subject == scenery.subject);
+        let same_plane = last.filter(|l| l.scenery.plane == scenery.plane);
+        let same_answer = last.filter(|l| l.scenery.outcome == scenery.outcome);
+        let heat_of = same_answer.filter(|_| same_plane.is_some());
+        let chart_of = same_answer.filter(|l| {
+            l.scenery.component == scenery.component && l.scenery.chart == scenery.chart
+        });
+        let subject = &*scenery.subject;
+        let nearest = || {
+            let axes = scenery.plane.axes();
+            let at = |sample: &u32| {
+                let measured = subject.measured(*sample as usize);
+                (axes.map(|k| measured[k]), *sample)
+            };
+            Arc::new(Nearest::new(subject.overview.usable.iter().map(at)))
+        };
+        let many = scenery.many();
+        let known = same_plane.and_then(|l| l.nearest.clone());
+        let nearest = many.then(|| known.unwrap_or_else(nearest));
+        let heat = heat_of.and_then(|l| l.heat.clone()).or_else(|| {
+            let wanted = scenery.heat.then(|| {
+                let heat = Heat::of(subject, scenery.answer(), scenery.plane)?;
+                Some(Arc::new(heat))
+            });
+            wanted.flatten()
+        });
+        let charted = chart_of.and_then(|l| l.charted.clone()).or_else(|| {
+            let (answer, component) = (scenery.answer(), scenery.component);
+            Charted::of(&scenery.chart, subject, answer, component).map(Arc::new)
+        });
+        // A boundary that is dragged later finds its sums made.
+        if many && subject.single_revolute() {
+            subject.tally();
+        }
+        let known = heat_of.and_then(|l| l.thinned.clone());
+        let thin = || Arc::new(Thinned::of(subject, scenery.answer(), scenery.plane));
+        let thinned = (many && scenery.thins).then(|| known.unwrap_or_else(thin));
+        let known = heat_of.filter(|l| l.scenery.component == scenery.component);
+        let known = known.and_then(|l| l.around.clone());
+        let around = || {
+            let angle = Over {
+                variable: Variable::Joint,
+                joint: 0,
+            };
+            let (answer, component) = (scenery.answer(), scenery.component);
+            Arc::new(Envelope::of(subject, answer, component, angle))
+        };
+        let polar = many && scenery.polar;
+        let around = polar.then(|| known.unwrap_or_else(around));
+        Self {
+            scenery,
+            nearest,
+            heat,
+            charted,
+            thinned,
+            around,
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! An export as it would be written: made ready to be looked at before it is saved.
+
+use std::sync::Arc;
+
+use crate::compensation::Remainder;
+use crate::effects::{Inputs, JointValues};
+use crate::export::sidecar::measured_poses;
+use crate::export::{Document, Export, Job, find, gap_after_export};
+use crate::fit::gap::Spread;
+
+use super::outcome::Outcome;
+use crate::gui::core::document::ExportChoice;
+
+/// What is to be exported.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Wanted {
+    /// The identification that it comes from.
+    pub(crate) outcome: Arc<Outcome>,
+    pub(crate) choice: ExportChoice,
+    /// What the file is called, where it was saved already: what is to be entered in the controller
+    /// names it.
+    pub(crate) name: Option<String>,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Preview {
+    pub(crate) wanted: Wanted,
+    /// What it gives, or why it gives nothing.
+    pub(crate) made: Result<Made, String>,
+}
+
+/// An export and what it does.
+#[derive(Debug, Clone)]
+pub(crate) struct Made {
+    /// Name of the joint whose table it is.
+    pub(crate) joint: String,
+    pub(crate) export: Export,
+    /// The sign convention in words, as the sidecar has it.
+    pub(crate) sign: Option<String>,
+    /// A worked line, as the sidecar has it.
+    pub(crate) example: Option<String>,
+    /// What else the sidecar says: what to enter, how sure it is, notes.
+    pub(crate) said: Vec<String>,
+    /// What no joint can remove.
+    pub(crate) remainder: Remainder,
+    /// The gap that this table leaves, with the controller's own interpolation.
+    pub(crate) gap: Option<Spread>,
+}
+
+/// Ending of the file that says what the table means.
+const SIDECAR: &str = ".meta.json";
+
+impl Preview {
+    /// Makes the export in memory.
+    pub(crate) fn of(wanted: Wanted) -> Self {
+        let made = made(&wanted);
+        Self { wanted, made }
+    }
+}
+
+fn made(wanted: &Wanted) -> Result<Made, String> {
+    let Wanted {
+        outcome,
+        choice,
+        name,
+    } = wanted;
+    let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
+    let session = &outcome.question.subject.session;
+    let calibration = &answer.calibration;
+    let name = name.clone();
+    let name = name.unwrap_or_else(|| choice.file_name(&session.name));
+    let job = Job {
+        joint: choice.joint,
+        step: choice.step,
+        ..Job::new(calibration, &name)
+    };
+    let inputs = if outcome.question.subject.is_empty() {
+        measured_poses(&job)
+    } else {
+        Inputs::new(session, JointValues::Commanded)
+    };
+    let format = find(choice.format).ok_or("there is no such format")?;
+    let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
+    let sidecar = export.documents.iter().find(|d| d.name.ends_with(SIDECAR));
+    let said: Option<serde_json::Value> =
+        sidecar.and_then(|d: &Document| serde_json::from_slice(&d.bytes).ok());
+    let text = |pointer: &str| {
+        let said = said.as_ref()?.pointer(pointer)?;
+        said.as_str().map(str::to_owned)
+    };
+    Ok(Made {
+        sign: text("/sign"),
+        example: text("/example/says"),
+        remainder: Remainder::new(calibration, &inputs),
+        gap: gap_after_export(calibration, session, &export),
+        joint: session.robot.joints[choice.joint].name.clone(),
+        said: lines(said.as_ref()),
+        export,
+    })
+}
+
+/// The sidecar's lines that are neither its sign nor its example nor what no joint removes.
+fn lines(said: Option<&serde_json::Value>) -> Vec<String> {
+    let mut lines = Vec::new();
+    for key in ["in_the_controller", "tried", "left_out", "notes"] {
+        match said.and_then(|said| said.get(key)) {
+            Some(serde_json::Value::String(line)) => lines.push(line.clone()),
+            Some(serde_json::Value::Array(some)) => {
+                lines.extend(
+                    some.iter()
+                        .filter_map(|line| line.as_str().map(str::to_owned)),
+                );
+            }
+            _ => {}
+        }
+    }
+    lines
+}

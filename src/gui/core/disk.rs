@@ -1,0 +1,111 @@
+//! What a file looked like when it was read, and whether it still does: time, length and, where
+//! these differ, a hash. A file that was only touched has not changed.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use sha2::{Digest, Sha256};
+
+/// How a file looked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Print {
+    pub(crate) path: PathBuf,
+    modified: Option<SystemTime>,
+    length: u64,
+    hash: [u8; 32],
+}
+
+/// What became of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Fate {
+    /// It has other contents.
+    Changed,
+    /// It is not there, or cannot be read any more.
+    Vanished,
+}
+
+impl Print {
+    /// How a file looks now; `None` where it cannot be read.
+    pub(crate) fn of(path: &Path) -> Option<Self> {
+        let (modified, length) = outside(path)?;
+        let hash = hash(path).ok()?;
+        Some(Self {
+            path: path.to_path_buf(),
+            modified,
+            length,
+            hash,
+        })
+    }
+
+    /// Its length, bytes.
+    pub(crate) fn length(&self) -> u64 {
+        self.length
+    }
+
+    /// What became of the file since. A file that has the same contents as then is the same,
+    /// whatever its time says; from then on the new time counts.
+    pub(crate) fn look(&mut self) -> Option<Fate> {
+        let Some((modified, length)) = outside(&self.path) else {
+            return Some(Fate::Vanished);
+        };
+        if modified.is_some() && modified == self.modified && length == self.length {
+            return None;
+        }
+        match hash(&self.path) {
+            Err(_) => Some(Fate::Vanished),
+            Ok(hash) if hash == self.hash => {
+                (self.modified, self.length) = (modified, length);
+                None
+            }
+            Ok(_) => Some(Fate::Changed),
+        }
+    }
+}
+
+fn outside(path: &Path) -> Option<(Option<SystemTime>, u64)> {
+    let metadata = fs::metadata(path).ok()?;
+    let is_file = metadata.is_file();
+    is_file.then(|| (metadata.modified().ok(), metadata.len()))
+}
+
+fn hash(path: &Path) -> io::Result<[u8; 32]> {
+    let mut file = File::open(path)?;
+    let mut sha = Sha256::new();
+    let mut block = vec![0; 1 << 16];
+    loop {
+        match file.read(&mut block)? {
+            0 => return Ok(sha.finalize().into()),
+            n => sha.update(&block[..n]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_that_was_touched_is_the_same_and_one_with_other_bytes_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        fs::write(&path, "1,2").unwrap();
+        let mut print = Print::of(&path).unwrap();
+        assert_eq!(print.look(), None);
+        let later = SystemTime::UNIX_EPOCH + std::time::Duration::from_hours(1);
+        File::options()
+            .write(true)
+            .open(&path)
+            .unwrap()
+            .set_modified(later)
+            .unwrap();
+        assert_eq!(print.look(), None);
+        // As long, and at the same time to the last tick: the time says nothing here.
+        fs::write(&path, "1,3").unwrap();
+        assert_eq!(print.look(), Some(Fate::Changed));
+        fs::remove_file(&path).unwrap();
+        assert_eq!(print.look(), Some(Fate::Vanished));
+        assert!(Print::of(&path).is_none());
+    }
+}

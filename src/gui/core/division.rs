@@ -1,0 +1,69 @@
+//! How the joint's range came to be divided, and what the adaptive division decided and why.
+
+use crate::effects::JointValues;
+use crate::fit::identify_regional;
+use crate::fit::regions::RegionChoice;
+use crate::sessions::{Region, Session};
+
+use crate::gui::units::Units;
+
+/// How the regions came about.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) enum Division {
+    /// All of the same width.
+    Even,
+    /// The session's own, or changed by hand since.
+    #[default]
+    Given,
+    /// Where the samples ask for them.
+    Adaptive(Decision),
+}
+
+/// What the adaptive division decided.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Decision {
+    /// How many regions.
+    pub(crate) regions: usize,
+    /// The gap that they leave, mm; `None` where nothing can be identified by region.
+    pub(crate) left_mm: Option<f64>,
+    /// The gap that as many even ones leave, mm.
+    pub(crate) even_mm: Option<f64>,
+}
+
+impl Decision {
+    /// What was decided and why, in one line.
+    pub(crate) fn says(&self, units: Units) -> String {
+        if self.regions == 1 {
+            return "One region: nowhere does the deviation change by more than the noise"
+                .to_owned();
+        }
+        let n = self.regions;
+        let first =
+            format!("{n} regions: a boundary where the deviation changes by more than the noise");
+        match (self.left_mm, self.even_mm) {
+            (Some(left), Some(even)) => format!(
+                "{first}. They leave {}, {n} even ones {}",
+                units.length(left),
+                units.length(even)
+            ),
+            _ => first,
+        }
+    }
+}
+
+/// Divides where the samples ask for it. Takes its time with many samples.
+pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String> {
+    let regions = RegionChoice::Adaptive
+        .resolve(session)
+        .map_err(|e| e.to_string())?;
+    let left = |choice: &RegionChoice| {
+        let found = identify_regional(session, choice, JointValues::Commanded).ok()?;
+        Some(found.gap.after.rms_mm)
+    };
+    let decision = Decision {
+        regions: regions.len(),
+        left_mm: left(&RegionChoice::Given(regions.clone())),
+        even_mm: left(&RegionChoice::Uniform(regions.len())),
+    };
+    Ok((regions, decision))
+}

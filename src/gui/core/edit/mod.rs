@@ -1,0 +1,99 @@
+//! Changes of the document: `apply` makes the next document of one.
+
+mod apply;
+mod regions;
+
+use std::sync::Arc;
+
+use crate::diagnosis::Mend;
+use crate::effects::Term;
+use crate::sessions::Region;
+
+use super::division::Decision;
+use super::document::{Choices, ExportChoice, Method};
+use super::given::Given;
+use super::placing::Joint;
+use super::setup::SetupForm;
+use super::subject::Subject;
+
+#[derive(Debug, Clone)]
+pub(crate) enum Edit {
+    Open(Arc<Subject>),
+    /// A model: beside the open session, or by itself.
+    OpenModel {
+        given: Arc<Given>,
+        /// Whether the open session is one of its robot.
+        beside: bool,
+    },
+    /// So many regions of the same width.
+    Divide(usize),
+    /// Move a boundary (counted in ascending order) to this angle, rad.
+    MoveBoundary(usize, f64),
+    /// Put a boundary exactly there, rad: it was typed.
+    PlaceBoundary(Joint, f64),
+    /// What the adaptive division decided.
+    Adapt(Arc<[Region]>, Decision),
+    /// Go on with the regions as they are, by hand.
+    KeepRegions,
+    /// Cut a region in half.
+    Split(usize),
+    /// Make one region of this and the one after it.
+    Join(usize),
+    /// Take a region away: where it was nothing is corrected.
+    Delete(usize),
+    /// Another name for a region.
+    Rename(usize, String),
+    /// The regions that the session brings along.
+    RegionsOfSession,
+    Method(Method),
+    /// Fit this effect, or leave it out.
+    Effect(&'static str, bool),
+    /// How far a position may be off, mm.
+    Tolerance(Option<f64>),
+    /// Another table.
+    Export(ExportChoice),
+    /// Add what a search found to the exact fit.
+    Add(Vec<Term>),
+    /// Switch an added effect (counted in the order in which they were added) on or off.
+    Switch(usize, bool),
+    /// Another description of the robot, its reflectors and the instrument.
+    Setup(Box<SetupForm>),
+    /// Take mistakes of setting up back, one after the other.
+    Mend(Vec<Mend>),
+    /// What a window that is gone has left behind.
+    Recover(Arc<Subject>, Choices),
+    /// Identify from now on, as it is chosen.
+    Identify,
+    /// Identify from now on, by this method.
+    IdentifyBy(Method),
+}
+
+impl Edit {
+    /// What the menu calls it, after "Undo".
+    pub(crate) fn what(&self) -> &'static str {
+        match self {
+            Self::Open(_) => "open session",
+            Self::OpenModel { .. } => "open model",
+            Self::Divide(_) => "divide into regions",
+            Self::MoveBoundary(..) | Self::PlaceBoundary(..) => "move boundary",
+            Self::Adapt(..) => "divide adaptively",
+            Self::KeepRegions => "keep the regions",
+            Self::Split(_) => "split region",
+            Self::Join(_) => "merge regions",
+            Self::Delete(_) => "delete region",
+            Self::Rename(..) => "rename region",
+            Self::RegionsOfSession => "take regions from session",
+            Self::Method(_) => "choose method",
+            Self::Effect(..) => "choose effects",
+            Self::Tolerance(_) => "set tolerance",
+            Self::Export(_) => "choose table",
+            Self::Add(_) => "add to model",
+            Self::Switch(_, true) => "switch effect on",
+            Self::Switch(_, false) => "switch effect off",
+            Self::Setup(_) => "edit robot and instrument",
+            Self::Mend(_) => "mend data",
+            Self::Recover(..) => "restore",
+            Self::Identify | Self::IdentifyBy(_) => "identify",
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! The work behind an answer: the identification that a question asks for.
+
+use std::cell::Cell;
+
+use crate::diagnosis::Diagnosis;
+use crate::effects::inputs::reflectors_at_home;
+use crate::effects::{Inputs, JointValues, Term};
+use crate::fit::gap::{Spread, deviations};
+use crate::fit::problem::Problem;
+use crate::fit::regions::{Assignment, RegionChoice};
+use crate::fit::{Identification, identify_regional, identify_watched};
+use crate::model::{Calibration, GapStep};
+use crate::sessions::Session;
+
+use crate::gui::core::answer::Answer;
+use crate::gui::core::document::{Asks, Found, Question};
+use crate::gui::core::subject::Subject;
+use crate::gui::jobs::Watch;
+
+use super::loaded;
+
+/// Works the answer to a question out. Takes its time with many samples.
+pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, String> {
+    let subject = &*question.subject;
+    let session = &subject.session;
+    let values = JointValues::Commanded;
+    let (identification, calibration) = match &question.asks {
+        Asks::Given(given) => return loaded::answer(given, subject),
+        Asks::Exact {
+            effects,
+            with,
+            found,
+        } => {
+            let searched = found.as_ref().and_then(Found::diagnosis);
+            match searched {
+                Some(diagnosis) => of_search(session, &diagnosis),
+                None => fitted(session, effects, with, watch)?,
+            }
+        }
+        Asks::Regional(regions) => {
+            let choice = RegionChoice::Given(regions.to_vec());
+            let identification =
+                identify_regional(session, &choice, values).map_err(|e| e.to_string())?;
+            let calibration = identification.calibration(session, &Inputs::new(session, values));
+            (identification, calibration)
+        }
+    };
+    let after_mm = if let Asks::Regional(_) = &question.asks {
+        after_regional(subject, &identification)
+    } else {
+        deviations(&Problem::new(session, values), &identification.model).axes_mm
+    };
+    let length = |i: usize| after_mm.iter().map(|e| e[i] * e[i]).sum::<f64>().sqrt();
+    let lengths_mm = (0..subject.len()).map(length).collect();
+    let suspected = suspected(&identification, subject.len());
+    Ok(Answer {
+        identification,
+        calibration,
+        loaded: None,
+        after_mm,
+        lengths_mm,
+        suspected,
+    })
+}
+
+fn suspected(identification: &Identification, samples: usize) -> Vec<bool> {
+    let mut suspected = vec![false; samples];
+    for outlier in &identification.outliers {
+        suspected[outlier.sample] = true;
+    }
+    suspected
+}
+
+/// What a search says, where all that it found is asked for: its own fit, and the smooth correction
+/// where that is asked for too.
+fn of_search(session: &Session, diagnosis: &Diagnosis) -> (Identification, Calibration) {
+    let calibration = diagnosis.calibration(session);
+    let mut identification = diagnosis.identification.clone();
+    if diagnosis.unexplained.corrected().is_some() {
+        // The correction was made beside the fit: only the error that remains is another.
+        let problem = Problem::new(session, JointValues::Commanded);
+        let left = deviations(&problem, &calibration.model).length_mm;
+        let suspected = suspected(&identification, left.len());
+        let after = Spread::of(&left, |i| problem.fit[i], |i| suspected[i]);
+        identification.gap.after = after.unwrap_or(identification.gap.after);
+        identification.model = calibration.model.clone();
+    }
+    (identification, calibration)
+}
+
+/// A fit of these effects, with some of what a search found.
+fn fitted(
+    session: &Session,
+    effects: &[&'static str],
+    with: &[Term],
+    watch: &Watch,
+) -> Result<(Identification, Calibration), String> {
+    let values = JointValues::Commanded;
+    let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
+    // How many passes there will be nobody knows; each takes a part of what is left.
+    let left = Cell::new(1.0_f64);
+    let go_on = || {
+        left.set(left.get() * 0.85);
+        watch.done(1.0 - left.get());
+        !watch.stopped()
+    };
+    let first = |n: usize| {
+        identify_watched(session, &effects, &with[..n], values, &go_on).map_err(|e| e.to_string())
+    };
+    let identification = first(with.len())?;
+    let mut calibration = identification.calibration(session, &Inputs::new(session, values));
+    if !with.is_empty() {
+        let mut steps = Vec::with_capacity(with.len() + 1);
+        for n in 0..with.len() {
+            steps.push(first(n)?.gap.after.rms_mm);
+        }
+        steps.push(identification.gap.after.rms_mm);
+        calibration.history.truncate(1);
+        calibration.history.extend(history(with, &steps));
+    }
+    Ok((identification, calibration))
+}
+
+/// The gap after the identification and after each effect that was added.
+fn history(with: &[Term], gaps_mm: &[f64]) -> Vec<GapStep> {
+    let name = |k: usize| match k.checked_sub(1).map(|k| &with[k]) {
+        None => "exact identification".to_owned(),
+        Some(term) => format!("with {}", term.effect.about().id),
+    };
+    let step = |(k, gap_mm): (usize, &f64)| GapStep {
+        what: name(k),
+        gap_mm: *gap_mm,
+        held_out_mm: None,
+    };
+    gaps_mm.iter().enumerate().map(step).collect()
+}
+
+/// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of
+/// motion at home. A sample in no region keeps its deviation: nothing corrects it.
+fn after_regional(subject: &Subject, identification: &Identification) -> [Vec<f64>; 3] {
+    let session = &subject.session;
+    let inputs = Inputs::new(session, JointValues::Commanded);
+    let frame = subject.joint;
+    let (x, y) = if frame.radius_mm > 0.0 {
+        (frame.radial, frame.tangential)
+    } else {
+        (frame.across_1, frame.across_2)
+    };
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let radii = reflectors_at_home(session).into_iter().map(|home| {
+        let arm = std::array::from_fn(|k| home[k] - frame.origin_mm[k]);
+        dot(arm, x).hypot(dot(arm, y))
+    });
+    let radii: Vec<f64> = radii.collect();
+    let corrections = identification.regions.iter().map(|r| &r.correction);
+    let regions = corrections.clone().map(|c| crate::sessions::Region {
+        name: c.name.clone(),
+        from_rad: c.from_rad,
+        to_rad: c.to_rad,
+    });
+    let (regions, corrections): (Vec<_>, Vec<_>) = (regions.collect(), corrections.collect());
+    let assignment = Assignment::new(&regions);
+    let mut after = subject.before.axes_mm.clone();
+    for sample in 0..subject.len() {
+        let Some(region) = assignment.region_of(inputs.q[0][sample]) else {
+            continue;
+        };
+        let correction = corrections[region];
+        let target = inputs.target.as_deref().map_or(0, |t| t[sample] as usize);
+        let along_y_mm = radii[target] * correction.theta_rad;
+        for axis in 0..3 {
+            after[axis][sample] += x[axis] * correction.l1_mm + y[axis] * along_y_mm;
+        }
+    }
+    after
+}

@@ -1,0 +1,157 @@
+//! What a model that was read from a file says about a session, in the form of an identification:
+//! the same panels show both.
+
+use crate::compensation::{Verification, verify};
+use crate::fit::gap::Spread;
+use crate::fit::regions::Assignment;
+use crate::fit::uncertainty::estimates;
+use crate::fit::{Estimate, Gap, Identification, Outlier, Quality, RegionResult};
+use crate::model::{Calibration, RegionalCorrection};
+use crate::sessions::Region;
+
+use super::answer::{Answer, Loaded};
+use super::given::Given;
+use super::subject::Subject;
+
+/// The factor from a standard error to half of a 95 % interval: a model keeps its covariance and
+/// not the number of samples behind it.
+const HALF_WIDTH: f64 = 1.96;
+
+/// Method of an [`Identification`] that was none.
+pub(crate) const METHOD: &str = "model";
+
+/// What the model says about a session.
+pub(crate) fn answer(given: &Given, subject: &Subject) -> Result<Answer, String> {
+    let calibration = given.calibration.clone();
+    let mut loaded = Loaded {
+        file: given.file_name(),
+        verification: None,
+    };
+    if subject.is_empty() {
+        let identification = identification(given, subject, None);
+        return Ok(Answer {
+            identification,
+            calibration,
+            loaded: Some(loaded),
+            after_mm: Default::default(),
+            lengths_mm: Vec::new(),
+            suspected: Vec::new(),
+        });
+    }
+    let verification = verify(&calibration, &subject.session).map_err(|e| e.to_string())?;
+    let identification = identification(given, subject, Some(&verification));
+    let mut suspected = vec![false; subject.len()];
+    for outlier in &verification.outliers {
+        suspected[*outlier] = true;
+    }
+    let after = verification.after.clone();
+    loaded.verification = Some(verification);
+    Ok(Answer {
+        identification,
+        calibration,
+        loaded: Some(loaded),
+        after_mm: after.axes_mm,
+        lengths_mm: after.length_mm,
+        suspected,
+    })
+}
+
+fn identification(
+    given: &Given,
+    subject: &Subject,
+    verified: Option<&Verification>,
+) -> Identification {
+    let Calibration {
+        model, covariance, ..
+    } = &given.calibration;
+    let nothing = Spread {
+        rms_mm: 0.0,
+        max_mm: 0.0,
+    };
+    let coefficients = model.coefficient_count();
+    let outlier = |v: &Verification, sample: usize| Outlier {
+        sample,
+        deviation_mm: v.after.length_mm[sample],
+    };
+    Identification {
+        session: subject.session.name.clone(),
+        method: METHOD,
+        samples: subject.len(),
+        model: model.clone(),
+        covariance: covariance.clone(),
+        parameters: parameters(given),
+        regions: regions(given, subject, verified),
+        not_identifiable: Vec::new(),
+        gap: Gap {
+            before: verified.map_or(nothing, |v| v.nominal),
+            after: verified.map_or(nothing, |v| v.model),
+            samples: verified.map_or(0, |v| v.samples),
+        },
+        held_out: None,
+        levels: Vec::new(),
+        expected: None,
+        outliers: verified.map_or_else(Vec::new, |v| {
+            v.outliers
+                .iter()
+                .map(|sample| outlier(v, *sample))
+                .collect()
+        }),
+        left_out: Vec::new(),
+        noise_mm: None,
+        noise: None,
+        kinds: Vec::new(),
+        quality: Quality {
+            stopped: "read from a file",
+            converged: true,
+            passes: 0,
+            coefficients,
+            rank: coefficients,
+            condition: 1.0,
+        },
+        notes: verified.map_or_else(Vec::new, |v| v.notes.clone()),
+    }
+}
+
+fn parameters(given: &Given) -> Vec<Estimate> {
+    let Calibration {
+        model, covariance, ..
+    } = &given.calibration;
+    let fits = |c: &&nalgebra::DMatrix<f64>| c.nrows() == model.coefficient_count();
+    let covariance = covariance.as_ref().filter(fits);
+    let mut first = 0;
+    let mut all = Vec::new();
+    for term in model.terms() {
+        let size = term.coefficients.len();
+        let own = covariance.map(|c| c.view((first, first), (size, size)).into_owned());
+        let kind = model.robot.joints[term.joint].kind;
+        let open = vec![false; size];
+        all.extend(estimates(term, own.as_ref(), HALF_WIDTH, &open, kind));
+        first += size;
+    }
+    all
+}
+
+fn regions(given: &Given, subject: &Subject, verified: Option<&Verification>) -> Vec<RegionResult> {
+    let region = |c: &RegionalCorrection| Region {
+        name: c.name.clone(),
+        from_rad: c.from_rad,
+        to_rad: c.to_rad,
+    };
+    let corrections = &given.calibration.regions;
+    let regions: Vec<Region> = corrections.iter().map(region).collect();
+    let assignment = Assignment::new(&regions);
+    let before_mm = subject.in_plane_before();
+    let rms = |region: usize, lengths_mm: &[f64]| {
+        let inside = |i: usize| assignment.region_of(subject.q(i)) == Some(region);
+        let spread = Spread::of(lengths_mm, inside, |_| false);
+        spread.map_or(f64::NAN, |s| s.rms_mm)
+    };
+    let result = |(k, correction): (usize, &RegionalCorrection)| RegionResult {
+        correction: correction.clone(),
+        theta_ci95: None,
+        l1_ci95: None,
+        rms_before_mm: rms(k, &before_mm),
+        rms_after_mm: verified.map_or(f64::NAN, |v| rms(k, &v.after.length_mm)),
+    };
+    corrections.iter().enumerate().map(result).collect()
+}

@@ -1,0 +1,26 @@
+//! What the window works on, without a view and without anything that is drawn: the session and what
+//! follows from it, the document, its changes and their history.
+
+pub(crate) mod angles;
+pub(crate) mod answer;
+pub(crate) mod attached;
+pub(crate) mod boundaries;
+pub(crate) mod disk;
+pub(crate) mod division;
+pub(crate) mod document;
+pub(crate) mod edit;
+pub(crate) mod examples;
+pub(crate) mod given;
+pub(crate) mod identify;
+pub(crate) mod known;
+pub(crate) mod loaded;
+pub(crate) mod overview;
+pub(crate) mod placing;
+pub(crate) mod scale;
+pub(crate) mod search;
+pub(crate) mod setup;
+pub(crate) mod simulate;
+pub(crate) mod skeleton;
+pub(crate) mod subject;
+pub(crate) mod tally;
+pub(crate) mod undo;

@@ -1,0 +1,99 @@
+//! A search for what is missing, as the window keeps it: the diagnosis of one session, and the
+//! model's term of each name that was found.
+
+use std::sync::Arc;
+
+use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress};
+use crate::effects::Term;
+use crate::pipeline::diagnose;
+
+use super::subject::Subject;
+use crate::gui::jobs::Watch;
+
+#[derive(Debug, Clone)]
+pub(crate) struct Search {
+    /// The session that was searched.
+    pub(crate) subject: Arc<Subject>,
+    /// What was found, or why there is no answer.
+    pub(crate) answer: Result<Diagnosis, String>,
+}
+
+/// The stages of a search, in order, as they are shown.
+pub(crate) const STAGES: [&str; 5] = [
+    "set-up errors",
+    "noise, outliers, candidates",
+    "search",
+    "other explanations",
+    "poses to measure next",
+];
+
+/// The stage in which names are found.
+pub(crate) const SEARCHING: usize = 2;
+
+/// Part of the whole that is done when a stage begins.
+const BEGUN: [f64; 5] = [0.02, 0.1, 0.25, 0.7, 0.85];
+
+impl Search {
+    /// Searches. Takes its time.
+    pub(crate) fn of(subject: Arc<Subject>, watch: &Watch) -> Self {
+        let answer = diagnose(&subject.session, &options(), &told(watch));
+        let answer = answer.map_err(|error| match error {
+            DiagnoseError::Cancelled => "the search was cancelled".to_owned(),
+            other => other.to_string(),
+        });
+        Self { subject, answer }
+    }
+}
+
+/// How the window searches.
+pub(crate) fn options() -> Options {
+    Options {
+        correct_unexplained: true,
+        ..Options::default()
+    }
+}
+
+/// Passes on how far a search is, and whether it was cancelled.
+pub(crate) fn told(watch: &Watch) -> impl Fn(&Progress) -> bool {
+    |progress| {
+        let stage = match progress {
+            Progress::Checking => 0,
+            Progress::Preparing => 1,
+            Progress::Searching { found } => {
+                watch.found(found);
+                SEARCHING
+            }
+            Progress::Comparing => 3,
+            Progress::Planning => 4,
+        };
+        watch.done(BEGUN[stage]);
+        watch.reached(stage);
+        !watch.stopped()
+    }
+}
+
+/// The terms of everything that a search found, each in its place, and last the smooth correction
+/// of what no name explains.
+pub(crate) fn terms(diagnosis: &Diagnosis) -> Vec<Option<Term>> {
+    let found = diagnosis.found.iter().map(|f| term_of(diagnosis, f));
+    let smooth = diagnosis.unexplained.corrected();
+    found.chain(smooth.map(|c| Some(c.term.clone()))).collect()
+}
+
+/// The model's term of a name that was found. Names may come twice with another setting (two
+/// orders of a gear); the setting is their first parameter then.
+pub(crate) fn term_of(diagnosis: &Diagnosis, found: &Found) -> Option<Term> {
+    let first = found.parameters.first().map_or(0.0, |p| p.value);
+    let robot = &diagnosis.model.robot;
+    let distance = |term: &Term| {
+        let parameters = term.parameters_on(robot.joints[term.joint].kind);
+        parameters.first().map_or(0.0, |p| (p.value - first).abs())
+    };
+    let terms = diagnosis.model.terms().iter();
+    let same = terms.filter(|term| {
+        let about = term.effect.about();
+        about.id == found.effect && found.joint.is_none_or(|joint| joint == term.joint + 1)
+    });
+    same.min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .cloned()
+}

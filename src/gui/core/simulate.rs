@@ -1,0 +1,352 @@
+//! New by simulation: a small form, and the session that comes out of it.
+
+use std::ops::ControlFlow;
+
+use nalgebra::{Point3, Vector3};
+
+use crate::effects::term::{parameter_names, parameters_to_see};
+use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_radius};
+use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
+use crate::sessions::{Instrument, Session, Sigma};
+use crate::simulation::{
+    Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature, simulate,
+};
+use crate::units::rad_from_deg;
+
+/// More samples than this are for the terminal.
+const MOST_SAMPLES: f64 = 1e6;
+/// Seconds from one pose to the next.
+const SECONDS_PER_POSE: f64 = 6.0;
+
+/// What the fields are called.
+pub(crate) mod field {
+    pub(crate) const RADIUS: &str = "nominal radius";
+    pub(crate) const OFFSET: &str = "zero offset";
+    pub(crate) const LENGTH: &str = "length error";
+    pub(crate) const TOLERANCE: &str = "tolerance";
+    pub(crate) const FROM: &str = "from";
+    pub(crate) const TO: &str = "to";
+    pub(crate) const STEP: &str = "step";
+    pub(crate) const NOISE: &str = "noise";
+}
+
+/// An effect with the values that are filled in.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Chosen {
+    /// The effect's name.
+    pub(crate) id: &'static str,
+    pub(crate) parameters: Vec<(&'static str, f64)>,
+}
+
+impl Chosen {
+    /// An effect at values that can be seen.
+    pub(crate) fn new(id: &'static str) -> Option<Self> {
+        let effect = crate::effects::find(id)?;
+        let parameters = parameters_to_see(effect);
+        Some(Self { id, parameters })
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Form {
+    /// Nominal radius of the tool, mm.
+    pub(crate) radius_mm: f64,
+    /// The sweep begins here, deg.
+    pub(crate) from_deg: f64,
+    /// And ends here, deg.
+    pub(crate) to_deg: f64,
+    /// From pose to pose, deg.
+    pub(crate) step_deg: f64,
+    /// Whether it comes back the same way.
+    pub(crate) both_ways: bool,
+    /// Zero offset of the joint, deg.
+    pub(crate) offset_deg: f64,
+    /// How much longer the link is, mm.
+    pub(crate) length_error_mm: f64,
+    /// What else the robot does.
+    pub(crate) effects: Vec<Chosen>,
+    /// Noise of the instrument, mm.
+    pub(crate) noise_mm: f64,
+    /// How far a position may be off, mm.
+    pub(crate) tolerance_mm: f64,
+    /// Where the noise begins.
+    pub(crate) seed: u64,
+}
+
+impl Default for Form {
+    fn default() -> Self {
+        Self {
+            radius_mm: 250.0,
+            from_deg: -90.0,
+            to_deg: 90.0,
+            step_deg: 3.0,
+            both_ways: true,
+            offset_deg: -3.0,
+            length_error_mm: -5.0,
+            effects: Vec::new(),
+            noise_mm: 0.03,
+            tolerance_mm: 0.2,
+            seed: 1,
+        }
+    }
+}
+
+impl Form {
+    /// Effects that can be chosen: all that a single turning joint can have but the two that have
+    /// fields of their own.
+    pub(crate) fn offered() -> impl Iterator<Item = (&'static str, &'static str)> {
+        let turning = CATALOGUE
+            .iter()
+            .filter(|effect| effect.exists_on(0, JointKind::Revolute));
+        let all = turning.map(|effect| effect.about());
+        all.filter(|about| about.role == Role::Candidate)
+            .map(|about| (about.id, about.title))
+    }
+
+    /// What is wrong with the numbers; `None` where they can be simulated.
+    pub(crate) fn problem(&self) -> Option<String> {
+        self.problems().into_iter().next().map(|(_, says)| says)
+    }
+
+    /// Everything that is wrong with the numbers, each with the field or the effect that it is about.
+    pub(crate) fn problems(&self) -> Vec<(&'static str, String)> {
+        let fields = [
+            (field::RADIUS, self.radius_mm),
+            (field::OFFSET, self.offset_deg),
+            (field::LENGTH, self.length_error_mm),
+            (field::TOLERANCE, self.tolerance_mm),
+            (field::FROM, self.from_deg),
+            (field::TO, self.to_deg),
+            (field::STEP, self.step_deg),
+            (field::NOISE, self.noise_mm),
+        ];
+        let infinite = fields.iter().filter(|(_, value)| !value.is_finite());
+        let mut problems: Vec<_> = infinite
+            .map(|(name, _)| (*name, "this field needs a number".to_owned()))
+            .collect();
+        let mut check = |wrong: bool, name: &'static str, says: &str| {
+            if wrong && problems.iter().all(|(other, _)| *other != name) {
+                problems.push((name, says.to_owned()));
+            }
+        };
+        check(
+            self.radius_mm <= 0.0,
+            field::RADIUS,
+            "the radius has to be above 0 mm",
+        );
+        check(
+            self.tolerance_mm < 0.0,
+            field::TOLERANCE,
+            "the tolerance cannot be below 0",
+        );
+        check(
+            self.from_deg >= self.to_deg,
+            field::TO,
+            "the sweep has to run from the smaller to the larger angle",
+        );
+        check(
+            self.step_deg <= 0.0,
+            field::STEP,
+            "the step has to be above 0°",
+        );
+        check(
+            (self.to_deg - self.from_deg) / self.step_deg > MOST_SAMPLES,
+            field::STEP,
+            "that is more than a million poses; take a larger step",
+        );
+        check(
+            self.noise_mm < 0.0,
+            field::NOISE,
+            "the noise cannot be below 0",
+        );
+        for chosen in &self.effects {
+            let infinite = chosen
+                .parameters
+                .iter()
+                .any(|(_, value)| !value.is_finite());
+            check(infinite, chosen.id, "every field needs a number");
+        }
+        for term in self.parts() {
+            let place = match role(term.0) {
+                Role::JointZero => field::OFFSET,
+                Role::ToolRadius => field::LENGTH,
+                _ => term.0,
+            };
+            if let Err(says) = term.1 {
+                check(true, place, &says);
+            }
+        }
+        problems
+    }
+
+    /// The effects by their names, as terms or why they are none.
+    fn parts(&self) -> impl Iterator<Item = (&'static str, Result<Term, String>)> {
+        let own = [
+            (joint_zero(), self.offset_deg),
+            (tool_radius(), self.length_error_mm),
+        ];
+        let own = own.map(|(effect, value)| {
+            let names = parameter_names(effect).into_iter();
+            let parameters = names.map(|name| (name, value)).collect();
+            (effect.about().id, parameters)
+        });
+        let chosen = self.effects.iter().map(|c| (c.id, c.parameters.clone()));
+        own.into_iter().chain(chosen).map(|(id, parameters)| {
+            let term = Term::from_parameters(id, 1, &parameters, 1);
+            (id, term.map_err(|e| e.to_string()))
+        })
+    }
+
+    fn terms(&self) -> Result<Vec<Term>, String> {
+        self.parts().map(|(_, term)| term).collect()
+    }
+
+    /// The session; `watch` hears which part is done, and may break it off.
+    ///
+    /// # Errors
+    /// What is wrong with the numbers.
+    pub(crate) fn session(
+        &self,
+        watch: impl FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Session, Vec<String>> {
+        if let Some(problem) = self.problem() {
+            return Err(vec![problem]);
+        }
+        let scenario = self.scenario().map_err(|problem| vec![problem])?;
+        match simulate(&scenario, self.seed, watch) {
+            Ok((session, _)) => Ok(session),
+            Err(SimulateError::Rejected(rejected)) => {
+                let problems = rejected.diagnostics.iter();
+                Err(problems.map(|d| d.found.clone()).collect())
+            }
+            Err(stopped @ SimulateError::Stopped) => Err(vec![stopped.to_string()]),
+        }
+    }
+
+    fn scenario(&self) -> Result<Scenario, String> {
+        let poses = Poses::Sweep(Sweep {
+            joint: 0,
+            from: rad_from_deg(self.from_deg),
+            to: rad_from_deg(self.to_deg),
+            step: rad_from_deg(self.step_deg),
+            both_ways: self.both_ways,
+            repeats: 1,
+            order: Order::Sweep,
+        });
+        let name = format!("simulated-{}", self.seed);
+        let mut scenario = Scenario::new(name, self.robot()?, poses);
+        scenario.instrument = Instrument {
+            name: "simulated tracker".to_owned(),
+            sigma_mm: (self.noise_mm > 0.0).then_some(Sigma::Overall(self.noise_mm)),
+            ..Instrument::default()
+        };
+        scenario.tolerance_mm = (self.tolerance_mm > 0.0).then_some(self.tolerance_mm);
+        scenario.effects = self.terms()?;
+        scenario.noise = (self.noise_mm > 0.0).then_some(Noise {
+            sigma_mm: self.noise_mm,
+            kind: NoiseKind::Gauss,
+        });
+        scenario.seed = self.seed;
+        // What the chosen effects depend on has to vary, or they would not show.
+        let follows = |over: Over| {
+            let mut chosen = self.effects.iter().filter_map(|chosen| find(chosen.id));
+            chosen.any(|effect| effect.about().over == over)
+        };
+        let conditions = &mut scenario.circumstances;
+        conditions.seconds_per_pose = Some(SECONDS_PER_POSE);
+        if follows(Over::Speed) {
+            conditions.speeds = [0.0, 5.0, 20.0].map(rad_from_deg).to_vec();
+        }
+        if follows(Over::Load) {
+            conditions.loads_kg = vec![0.0, 3.0, 6.0];
+        }
+        if follows(Over::Temperature) {
+            conditions.temperature = Some(Temperature::WarmUp {
+                from_c: 20.0,
+                to_c: 26.0,
+                time_constant_s: 600.0,
+            });
+        }
+        Ok(scenario)
+    }
+
+    fn robot(&self) -> Result<Robot, String> {
+        let axis = Axis::through(Vector3::z(), Point3::origin()).map_err(|e| e.to_string())?;
+        let mut joint = Joint::new("pan", JointKind::Revolute, axis);
+        joint.limits = Some(Range {
+            from: rad_from_deg(self.from_deg),
+            to: rad_from_deg(self.to_deg),
+        });
+        joint.link = Some(LinkMass {
+            mass_kg: 4.0,
+            centre_mm: Point3::new(0.5 * self.radius_mm, 0.0, 0.0),
+        });
+        Ok(Robot {
+            name: "simulated lamp".to_owned(),
+            joints: vec![joint],
+            base_from_tool: Pose::translation(self.radius_mm, 0.0, 300.0),
+            gravity_m_s2: Some(Vector3::new(0.0, 0.0, -9.81)),
+            source: crate::kinematics::RobotSource::Axes,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulation::unwatched;
+
+    #[test]
+    fn the_form_as_it_opens_can_be_simulated() {
+        let session = Form::default()
+            .session(unwatched)
+            .expect("the default is valid");
+        assert_eq!(session.samples.len(), 122);
+        let x = session.samples.x_mm[30];
+        assert!(
+            (x - 245.0 * (-3.0_f64).to_radians().cos()).abs() < 0.2,
+            "{x}"
+        );
+    }
+
+    #[test]
+    fn every_effect_on_offer_can_be_simulated_as_it_is_proposed() {
+        for (id, _) in Form::offered() {
+            let form = Form {
+                effects: vec![Chosen::new(id).expect("it is in the catalogue")],
+                ..Form::default()
+            };
+            assert_eq!(form.problem(), None, "{id}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_simulated_is_said() {
+        let form = Form {
+            step_deg: 0.0,
+            ..Form::default()
+        };
+        assert!(form.problem().expect("no step").contains("step"));
+    }
+
+    #[test]
+    fn every_wrong_number_is_named_at_its_field() {
+        let mut form = Form {
+            radius_mm: -10.0,
+            from_deg: 200.0,
+            step_deg: 0.0,
+            noise_mm: f64::NAN,
+            ..Form::default()
+        };
+        let names = |form: &Form| -> Vec<&str> { form.problems().iter().map(|p| p.0).collect() };
+        assert_eq!(
+            names(&form),
+            [field::NOISE, field::RADIUS, field::TO, field::STEP]
+        );
+        form = Form::default();
+        let mut backlash = Chosen::new("backlash").expect("it is in the catalogue");
+        backlash.parameters[0].1 = f64::NAN;
+        form.effects.push(backlash);
+        assert_eq!(names(&form), ["backlash"]);
+    }
+}

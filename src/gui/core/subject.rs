@@ -1,0 +1,436 @@
+//! A session with everything that follows from it alone: worked out once, when it is opened.
+
+use std::convert::Infallible;
+use std::path::PathBuf;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::diagnostic::Diagnostic;
+use crate::effects::inputs::reflectors_at_home;
+use crate::effects::term::JointFrame;
+use crate::effects::{CATALOGUE, JointValues, Survey};
+use crate::fit::gap::{Deviations, Spread, deviations};
+use crate::fit::problem::Problem;
+use crate::kinematics::{JointKind, Range};
+use crate::model::{Model, Positions};
+use crate::progress::{Cancelled, Part};
+use crate::sessions::Session;
+
+use super::angles::Angles;
+use super::attached::Attached;
+use super::known::Known;
+use super::overview::Overview;
+use super::tally::Tally;
+use crate::gui::core::disk::Print;
+
+/// Where a session came from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// It comes with the program.
+    Bundled,
+    /// It was read from a file.
+    File(PathBuf),
+    /// It was made by simulation.
+    Simulated,
+    /// There is none: a model was read from this file, and nothing was measured.
+    Model(PathBuf),
+    /// It was made of a file that an instrument wrote, and is in none of its own.
+    Imported(PathBuf),
+    /// It was kept when a window ended without warning; opened from this file, if from any.
+    Recovered(Option<PathBuf>),
+}
+
+/// An effect that this session cannot show, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct NotTestable {
+    /// The effect's name.
+    pub(crate) effect: &'static str,
+    /// Why.
+    pub(crate) because: String,
+}
+
+/// A component of a deviation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Component {
+    Length,
+    /// In the direction of motion of joint 1.
+    #[default]
+    Tangential,
+    /// Away from the axis of joint 1.
+    Radial,
+    /// Along the axis of joint 1.
+    Axial,
+    /// Along x of the measuring frame.
+    X,
+    /// Along y.
+    Y,
+    /// Along z.
+    Z,
+}
+
+impl Component {
+    /// All of them, in the order in which they are offered.
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Tangential,
+        Self::Radial,
+        Self::Axial,
+        Self::X,
+        Self::Y,
+        Self::Z,
+        Self::Length,
+    ];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Length => "length",
+            Self::Tangential => "tangential",
+            Self::Radial => "radial",
+            Self::Axial => "axial",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+
+    /// Whether it needs a measured z (for a joint that turns about z).
+    pub(crate) fn out_of_plane(self) -> bool {
+        matches!(self, Self::Axial | Self::Z)
+    }
+}
+
+static OPENINGS: AtomicU64 = AtomicU64::new(1);
+
+#[derive(Debug, Clone)]
+pub(crate) struct Subject {
+    pub(crate) session: Session,
+    /// What was found while it was read.
+    pub(crate) findings: Vec<Diagnostic>,
+    /// Where it came from.
+    pub(crate) origin: Origin,
+    /// Where the nominal robot would be, measuring frame.
+    pub(crate) nominal: Positions,
+    /// Measured − nominal.
+    pub(crate) before: Deviations,
+    /// The gap of the nominal robot; `None` where no sample can be used.
+    pub(crate) gap_before: Option<Spread>,
+    /// Which samples can be used.
+    pub(crate) usable: Vec<bool>,
+    /// What every frame needs to know of it.
+    pub(crate) overview: Overview,
+    /// How many samples lie where along joint 1, once somebody asked.
+    angles: OnceLock<Angles>,
+    /// What its samples cover.
+    pub(crate) known: Known,
+    /// What is drawn of its samples, once somebody asked.
+    pub(crate) drawn: Attached,
+    /// Effects that the session can show.
+    pub(crate) testable: Vec<&'static str>,
+    /// Effects that it cannot show.
+    pub(crate) not_testable: Vec<NotTestable>,
+    /// Axis and directions of joint 1 at home.
+    pub(crate) joint: JointFrame,
+    /// The distance of the farthest reflector from the axis of joint 1 at home, mm.
+    pub(crate) arm_mm: f64,
+    /// What regions of it hold, for any boundaries.
+    tallied: OnceLock<Tally>,
+    /// The same for everything that came from one opening, however it was changed since.
+    pub(crate) lineage: u64,
+    /// The files that it was read from, as they looked then: the document first.
+    pub(crate) files: Vec<Print>,
+    pub(crate) samples_file: Option<PathBuf>,
+    /// The range of joint 1 that a model was measured in, where there are no samples, rad or mm.
+    pub(crate) measured_range: Option<Range>,
+}
+
+/// Only itself: what was opened twice is not the same.
+impl PartialEq for Subject {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Subject {
+    /// Looks through a session.
+    pub(crate) fn new(session: Session, findings: Vec<Diagnostic>, origin: Origin) -> Self {
+        let Ok(subject) = Self::look(session, findings, origin, |_| Ok::<(), Infallible>(()));
+        subject
+    }
+
+    /// Looks through a session, told as this part of something.
+    ///
+    /// # Errors
+    /// Nobody wants it any more.
+    pub(crate) fn watched(
+        session: Session,
+        findings: Vec<Diagnostic>,
+        origin: Origin,
+        part: Part<'_>,
+    ) -> Result<Self, Cancelled> {
+        Self::look(session, findings, origin, |share| part.reached(share))
+    }
+
+    /// Looks through a session; `done` hears which part of that is done.
+    fn look<E>(
+        session: Session,
+        findings: Vec<Diagnostic>,
+        origin: Origin,
+        done: impl Fn(f64) -> Result<(), E>,
+    ) -> Result<Self, E> {
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let model = Model::nominal(session.robot.clone());
+        done(0.1)?;
+        let nominal = model.predict(&problem.inputs);
+        done(0.2)?;
+        let before = deviations(&problem, &model);
+        done(0.4)?;
+        let usable = problem.usable.clone();
+        let gap_before = Spread::of(&before.length_mm, |i| problem.fit[i], |_| false);
+
+        let joint = JointFrame::new(&session.robot, 0);
+        let arm_mm = arm_mm(&session, &joint);
+        let single = is_single_revolute(&session);
+        let overview = Overview::new(
+            &session,
+            &nominal,
+            &usable,
+            &before.length_mm,
+            (single && arm_mm > 0.0).then_some(arm_mm),
+        );
+        done(0.6)?;
+        let known = Known::new(&session, &problem.inputs, overview.travel);
+        let (testable, not_testable) = effects_of(&session, &known.survey);
+        done(0.8)?;
+        let subject = Self {
+            joint,
+            arm_mm,
+            overview,
+            angles: OnceLock::new(),
+            known,
+            drawn: Attached::default(),
+            tallied: OnceLock::new(),
+            nominal,
+            before,
+            gap_before,
+            usable,
+            testable,
+            not_testable,
+            session,
+            findings,
+            origin,
+            lineage: OPENINGS.fetch_add(1, Ordering::Relaxed),
+            files: Vec::new(),
+            samples_file: None,
+            measured_range: None,
+        };
+        done(1.0)?;
+        Ok(subject)
+    }
+
+    /// The same opening with another session: what was found while it was read stays.
+    pub(crate) fn with(&self, session: Session) -> Self {
+        Self {
+            lineage: self.lineage,
+            files: self.files.clone(),
+            samples_file: self.samples_file.clone(),
+            ..Self::new(session, self.findings.clone(), self.origin.clone())
+        }
+    }
+
+    /// The same with other samples: what was found said something about those before.
+    pub(crate) fn with_samples(&self, session: Session) -> Self {
+        let mut next = self.with(session);
+        let n = next.len();
+        for finding in &mut next.findings {
+            finding.samples.retain(|sample| *sample < n);
+        }
+        next
+    }
+
+    /// Number of samples.
+    pub(crate) fn len(&self) -> usize {
+        self.session.samples.len()
+    }
+
+    /// How many samples lie where along joint 1. The first call sorts them.
+    pub(crate) fn angles(&self) -> &Angles {
+        self.angles.get_or_init(|| {
+            let held_out = self.session.samples.held_out.as_deref();
+            let is_fitted = |i: usize| self.usable[i] && !held_out.is_some_and(|h| h[i]);
+            Angles::new(&self.session.samples.q[0], is_fitted)
+        })
+    }
+
+    /// What regions of it hold, for any boundaries. The first call sorts the samples.
+    pub(crate) fn tally(&self) -> &Tally {
+        let make = || Tally::new(&self.session, &self.joint, &self.before);
+        self.tallied.get_or_init(make)
+    }
+
+    /// The same, if it is made already.
+    pub(crate) fn tally_if_made(&self) -> Option<&Tally> {
+        self.tallied.get()
+    }
+
+    /// Whether nothing was measured: a model stands by itself.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Lengths of the nominal robot's deviations in the plane in which joint 1 turns, mm.
+    pub(crate) fn in_plane_before(&self) -> Vec<f64> {
+        let length = |i: usize| {
+            let e = self.deviation_before(i);
+            let along = |c: Component| self.component(e, i, c);
+            along(Component::Radial).hypot(along(Component::Tangential))
+        };
+        (0..self.len()).map(length).collect()
+    }
+
+    /// Where a sample was measured, mm; z of a planar session is that of the nominal robot.
+    pub(crate) fn measured(&self, sample: usize) -> [f64; 3] {
+        let samples = &self.session.samples;
+        let z = samples.z_mm.as_ref();
+        [
+            samples.x_mm[sample],
+            samples.y_mm[sample],
+            z.map_or(self.nominal.z_mm[sample], |z| z[sample]),
+        ]
+    }
+
+    /// Commanded value of joint 1, rad or mm.
+    pub(crate) fn q(&self, sample: usize) -> f64 {
+        self.session.samples.q[0][sample]
+    }
+
+    /// Side from which joint 1 came; 0 where it is not known.
+    pub(crate) fn side(&self, sample: usize) -> f64 {
+        let dir = self.session.samples.dir.first().and_then(Option::as_ref);
+        dir.map_or(0.0, |dir| {
+            if dir[sample].is_nan() {
+                0.0
+            } else {
+                dir[sample]
+            }
+        })
+    }
+
+    /// Deviation of the nominal robot at a sample, mm.
+    pub(crate) fn deviation_before(&self, sample: usize) -> [f64; 3] {
+        std::array::from_fn(|axis| self.before.axes_mm[axis][sample])
+    }
+
+    /// One component of a deviation at a sample, mm.
+    pub(crate) fn component(&self, e: [f64; 3], sample: usize, component: Component) -> f64 {
+        self.component_at(e, self.nominal.get(sample), component)
+    }
+
+    /// One component of a deviation where the nominal robot is at `p`, mm.
+    pub(crate) fn component_at(&self, e: [f64; 3], p: [f64; 3], component: Component) -> f64 {
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let [radial, tangential] = self.directions(p);
+        match component {
+            Component::Length => dot(e, e).sqrt(),
+            Component::Tangential => dot(e, tangential),
+            Component::Radial => dot(e, radial),
+            Component::Axial => dot(e, self.joint.along),
+            Component::X => e[0],
+            Component::Y => e[1],
+            Component::Z => e[2],
+        }
+    }
+
+    /// Radial and tangential direction of joint 1 where the nominal robot is at `p`.
+    fn directions(&self, p: [f64; 3]) -> [[f64; 3]; 2] {
+        let JointFrame {
+            origin_mm: o,
+            along: a,
+            ..
+        } = self.joint;
+        let arm: [f64; 3] = std::array::from_fn(|k| p[k] - o[k]);
+        let height: f64 = (0..3).map(|k| arm[k] * a[k]).sum();
+        let across: [f64; 3] = std::array::from_fn(|k| arm[k] - height * a[k]);
+        let length = across.iter().map(|v| v * v).sum::<f64>().sqrt();
+        if length < 1e-9 {
+            return [self.joint.across_1, self.joint.across_2];
+        }
+        let radial = across.map(|v| v / length);
+        let tangential = [
+            a[1] * radial[2] - a[2] * radial[1],
+            a[2] * radial[0] - a[0] * radial[2],
+            a[0] * radial[1] - a[1] * radial[0],
+        ];
+        [radial, tangential]
+    }
+
+    /// Whether the paper's method by regions applies.
+    pub(crate) fn single_revolute(&self) -> bool {
+        is_single_revolute(&self.session)
+    }
+
+    /// Whether joint 1 turns.
+    pub(crate) fn turns(&self) -> bool {
+        self.joint_turns(0)
+    }
+
+    /// Whether this joint, counted from 0, turns.
+    pub(crate) fn joint_turns(&self, joint: usize) -> bool {
+        self.session.robot.joints[joint].kind == JointKind::Revolute
+    }
+
+    /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
+    pub(crate) fn travel(&self) -> (f64, f64) {
+        let (from, to) = self.overview.travel;
+        if from <= to {
+            (from, to)
+        } else if let Some(measured) = self.measured_range {
+            (measured.from, measured.to)
+        } else {
+            (0.0, 0.0)
+        }
+    }
+}
+
+fn is_single_revolute(session: &Session) -> bool {
+    matches!(session.robot.joints.as_slice(), [joint] if joint.kind == JointKind::Revolute)
+}
+
+fn arm_mm(session: &Session, joint: &JointFrame) -> f64 {
+    let JointFrame {
+        origin_mm: o,
+        across_1: x,
+        across_2: y,
+        ..
+    } = *joint;
+    let homes = reflectors_at_home(session).into_iter();
+    let distances = homes.map(|home| {
+        let along = |d: [f64; 3]| (0..3).map(|k| (home[k] - o[k]) * d[k]).sum::<f64>();
+        along(x).hypot(along(y))
+    });
+    distances.fold(0.0, f64::max)
+}
+
+fn effects_of(session: &Session, survey: &Survey) -> (Vec<&'static str>, Vec<NotTestable>) {
+    let (mut testable, mut not_testable) = (Vec::new(), Vec::new());
+    for effect in CATALOGUE {
+        let about = effect.about();
+        let joints = if about.per_joint {
+            session.robot.joints.len()
+        } else {
+            1
+        };
+        let mut obstacles = (0..joints)
+            .filter(|joint| effect.exists_on(*joint, survey.joints[*joint].kind))
+            .map(|joint| effect.obstacle(survey, joint));
+        let Some(first) = obstacles.next() else {
+            continue;
+        };
+        match first {
+            Some(because) if obstacles.all(|o| o.is_some()) => not_testable.push(NotTestable {
+                effect: about.id,
+                because,
+            }),
+            _ => testable.push(about.id),
+        }
+    }
+    (testable, not_testable)
+}

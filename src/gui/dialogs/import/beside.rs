@@ -1,0 +1,164 @@
+//! Files beside the measured one: commands, points that are known in the base frame, reflectors.
+
+use egui::{DragValue, Grid, RichText, Ui};
+
+use crate::gui::foreign::{Beside, Foreign, Said};
+use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::widgets;
+use crate::gui::workbench::Command;
+use crate::importers::{Alignment, Matching, Motion};
+
+/// Where the robot was sent.
+pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+    widgets::section(ui, "Where the robot was sent, if the table does not say it");
+    let field = (
+        "File of the commands",
+        "a table with q1_deg, … and perhaps name, time_s, dir1, load_kg",
+    );
+    super::parts::path(ui, field, &mut next.commands, Beside::Commands, commands);
+    if next.commands.trim().is_empty() {
+        return;
+    }
+    let ways = [
+        (Matching::Order, "by order"),
+        (Matching::Name, "by name"),
+        (Matching::Time, "by time"),
+    ];
+    widgets::form_row(ui, "Matched", |ui| {
+        if let Some(matching) = widgets::segmented(ui, &ways, next.matching) {
+            next.matching = matching;
+        }
+    });
+    if next.matching != Matching::Time {
+        return;
+    }
+    let kinds = [
+        (Motion::Auto, "as it suits"),
+        (Motion::Stops, "the mean of each stop"),
+        (Motion::All, "all"),
+    ];
+    widgets::form_row(ui, "Samples are", |ui| {
+        if let Some(motion) = widgets::segmented(ui, &kinds, next.motion) {
+            next.motion = motion;
+        }
+    });
+    let trial = now
+        .seen
+        .trial
+        .as_ref()
+        .and_then(|trial| trial.as_ref().ok());
+    let clock = trial.and_then(|t| t.matched.as_ref()?.clock);
+    widgets::form_row(ui, "Clocks apart by", |ui| {
+        let found = next.clock_offset_s.is_none();
+        let ways = [(true, "found from the motion"), (false, "typed")];
+        if let Some(found) = widgets::segmented(ui, &ways, found) {
+            next.clock_offset_s = (!found).then(|| clock.map_or(0.0, |clock| clock.offset_s));
+        }
+        if let Some(offset) = &mut next.clock_offset_s {
+            let field = DragValue::new(offset)
+                .speed(0.01)
+                .max_decimals(6)
+                .suffix(" s");
+            widgets::cell_number(ui, "Seconds to add to a measured time", 110.0, field);
+        }
+    });
+    if let Some(clock) = clock {
+        let says = match clock.sigma_s {
+            Some(sigma) => format!(
+                "The measured clock needs {:+.4} s to agree with the commands, ± {:.4} s (95 %); {:.3} mm are left",
+                clock.offset_s,
+                1.96 * sigma,
+                clock.rms_mm
+            ),
+            None => format!(
+                "With {:+.4} s added, {:.3} mm are left between path and measurements",
+                clock.offset_s, clock.rms_mm
+            ),
+        };
+        widgets::hint(ui, says);
+    }
+}
+
+/// Points that bring the instrument's frame into the base frame.
+pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+    widgets::section(
+        ui,
+        "Points known in the base frame, if the instrument has a frame of its own",
+    );
+    let field = (
+        "File of the known points",
+        "a table with name, x_mm, y_mm, z_mm; the same names as in the measured file",
+    );
+    super::parts::path(ui, field, &mut next.reference, Beside::Reference, commands);
+    if next.reference.trim().is_empty() {
+        return;
+    }
+    ui.checkbox(&mut next.scale, "fit a scale too");
+    let trial = now
+        .seen
+        .trial
+        .as_ref()
+        .and_then(|trial| trial.as_ref().ok());
+    if let Some(alignment) = trial.and_then(|trial| trial.alignment.as_ref()) {
+        residuals(ui, alignment);
+    }
+}
+
+/// How far each point is off after the alignment.
+fn residuals(ui: &mut Ui, alignment: &Alignment) {
+    let palette = Palette::of(ui);
+    let left_out = alignment.outliers().count();
+    let used = alignment.residuals.len() - left_out;
+    let mut says = format!(
+        "{used} points fit with {:.4} mm (root mean square)",
+        alignment.rms_mm
+    );
+    if left_out > 0 {
+        says += &format!(", {left_out} excluded: measured or surveyed wrongly, or moved since");
+    }
+    widgets::hint(ui, says);
+    if (alignment.scale - 1.0).abs() > 0.0 {
+        let ppm = 1e6 * (alignment.scale - 1.0);
+        widgets::hint(
+            ui,
+            format!("scaled by {:.6} ({ppm:+.1} ppm)", alignment.scale),
+        );
+    }
+    ui.scope(|ui| {
+        widgets::dense(ui);
+        let grid = Grid::new("residuals of the alignment").striped(true);
+        grid.spacing([18.0, 2.0]).show(ui, |ui| {
+            for heading in ["point", "off by, mm", "in x", "in y", "in z", ""] {
+                ui.label(RichText::new(heading).font(strong(size::SMALL)));
+            }
+            ui.end_row();
+            for residual in alignment.residuals.iter().take(60) {
+                let color = if residual.is_outlier {
+                    palette.outside
+                } else {
+                    palette.text
+                };
+                let v = residual.vector_mm;
+                let cell = |text: String| RichText::new(text).size(size::SMALL).color(color);
+                ui.label(cell(residual.name.clone()));
+                ui.label(cell(format!("{:.4}", v.norm())));
+                for part in [v.x, v.y, v.z] {
+                    ui.label(cell(format!("{part:+.4}")));
+                }
+                let word = if residual.is_outlier { "excluded" } else { "" };
+                ui.label(cell(word.to_owned()));
+                ui.end_row();
+            }
+        });
+    });
+}
+
+/// Where the reflectors sit.
+pub(super) fn reflectors(ui: &mut Ui, next: &mut Said, commands: &mut Vec<Command>) {
+    widgets::section(ui, "Reflectors in the tool frame, if there are several");
+    let field = (
+        "File of the reflectors",
+        "a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin",
+    );
+    super::parts::path(ui, field, &mut next.targets, Beside::Targets, commands);
+}

@@ -1,0 +1,264 @@
+//! The columns: what each is taken for, how that is known, its heading, and the first rows.
+
+use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
+
+use crate::gui::foreign::{Foreign, Said};
+use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::widgets;
+use crate::gui::workbench::Command;
+use crate::importers::{ColumnGuess, Importer, Known, Meanings};
+
+/// Rows that are shown.
+const ROWS: usize = 5;
+/// Joints that are offered while no robot is known.
+const JOINTS: usize = 6;
+
+/// A meaning: the word for it and what a person calls it.
+struct Meaning {
+    word: String,
+    text: String,
+}
+
+/// Every meaning that a column of such a file can have.
+fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
+    let one = |word: &str, text: &str| Meaning {
+        word: word.to_owned(),
+        text: text.to_owned(),
+    };
+    let mut all = vec![one("-", "not imported")];
+    if let Some(Meanings::Own(words)) = kind.map(|importer| importer.asks.columns) {
+        all.extend(words.iter().map(|(word, text)| one(word, text)));
+        return all;
+    }
+    all.extend([
+        one("name", "point name"),
+        one("group", "group of points"),
+        one("target", "reflector"),
+    ]);
+    for axis in ["x", "y", "z"] {
+        all.push(one(axis, &format!("{axis}, unit as chosen")));
+        for unit in ["mm", "m", "in"] {
+            all.push(one(&format!("{axis}_{unit}"), &format!("{axis}, {unit}")));
+        }
+    }
+    for n in 1..=joints {
+        for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
+            let word = format!("q{n}_{unit}");
+            all.push(one(&word, &format!("joint {n} commanded, {sign}")));
+        }
+    }
+    for n in 1..=joints {
+        for (unit, sign) in [("deg", "°"), ("rad", "rad"), ("mm", "mm")] {
+            let word = format!("q{n}_read_{unit}");
+            all.push(one(&word, &format!("joint {n} read back, {sign}")));
+        }
+    }
+    for n in 1..=joints {
+        let word = format!("dir{n}");
+        all.push(one(&word, &format!("side joint {n} came from")));
+        let word = format!("speed{n}_deg_s");
+        all.push(one(&word, &format!("speed of joint {n}, °/s")));
+    }
+    all.extend([
+        one("load_kg", "load, kg"),
+        one("temperature_c", "temperature, °C"),
+        one("time_s", "time, s"),
+        one("setup", "setup of the instrument"),
+        one("use", "fit or held-out"),
+    ]);
+    for part in ["w", "x", "y", "z"] {
+        all.push(one(&format!("q{part}"), &format!("orientation {part}")));
+    }
+    all
+}
+
+/// How a meaning is known, in a word.
+fn how(guess: &ColumnGuess) -> &'static str {
+    if matches!(guess.meaning.as_str(), "" | "-") {
+        return "";
+    }
+    match guess.known {
+        Known::Said => "as you said",
+        Known::Certain => "for certain",
+        Known::FromHeading => "guessed from the header",
+        Known::FromContent => "guessed from the values",
+    }
+}
+
+pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
+    let found = &now.seen.inspection;
+    if found.columns.is_empty() {
+        return;
+    }
+    widgets::section(
+        ui,
+        "Columns: what each is, how that is known, its heading, first rows",
+    );
+    let robot = now.seen.robot.as_ref().and_then(|r| r.as_ref().ok());
+    let joints = robot.map_or(JOINTS, crate::kinematics::Robot::joint_count);
+    let offered = meanings(found.kind, joints);
+    let changed = table(ui, now, &offered);
+    if let Some((k, word)) = changed {
+        next.reading.columns = said(found.kind, &found.columns, &now.said.reading.columns);
+        next.reading.columns[k] = word;
+    }
+    if !found.preamble.is_empty() {
+        let lines: Vec<&str> = found.preamble.iter().map(String::as_str).take(3).collect();
+        widgets::hint(ui, format!("Before the table: {}", lines.join(" / ")));
+    }
+    if found.questions.is_empty() && now.asks_for_confirmation() {
+        let palette = Palette::of(ui);
+        widgets::card(ui, |ui| {
+            let guesses = found.columns.iter().filter(|c| c.is_guess()).count();
+            let says = format!(
+                "{guesses} of {} columns are guessed: compare them with the first rows",
+                found.columns.len()
+            );
+            ui.label(RichText::new(says).color(palette.warning));
+            if ui.button("The columns are right").clicked() {
+                commands.push(Command::ConfirmColumns);
+            }
+        });
+    }
+}
+
+/// The columns as words that mean the same when they are said, and are guesses still where they
+/// were.
+fn said(kind: Option<&Importer>, columns: &[ColumnGuess], before: &[String]) -> Vec<String> {
+    let columns_of = kind.map(|importer| importer.asks.columns);
+    let own_words = matches!(columns_of, Some(Meanings::Own(_)));
+    let word = |(k, guess): (usize, &ColumnGuess)| match (guess.known, guess.heading.as_str()) {
+        (Known::Said, _) => {
+            let before = before.get(k).cloned();
+            before.unwrap_or_else(|| guess.meaning.clone())
+        }
+        (_, "") if matches!(guess.meaning.as_str(), "" | "-") => "-".to_owned(),
+        // Such a file's headings are its words.
+        (_, heading) if own_words => match heading {
+            "" => guess.meaning.clone(),
+            heading => heading.to_owned(),
+        },
+        // A heading may say more than a word can: a time in ms, a length in cm.
+        _ => "auto".to_owned(),
+    };
+    columns.iter().enumerate().map(word).collect()
+}
+
+fn table(ui: &mut Ui, now: &Foreign, offered: &[Meaning]) -> Option<(usize, String)> {
+    let found = &now.seen.inspection;
+    let palette = Palette::of(ui);
+    let mut changed = None;
+    let fixed = found
+        .kind
+        .is_some_and(|importer| importer.asks.columns == Meanings::Fixed);
+    let bar = ScrollArea::horizontal().id_salt("columns");
+    bar.show(ui, |ui| {
+        let grid = Grid::new("columns of the file")
+            .striped(true)
+            .min_row_height(18.0);
+        grid.spacing([10.0, 4.0]).show(ui, |ui| {
+            for (k, guess) in found.columns.iter().enumerate() {
+                let meaning = offered.iter().find(|m| m.word == guess.meaning);
+                let text = match (guess.meaning.as_str(), meaning) {
+                    ("" | "-", _) => "not imported",
+                    (_, Some(meaning)) => &meaning.text,
+                    (other, None) => other,
+                };
+                if fixed {
+                    ui.label(text);
+                    continue;
+                }
+                let list = ComboBox::from_id_salt(("meaning", k))
+                    .width(118.0)
+                    .height(320.0)
+                    .selected_text(text)
+                    .show_ui(ui, |ui| {
+                        for meaning in offered {
+                            let is = guess.meaning == meaning.word;
+                            if ui.selectable_label(is, &meaning.text).clicked() {
+                                changed = Some((k, meaning.word.clone()));
+                            }
+                        }
+                    });
+                let label = format!("Meaning of column {}", k + 1);
+                super::parts::name(ui, &list.response, &label);
+            }
+            ui.end_row();
+            widgets::dense(ui);
+            for guess in &found.columns {
+                let color = if guess.is_guess() && now.asks_for_confirmation() {
+                    palette.warning
+                } else {
+                    palette.muted
+                };
+                ui.label(RichText::new(how(guess)).size(size::SMALL).color(color));
+            }
+            ui.end_row();
+            if found.columns.iter().any(|c| !c.heading.is_empty()) {
+                for guess in &found.columns {
+                    ui.label(RichText::new(&guess.heading).font(strong(size::SMALL)));
+                }
+                ui.end_row();
+            }
+            for cells in found.first_rows.iter().take(ROWS) {
+                for k in 0..found.columns.len() {
+                    let cell = cells.get(k).map_or("", String::as_str);
+                    ui.label(RichText::new(cell).size(size::SMALL).color(palette.muted));
+                }
+                ui.end_row();
+            }
+        });
+    });
+    changed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::importers::{Reading, find, inspect};
+
+    #[test]
+    fn every_meaning_that_is_offered_is_understood() {
+        for meaning in meanings(find("csv"), 3) {
+            let reading = Reading {
+                kind: find("csv"),
+                columns: vec![meaning.word.clone()],
+                ..Reading::default()
+            };
+            let found = inspect(b"1 2 3 4\n5 6 7 8\n", &reading);
+            let unknown = |finding: &&crate::diagnostic::Diagnostic| {
+                finding.to_string().contains("among the columns given")
+            };
+            assert!(
+                found.findings.iter().find(unknown).is_none(),
+                "{}",
+                meaning.word
+            );
+            assert_eq!(found.columns[0].meaning, meaning.word);
+        }
+    }
+
+    #[test]
+    fn choosing_one_column_leaves_the_others_what_they_are() {
+        let text = b"Timestamp [ms];X [cm];Y [cm];Z [cm];Spalte 5\n1;2,5;3,5;4,5;5\n";
+        let reading = Reading {
+            kind: find("csv"),
+            ..Reading::default()
+        };
+        let found = inspect(text, &reading);
+        let mut words = said(found.kind, &found.columns, &[]);
+        "load_kg".clone_into(&mut words[4]);
+        let reading = Reading {
+            columns: words,
+            ..reading
+        };
+        let again = inspect(text, &reading);
+        let meant = |found: &crate::importers::Inspection| -> Vec<String> {
+            found.columns.iter().map(|c| c.meaning.clone()).collect()
+        };
+        assert_eq!(meant(&again)[..4], meant(&found)[..4]);
+        assert_eq!(again.unit, found.unit);
+        assert_eq!(again.columns[4].meaning, "load_kg");
+        assert_eq!(again.columns[4].known, Known::Said);
+    }
+}

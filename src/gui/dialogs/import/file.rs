@@ -1,0 +1,242 @@
+//! How the file is read: what wrote it, what separates its cells, the decimal sign, the header, the
+//! units; and what it leaves open.
+
+use std::collections::BTreeMap;
+
+use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
+
+use crate::gui::foreign::{Foreign, Said, in_the_sheets_words};
+use crate::gui::style::tokens::Palette;
+use crate::gui::widgets;
+use crate::importers::{
+    About, AngleUnit, Asks, Decimal, IMPORTERS, LengthUnit, OwnOption, Question, Separator, find,
+};
+
+/// The file in a line: rows, separator, encoding, unit.
+pub(super) fn found_out(now: &Foreign) -> String {
+    let found = &now.seen.inspection;
+    let mut parts = vec![format!("{} rows", found.rows)];
+    parts.extend(found.separator.map(|s| format!("separated by {s}")));
+    parts.extend(found.decimal.map(|d| d.to_string()));
+    parts.push(match found.header_line {
+        Some(line) => format!("header in line {line}"),
+        None => "no header".to_owned(),
+    });
+    parts.push(found.encoding.to_string());
+    if !found.unit.is_empty() {
+        parts.push(format!("unit: {}", found.unit));
+    }
+    parts.join(" · ")
+}
+
+/// The rows of the form.
+pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
+    let found = &now.seen.inspection;
+    widgets::form_row(ui, "Session", |ui| {
+        let field = TextEdit::singleline(&mut next.name).desired_width(300.0);
+        let field = ui.add(field);
+        super::parts::name(ui, &field, "Name of the session");
+    });
+    let reading = &mut next.reading;
+    let kind = reading.kind.or(found.kind);
+    let asks = kind.map_or(Asks::TABLE, |importer| importer.asks);
+    widgets::form_row(ui, "Source", |ui| {
+        let list = ComboBox::from_id_salt("what wrote it")
+            .width(430.0)
+            .selected_text(kind.map_or("", |importer| importer.plainly))
+            .show_ui(ui, |ui| {
+                for &importer in IMPORTERS {
+                    let is = kind == Some(importer);
+                    if ui.selectable_label(is, importer.plainly).clicked() && !is {
+                        reading.kind = Some(importer);
+                        reading.columns.clear();
+                    }
+                }
+            });
+        super::parts::name(ui, &list.response, "What wrote the file");
+    });
+    if asks.table {
+        let separators = [
+            (Some(Separator::Comma), "commas"),
+            (Some(Separator::Semicolon), "semicolons"),
+            (Some(Separator::Tab), "tabs"),
+            (Some(Separator::Spaces), "spaces"),
+        ];
+        let separator = reading.separator.or(found.separator);
+        widgets::form_row(ui, "Separated by", |ui| {
+            if let Some(chosen) = widgets::segmented(ui, &separators, separator) {
+                reading.separator = chosen;
+            }
+            widgets::caption(ui, "header");
+            header(ui, found.header_line, &mut reading.header);
+        });
+    }
+    let decimal = reading.decimal.or(found.decimal);
+    let signs = [(Some(Decimal::Point), "1.5"), (Some(Decimal::Comma), "1,5")];
+    let units = [
+        (None, "as the headings say"),
+        (Some(AngleUnit::Degrees), "degrees"),
+        (Some(AngleUnit::Radians), "radians"),
+    ];
+    widgets::form_row(ui, "Decimal sign", |ui| {
+        if let Some(chosen) = widgets::segmented(ui, &signs, decimal) {
+            reading.decimal = chosen;
+        }
+        widgets::caption(ui, "angles in");
+        if let Some(chosen) = widgets::segmented(ui, &units, reading.angle_unit) {
+            reading.angle_unit = chosen;
+        }
+    });
+    let units = [
+        (None, "as the file says"),
+        (Some(LengthUnit::Millimetres), "mm"),
+        (Some(LengthUnit::Metres), "m"),
+        (Some(LengthUnit::Inches), "inches"),
+    ];
+    widgets::form_row(ui, "Lengths in", |ui| {
+        if let Some(chosen) = widgets::segmented(ui, &units, reading.unit) {
+            reading.unit = chosen;
+        }
+    });
+    if asks.y_up || reading.z_up {
+        ui.checkbox(&mut reading.z_up, "y points up: turn it so that z does");
+    }
+    if asks.names {
+        names(ui, &found.names, &mut reading.names);
+    }
+    if asks.joint {
+        let mut joint = reading.joint as u64 + 1;
+        let field = DragValue::new(&mut joint).range(1..=64);
+        if widgets::number(ui, "Joint measured", field).changed() {
+            reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
+        }
+    }
+    for option in kind.map_or(&[][..], |importer| importer.options) {
+        own_option(ui, option, &mut reading.options);
+    }
+}
+
+/// An option that only this format has.
+fn own_option(ui: &mut Ui, option: &OwnOption, given: &mut BTreeMap<&'static str, String>) {
+    widgets::form_row(ui, option.title, |ui| {
+        let mut value = given.get(option.name).cloned().unwrap_or_default();
+        let before = value.clone();
+        if option.values.is_empty() {
+            let field = TextEdit::singleline(&mut value).desired_width(300.0);
+            let field = ui.add(field.hint_text(option.help));
+            super::parts::name(ui, &field, option.title);
+        } else {
+            let ways: Vec<(&str, &str)> = option.values.iter().map(|v| (*v, *v)).collect();
+            let said = option.values.iter().copied().find(|v| *v == value);
+            if let Some(chosen) = widgets::segmented(ui, &ways, said.unwrap_or_default()) {
+                chosen.clone_into(&mut value);
+            }
+        }
+        if value.trim().is_empty() {
+            given.remove(option.name);
+        } else if value != before {
+            given.insert(option.name, value);
+        }
+    });
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Header {
+    Found,
+    None,
+    Line,
+}
+
+/// Where the header is: as it was found, nowhere, or in a line.
+fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
+    let now = match header {
+        None => Header::Found,
+        Some(0) => Header::None,
+        Some(_) => Header::Line,
+    };
+    let ways = [
+        (Header::Found, "as found"),
+        (Header::None, "none"),
+        (Header::Line, "in line"),
+    ];
+    if let Some(chosen) = widgets::segmented(ui, &ways, now) {
+        *header = match chosen {
+            Header::Found => None,
+            Header::None => Some(0),
+            Header::Line => Some(found.unwrap_or(1)),
+        };
+    }
+    if let Some(line @ 1..) = header {
+        let field = DragValue::new(line).range(1..=1_000_000);
+        widgets::cell_number(ui, "Line of the header", 64.0, field);
+    }
+}
+
+/// Rigid bodies or markers to take.
+fn names(ui: &mut Ui, offered: &[String], taken: &mut Vec<String>) {
+    widgets::form_row(ui, "Take", |ui| {
+        ui.horizontal_wrapped(|ui| {
+            for name in offered {
+                let mut on = taken.contains(name);
+                if ui.checkbox(&mut on, name).changed() {
+                    taken.retain(|other| other != name);
+                    if on {
+                        taken.push(name.clone());
+                    }
+                }
+            }
+        });
+    });
+}
+
+/// What only a person can say, with the possible answers as buttons.
+pub(super) fn questions(ui: &mut Ui, now: &Foreign, next: &mut Said) {
+    for question in &now.seen.inspection.questions {
+        widgets::card(ui, |ui| ask(ui, question, next));
+    }
+}
+
+fn ask(ui: &mut Ui, question: &Question, next: &mut Said) {
+    let palette = Palette::of(ui);
+    let says = RichText::new(in_the_sheets_words(&question.says)).color(palette.warning);
+    ui.add(egui::Label::new(says).wrap());
+    if question.answers.is_empty() {
+        widgets::hint(ui, "Choose it in the table above");
+        return;
+    }
+    ui.horizontal_wrapped(|ui| {
+        for answer in &question.answers {
+            if ui.button(format!("It is {answer}")).clicked() {
+                answered(next, question.about, answer);
+            }
+        }
+    });
+}
+
+fn answered(next: &mut Said, about: About, answer: &str) {
+    let reading = &mut next.reading;
+    match about {
+        About::Unit => {
+            reading.unit = LengthUnit::ALL.into_iter().find(|u| u.symbol() == answer);
+        }
+        About::AngleUnit => {
+            let units = [AngleUnit::Degrees, AngleUnit::Radians];
+            reading.angle_unit = units.into_iter().find(|u| u.symbol() == answer);
+        }
+        About::Decimal => {
+            reading.decimal = Some(if answer == "," {
+                Decimal::Comma
+            } else {
+                Decimal::Point
+            });
+        }
+        About::Name => reading.names = vec![answer.to_owned()],
+        About::Kind => reading.kind = find(answer),
+        About::Own(name) => {
+            reading.options.insert(name, answer.to_owned());
+        }
+        About::Columns => {
+            reading.columns = answer.split(',').map(|w| w.trim().to_owned()).collect();
+        }
+    }
+}

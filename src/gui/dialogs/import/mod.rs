@@ -1,0 +1,123 @@
+//! A table without a robot, to be made a session: what its columns are taken for stands over their
+//! first rows, what is not known is asked, and nothing is guessed in silence. What the import would
+//! bring stands at the end before it is done.
+
+mod beside;
+mod columns;
+mod file;
+mod parts;
+mod result;
+mod robot;
+
+use egui::text::LayoutJob;
+use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
+
+use crate::gui::foreign::{Foreign, LOOKING, Said, in_the_sheets_words};
+use crate::gui::jobs::Running;
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+/// Width of the sheet, points.
+const WIDTH: f32 = 780.0;
+/// What stands around the part that scrolls, points.
+const AROUND: f32 = 228.0;
+/// Two lines of what is in the way, points.
+const FOOT: f32 = 34.0;
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: &mut Vec<Command>) {
+    let window = ui.ctx().content_rect();
+    ui.set_width(WIDTH.min(window.width() - 80.0));
+    let name = now.path.file_name().unwrap_or_default().to_string_lossy();
+    widgets::heading(ui, &format!("Import {name}"));
+    widgets::hint(ui, file::found_out(now));
+    let mut next = now.said.clone();
+    let height = (window.height() - AROUND).max(200.0);
+    let scrolled = ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        // Beside what scrolls, not over it.
+        ui.set_width(ui.available_width() - f32::from(space::PANEL));
+        file::show(ui, now, &mut next);
+        columns::show(ui, now, &mut next, commands);
+        file::questions(ui, now, &mut next);
+        findings(ui, now);
+        robot::show(ui, workbench, now, &mut next, commands);
+        beside::commanded(ui, now, &mut next, commands);
+        beside::base_frame(ui, now, &mut next, commands);
+        beside::reflectors(ui, &mut next, commands);
+        result::show(ui, now);
+        ui.max_rect().width()
+    });
+    let missing = if next == now.said {
+        now.missing()
+    } else {
+        Some(LOOKING.to_owned())
+    };
+    // Always as high: what is above keeps its place.
+    let room = vec2(ui.available_width(), FOOT);
+    ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
+        ui.set_min_height(FOOT);
+        foot(ui, workbench, (now, &next), missing.as_deref(), commands);
+    });
+    // They end where what is above them ends.
+    let pressed = ui.scope(|ui| {
+        ui.set_max_width(scrolled.inner);
+        super::ends::buttons_without_enter(ui, "Import", missing.is_none(), commands)
+    });
+    if pressed.inner {
+        commands.push(Command::Import);
+    } else if next != now.said {
+        commands.push(Command::Say(Box::new(next)));
+    }
+}
+
+/// Where the look at the file stands, or what is in the way of the import.
+fn foot(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (now, next): (&Foreign, &Said),
+    missing: Option<&str>,
+    commands: &mut Vec<Command>,
+) {
+    if let Some(running) = workbench.looking() {
+        looking(ui, running, commands);
+    } else if *next == now.said && !now.is_up_to_date() {
+        ui.horizontal(|ui| {
+            widgets::hint(ui, "Looking at the file was cancelled");
+            if ui.button("Look again").clicked() {
+                commands.push(Command::Say(Box::new(next.clone())));
+            }
+        });
+    } else if let Some(missing) = missing {
+        let font = FontId::proportional(size::NOTE);
+        let muted = Palette::of(ui).muted;
+        let mut job = LayoutJob::simple(missing.to_owned(), font, muted, ui.available_width());
+        job.wrap.max_rows = 2;
+        ui.label(job).on_hover_text(missing);
+    }
+}
+
+/// How far looking at the file is.
+fn looking(ui: &mut Ui, running: &Running, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        widgets::hint(ui, LOOKING);
+        if let Some(part) = running.progress() {
+            let bar = ProgressBar::new(part).desired_width(120.0);
+            ui.add(bar.desired_height(8.0).fill(Palette::of(ui).accent));
+        }
+        if ui.small_button("Stop looking").clicked() {
+            commands.push(Command::StopLooking);
+        }
+    });
+    widgets::look_again_soon(ui);
+}
+
+/// What is wrong with the file, and what somebody should know.
+fn findings(ui: &mut Ui, now: &Foreign) {
+    for finding in now.seen.inspection.findings.iter().take(8) {
+        parts::line(
+            ui,
+            finding.severity,
+            &in_the_sheets_words(&finding.to_string()),
+        );
+    }
+}

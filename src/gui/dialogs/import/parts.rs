@@ -1,0 +1,54 @@
+//! What the parts of the import sheet are made of.
+
+use egui::{RichText, TextEdit, Ui};
+
+use crate::diagnostic::Severity;
+use crate::gui::foreign::Beside;
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::workbench::Command;
+
+/// A finding as a line; its kind is a word as well as a colour.
+pub(super) fn line(ui: &mut Ui, severity: Severity, says: &str) {
+    let palette = Palette::of(ui);
+    let (word, color) = match severity {
+        Severity::Note => ("", palette.muted),
+        Severity::Warning => ("Warning: ", palette.warning),
+        Severity::Error => ("Error: ", palette.outside),
+    };
+    let text = RichText::new(format!("{word}{says}"));
+    ui.add(egui::Label::new(text.size(size::SMALL).color(color)).wrap());
+}
+
+/// A field for the path of a file, with a button that asks for it.
+pub(super) fn path(
+    ui: &mut Ui,
+    (label, hint): (&str, &str),
+    typed: &mut String,
+    which: Beside,
+    commands: &mut Vec<Command>,
+) -> bool {
+    let mut changed = false;
+    ui.horizontal(|ui| {
+        let text = egui::WidgetText::from("Choose…");
+        let text = text.into_galley(ui, None, f32::INFINITY, egui::TextStyle::Button);
+        let button = text.size().x + 2.0 * ui.spacing().button_padding.x;
+        let room = ui.available_width() - button - ui.spacing().item_spacing.x;
+        let field = TextEdit::singleline(typed).hint_text(hint);
+        let field = ui.add_sized([room.max(80.0), space::CONTROL], field);
+        name(ui, &field, label);
+        changed = field.changed();
+        let button = ui.button("Choose…");
+        name(ui, &button, &format!("Choose: {label}"));
+        if button.clicked() {
+            commands.push(Command::ChooseBeside(which));
+        }
+    });
+    changed
+}
+
+/// Gives a control the name under which it is read out.
+pub(super) fn name(ui: &Ui, response: &egui::Response, label: &str) {
+    let label = label.to_owned();
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(label));
+}

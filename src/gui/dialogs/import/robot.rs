@@ -1,0 +1,123 @@
+//! Whose robot was measured.
+
+use egui::{DragValue, TextEdit, Ui};
+
+use crate::gui::core::examples::EXAMPLES;
+use crate::gui::foreign::{Beside, Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::kinematics::{JointKind, Robot};
+
+pub(super) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    now: &Foreign,
+    next: &mut Said,
+    commands: &mut Vec<Command>,
+) {
+    widgets::section(ui, "Which robot was measured");
+    let here = &workbench.subject().session.robot;
+    let is = |robot: &RobotFrom, other: &RobotFrom| {
+        std::mem::discriminant(robot) == std::mem::discriminant(other)
+    };
+    let open = RobotFrom::Here(Box::new(here.clone()));
+    let text = format!("that of the open session, {}", here.name);
+    if ui.radio(is(&next.robot, &open), text).clicked() {
+        next.robot = open;
+    }
+    for (k, example) in EXAMPLES.iter().enumerate() {
+        let one = RobotFrom::Example(k);
+        let text = format!("that of the example {}", example.name);
+        if ui.radio(next.robot == one, text).clicked() {
+            next.robot = one;
+        }
+    }
+    let file = RobotFrom::Open.of_file(String::new());
+    if ui
+        .radio(is(&next.robot, &file), "the one in this file")
+        .clicked()
+        && !is(&next.robot, &file)
+    {
+        next.robot = file;
+    }
+    let mut path = match &next.robot {
+        RobotFrom::File { path, .. } => path.clone(),
+        _ => String::new(),
+    };
+    let field = ("File of the robot", "a robot, a session, or a URDF file");
+    if super::parts::path(ui, field, &mut path, Beside::Robot, commands) {
+        next.robot = next.robot.of_file(path);
+    }
+    if let RobotFrom::File { path, base, tip } = &mut next.robot
+        && RobotFrom::is_urdf(path)
+    {
+        for (row, label, link) in [
+            ("Base", "Link of the base", base),
+            ("Tip", "Link of the tool", tip),
+        ] {
+            widgets::form_row(ui, row, |ui| {
+                let field = ui.add(TextEdit::singleline(link).hint_text("name of a link"));
+                super::parts::name(ui, &field, label);
+            });
+        }
+    }
+    let typed = matches!(next.robot, RobotFrom::Typed(_));
+    if ui.radio(typed, "one axis that turns, typed here").clicked() && !typed {
+        next.robot = RobotFrom::Typed(TypedAxis::default());
+    }
+    if let RobotFrom::Typed(typed) = &mut next.robot {
+        axis(ui, typed);
+    }
+    match &now.seen.robot {
+        None => {}
+        Some(Ok(robot)) => widgets::hint(ui, in_words(robot)),
+        Some(Err(because)) => {
+            for line in because {
+                widgets::wrong(ui, line);
+            }
+        }
+    }
+}
+
+/// One axis that turns: its name, where it stands, where the tool is, how far it goes.
+fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
+    widgets::form_row(ui, "Name", |ui| {
+        let field = ui.add(TextEdit::singleline(&mut typed.name));
+        super::parts::name(ui, &field, "Name of the robot");
+    });
+    numbers(
+        ui,
+        "Axis at home",
+        "Axis",
+        &["x", "y", "z"],
+        &mut typed.axis,
+    );
+    let parts = ["x", "y", "z"];
+    numbers(ui, "Point on it, mm", "Point", &parts, &mut typed.point_mm);
+    numbers(ui, "Tool at home, mm", "Tool", &parts, &mut typed.tool_mm);
+    let parts = ["from", "to"];
+    numbers(ui, "Travel, °", "Travel", &parts, &mut typed.limits_deg);
+    ui.checkbox(&mut typed.gravity_down, "gravity points along −z");
+}
+
+fn numbers(ui: &mut Ui, row: &str, name: &str, parts: &[&str], values: &mut [f64]) {
+    widgets::form_row(ui, row, |ui| {
+        for (part, value) in parts.iter().zip(values) {
+            let field = DragValue::new(value).speed(1.0).max_decimals(6);
+            widgets::cell_number(ui, &format!("{name} {part}"), 90.0, field);
+        }
+    });
+}
+
+fn in_words(robot: &Robot) -> String {
+    let turning = |joint: &&crate::kinematics::Joint| joint.kind == JointKind::Revolute;
+    let turns = robot.joints.iter().filter(turning).count();
+    let count = robot.joint_count();
+    let joints = match (count, turns) {
+        (1, 1) => "one joint that turns".to_owned(),
+        (1, 0) => "one joint that slides".to_owned(),
+        (count, turns) => format!("{count} joints, {turns} of which turn"),
+    };
+    let reach = robot.base_from_tool.translation.vector.norm();
+    format!("{}: {joints}, tool {reach:.0} mm from the base", robot.name)
+}

@@ -1,0 +1,100 @@
+//! Units, digits, colours, size of text: seen at once, kept for tomorrow.
+
+use egui::{Slider, Ui};
+
+use crate::gui::preferences::{Preferences, Theme, ZOOM};
+use crate::gui::style::tokens::space;
+use crate::gui::units::{AngleUnit, LengthUnit};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.set_width(440.0);
+    widgets::heading(ui, "Preferences");
+    let now = workbench.view().preferences;
+    let mut next = now;
+    let lengths = [
+        (LengthUnit::Millimetre, "mm"),
+        (LengthUnit::Micrometre, "µm"),
+        (LengthUnit::Inch, "inch"),
+    ];
+    widgets::form_row(ui, "Lengths in", |ui| {
+        if let Some(unit) = widgets::segmented(ui, &lengths, now.length) {
+            next.length = unit;
+        }
+    });
+    let angles = [
+        (AngleUnit::Degree, "degrees"),
+        (AngleUnit::Radian, "radians"),
+    ];
+    widgets::form_row(ui, "Angles in", |ui| {
+        if let Some(unit) = widgets::segmented(ui, &angles, now.angle) {
+            next.angle = unit;
+        }
+    });
+    let decimals = [
+        (None, "readable"),
+        (Some(1), "1"),
+        (Some(2), "2"),
+        (Some(3), "3"),
+        (Some(4), "4"),
+        (Some(5), "5"),
+    ];
+    widgets::form_row(ui, "Decimals of lengths", |ui| {
+        if let Some(decimals) = widgets::segmented(ui, &decimals, now.decimals) {
+            next.decimals = decimals;
+        }
+    });
+    let signs = [(false, "1.5"), (true, "1,5")];
+    widgets::form_row(ui, "Decimal sign", |ui| {
+        if let Some(comma) = widgets::segmented(ui, &signs, now.decimal_comma) {
+            next.decimal_comma = comma;
+        }
+    });
+    let themes = [
+        (Theme::System, "as the system"),
+        (Theme::Light, "light"),
+        (Theme::Dark, "dark"),
+    ];
+    widgets::form_row(ui, "Colours", |ui| {
+        if let Some(theme) = widgets::segmented(ui, &themes, now.theme) {
+            next.theme = theme;
+        }
+    });
+    widgets::form_row(ui, "Size of text", |ui| {
+        let mut percent = (100.0 * now.zoom).round();
+        let range = 100.0 * ZOOM.start()..=100.0 * ZOOM.end();
+        let slider = Slider::new(&mut percent, range).step_by(10.0).suffix(" %");
+        let slider = ui.add(slider.update_while_editing(false));
+        ui.ctx()
+            .accesskit_node_builder(slider.id, |node| node.set_label("Size of text"));
+        // While it is dragged the slider would run away from under the pointer.
+        let id = ui.scope_id().with("size of text");
+        if slider.dragged() {
+            ui.data_mut(|data| data.insert_temp(id, percent));
+        } else if let Some(percent) = ui.data_mut(|data| data.remove_temp::<f32>(id)) {
+            next.zoom = percent / 100.0;
+        } else if slider.changed() {
+            next.zoom = percent / 100.0;
+        }
+    });
+    widgets::hint(
+        ui,
+        "Files are read and written in their own units, whatever is shown here",
+    );
+    ui.add_space(space::ROW);
+    ui.columns(2, |columns| {
+        let reset = now != Preferences::default();
+        let button = columns[0].add_enabled_ui(reset, |ui| widgets::other(ui, "Reset all"));
+        if button.inner.clicked() {
+            next = Preferences::default();
+        }
+        let done = widgets::primary(&mut columns[1], "Done").clicked();
+        if done || super::ends::entered(&columns[1]) {
+            commands.push(Command::Sheet(None));
+        }
+    });
+    if next != now {
+        commands.push(Command::Prefer(next));
+    }
+}

@@ -1,0 +1,95 @@
+//! What windows that are gone have left behind: what, from when, and whether to bring it back.
+
+use std::time::{Duration, SystemTime};
+
+use egui::{RichText, ScrollArea, Ui};
+
+use crate::gui::style::tokens::{size, space, strong};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    ui.set_width(460.0);
+    widgets::heading(ui, "Not saved when the program ended");
+    widgets::hint(
+        ui,
+        "The last time the program ended without warning. Nothing is lost unless it is discarded here",
+    );
+    ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
+        for (index, left) in workbench.left_behind().iter().enumerate() {
+            widgets::card(ui, |ui| {
+                let title = match &left.kept {
+                    Ok(kept) => kept.session.name.clone(),
+                    Err(_) => "A file that is damaged".to_owned(),
+                };
+                ui.label(RichText::new(title).font(strong(size::BODY)));
+                if let Some(ago) = left.when.and_then(ago) {
+                    widgets::fact(ui, "kept", ago);
+                }
+                match &left.kept {
+                    Ok(kept) => {
+                        widgets::fact(ui, "samples", kept.session.samples.len().to_string());
+                        let file = kept.file.as_ref().and_then(|f| f.file_name());
+                        let file = file.map_or("none".into(), |f| f.to_string_lossy());
+                        widgets::fact(ui, "its file", file);
+                    }
+                    Err(because) => {
+                        widgets::wrong(ui, because);
+                        widgets::hint(ui, left.path().display().to_string());
+                    }
+                }
+                ui.add_space(space::TIGHT);
+                ui.columns(2, |columns| {
+                    let (restore, discard) = if left.kept.is_ok() {
+                        ("Restore", "Discard")
+                    } else {
+                        ("Put it aside", "Ask me later")
+                    };
+                    if widgets::other(&mut columns[0], discard).clicked() {
+                        commands.push(if left.kept.is_ok() {
+                            Command::DiscardLeft(index)
+                        } else {
+                            Command::Sheet(None)
+                        });
+                    }
+                    if widgets::primary(&mut columns[1], restore).clicked() {
+                        commands.push(Command::Restore(index));
+                    }
+                });
+            });
+        }
+    });
+}
+
+/// How long ago, in words.
+#[allow(
+    clippy::disallowed_methods,
+    reason = "a person wants to know from when it is; nothing is worked out from it"
+)]
+fn ago(when: SystemTime) -> Option<String> {
+    Some(in_words(SystemTime::now().duration_since(when).ok()?))
+}
+
+fn in_words(ago: Duration) -> String {
+    let seconds = ago.as_secs();
+    let count = |n: u64, unit: &str| {
+        let s = if n == 1 { "" } else { "s" };
+        format!("{n} {unit}{s} ago")
+    };
+    match seconds {
+        0..60 => "less than a minute ago".to_owned(),
+        60..3600 => count(seconds / 60, "minute"),
+        3600..86_400 => count(seconds / 3600, "hour"),
+        _ => count(seconds / 86_400, "day"),
+    }
+}
+
+#[cfg(test)]
+#[test]
+fn a_time_is_said_in_words() {
+    let says = |s| in_words(Duration::from_secs(s));
+    assert_eq!(says(5), "less than a minute ago");
+    assert_eq!(says(61), "1 minute ago");
+    assert_eq!(says(7300), "2 hours ago");
+    assert_eq!(says(200_000), "2 days ago");
+}

@@ -1,0 +1,137 @@
+//! The form of a new simulation.
+
+use egui::{Checkbox, ComboBox, DragValue, RichText, ScrollArea, Ui};
+
+use crate::gui::core::simulate::{Chosen, Form, field};
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::view::Sheet;
+use crate::gui::widgets;
+use crate::gui::workbench::Command;
+
+pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
+    ui.set_width(520.0);
+    widgets::heading(ui, "New by simulation");
+    widgets::hint(
+        ui,
+        "A lamp on one turning axis, measured by a tracker. What is filled in here is what \
+         identification should find",
+    );
+    let mut filled = form.clone();
+    let wrong = form.problems();
+    ui.spacing_mut().item_spacing.x = f32::from(space::PANEL) * 1.5;
+    ui.columns(2, |columns| {
+        for column in columns.iter_mut() {
+            column.spacing_mut().item_spacing.x = space::ROW;
+        }
+        robot(&mut columns[0], &mut filled, &wrong);
+        measurement(&mut columns[1], &mut filled, &wrong);
+    });
+    ui.spacing_mut().item_spacing.x = space::ROW;
+    effects(ui, &mut filled, &wrong);
+    if !wrong.is_empty() {
+        widgets::hint(
+            ui,
+            "What stands in colour above has to be another number first",
+        );
+    }
+    let ready = filled.problem().is_none();
+    if super::ends::buttons(ui, "Simulate", ready, commands) {
+        commands.push(Command::Simulate(filled));
+    } else if filled != *form {
+        commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
+    }
+}
+
+/// What is wrong, each with the field that it is about.
+type Wrong = [(&'static str, String)];
+
+/// Says what is wrong with a field, below it.
+fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
+    for (_, says) in wrong.iter().filter(|(place, _)| *place == name) {
+        widgets::wrong(ui, says);
+    }
+}
+
+/// A field with what is wrong with it.
+fn number(ui: &mut Ui, wrong: &Wrong, name: &str, value: DragValue<'_>) {
+    widgets::number(ui, name, value);
+    fault(ui, wrong, name);
+}
+
+fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
+    widgets::section(ui, "Robot");
+    let mm = |value| {
+        DragValue::new(value)
+            .speed(0.1)
+            .max_decimals(4)
+            .suffix(" mm")
+    };
+    let deg = |value| {
+        DragValue::new(value)
+            .speed(0.05)
+            .max_decimals(4)
+            .suffix("°")
+    };
+    number(ui, wrong, field::RADIUS, mm(&mut form.radius_mm));
+    number(ui, wrong, field::OFFSET, deg(&mut form.offset_deg));
+    number(ui, wrong, field::LENGTH, mm(&mut form.length_error_mm));
+    widgets::section(ui, "Tolerance");
+    number(ui, wrong, field::TOLERANCE, mm(&mut form.tolerance_mm));
+}
+
+fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
+    widgets::section(ui, "Sweep");
+    let deg = |value| DragValue::new(value).speed(0.5).max_decimals(3).suffix("°");
+    number(ui, wrong, field::FROM, deg(&mut form.from_deg));
+    number(ui, wrong, field::TO, deg(&mut form.to_deg));
+    number(ui, wrong, field::STEP, deg(&mut form.step_deg));
+    ui.add(Checkbox::new(&mut form.both_ways, "there and back"));
+    widgets::section(ui, "Instrument");
+    let noise = DragValue::new(&mut form.noise_mm)
+        .speed(0.002)
+        .max_decimals(4);
+    number(ui, wrong, field::NOISE, noise.suffix(" mm"));
+    widgets::number(ui, "seed", DragValue::new(&mut form.seed));
+}
+
+fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
+    widgets::section(ui, "Other effects");
+    let mut gone = None;
+    ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
+        for (index, chosen) in form.effects.iter_mut().enumerate() {
+            ui.horizontal_wrapped(|ui| {
+                let title = crate::effects::find(chosen.id).map_or(chosen.id, |e| e.about().title);
+                ui.label(title);
+                for (name, value) in &mut chosen.parameters {
+                    let muted = Palette::of(ui).muted;
+                    ui.label(RichText::new(*name).size(size::SMALL).color(muted));
+                    let field = DragValue::new(value).speed(0.01).max_decimals(5);
+                    widgets::cell_number(ui, &format!("{} {name}", chosen.id), 64.0, field);
+                }
+                if ui.small_button("Remove").clicked() {
+                    gone = Some(index);
+                }
+            });
+            fault(ui, wrong, chosen.id);
+        }
+    });
+    if let Some(index) = gone {
+        form.effects.remove(index);
+    }
+    let list = ComboBox::from_id_salt("add effect")
+        .selected_text("Add an effect…")
+        .width(240.0)
+        .show_ui(ui, |ui| {
+            for (id, title) in Form::offered() {
+                let there = form.effects.iter().any(|c| c.id == id);
+                let button = ui.add_enabled(!there, egui::Button::new(title));
+                if button.clicked()
+                    && let Some(chosen) = Chosen::new(id)
+                {
+                    form.effects.push(chosen);
+                }
+            }
+        });
+    ui.ctx()
+        .accesskit_node_builder(list.response.id, |node| node.set_label("Add an effect"));
+}

@@ -1,0 +1,83 @@
+//! What would be lost, before it is; and a file that changed, before it is replaced.
+
+use std::path::Path;
+
+use egui::Ui;
+
+use crate::gui::style::tokens::space;
+use crate::gui::view::Then;
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+/// Shows what would be lost, and what can be done about it.
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, then: &Then, commands: &mut Vec<Command>) {
+    ui.set_width(420.0);
+    let (title, discard) = match then {
+        Then::Leave => ("Leave without saving?", "Leave without saving"),
+        Then::Open(_) | Then::Example(_) => ("Open without saving?", "Open without saving"),
+        Then::Simulate(_) => ("Simulate without saving?", "Simulate without saving"),
+    };
+    widgets::heading(ui, title);
+    let name = &workbench.subject().session.name;
+    let losses = workbench.at_risk();
+    if losses.session {
+        let file = workbench.file().and_then(Path::file_name);
+        ui.label(match file {
+            Some(file) => format!(
+                "Changes of {name} are not in its file, {}",
+                file.to_string_lossy()
+            ),
+            None => format!("The session {name} is in no file"),
+        });
+    }
+    if losses.model {
+        ui.label(format!("What was identified from {name} is in no file"));
+    }
+    let save = match (losses.session, losses.model) {
+        (true, _) => "Save session",
+        (false, true) => "Save model…",
+        (false, false) => "Go on",
+    };
+    let sheet = |ui: &mut Ui, commands: &mut Vec<Command>| {
+        ui.add_space(space::ROW);
+        if widgets::primary(ui, save).clicked() {
+            commands.push(if losses.any() {
+                Command::SaveThen(then.clone())
+            } else {
+                Command::Do(then.clone())
+            });
+        }
+        ui.columns(2, |columns| {
+            if widgets::secondary(&mut columns[0], discard).clicked() {
+                commands.push(Command::Do(then.clone()));
+            }
+            if widgets::secondary(&mut columns[1], "Cancel").clicked() {
+                commands.push(Command::Sheet(None));
+            }
+        });
+    };
+    sheet(ui, commands);
+}
+
+/// Asks whether a file that changed since it was read is to be replaced.
+pub(super) fn overwrite(ui: &mut Ui, path: &Path, commands: &mut Vec<Command>) {
+    ui.set_width(420.0);
+    widgets::heading(ui, "Replace what another program wrote?");
+    ui.label(format!(
+        "{} changed since it was read. Saving here would replace what was written there",
+        path.display()
+    ));
+    ui.add_space(space::ROW);
+    if widgets::primary(ui, "Save under another name…").clicked() {
+        commands.push(Command::Sheet(None));
+        commands.push(Command::ChooseWhereToSave);
+    }
+    ui.columns(2, |columns| {
+        if widgets::secondary(&mut columns[0], "Replace it").clicked() {
+            commands.push(Command::SaveDespite);
+        }
+        if widgets::secondary(&mut columns[1], "Cancel").clicked() {
+            commands.push(Command::Sheet(None));
+        }
+    });
+}

@@ -1,0 +1,30 @@
+//! What the words mean, all of them.
+
+use egui::{RichText, ScrollArea, Ui};
+
+use crate::gui::style::tokens::{size, space, strong};
+use crate::gui::workbench::Command;
+use crate::gui::{help, widgets};
+
+/// Height of what stands around the list, points.
+const REST: f32 = 240.0;
+
+pub(super) fn show(ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.set_width(520.0);
+    widgets::heading(ui, "Glossary");
+    widgets::hint(
+        ui,
+        "The same stands beside the numbers, where the pointer rests on a name",
+    );
+    ui.add_space(space::TIGHT);
+    let high = (ui.ctx().content_rect().height() - REST).clamp(120.0, 460.0);
+    ScrollArea::vertical().max_height(high).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 3.0;
+        for word in help::ALL {
+            ui.label(RichText::new(word.name).font(strong(size::BODY)));
+            ui.add(egui::Label::new(word.means).wrap());
+            ui.add_space(space::ROW);
+        }
+    });
+    super::ends::done(ui, commands);
+}

@@ -1,0 +1,51 @@
+//! What is said where a file was not read or written, and what to do about it.
+
+use std::io::ErrorKind;
+use std::path::Path;
+
+use crate::atomic::WriteError;
+
+/// Why something was not read or written.
+pub(super) const CANCELLED: &str = "it was cancelled";
+
+/// What the system says, and what to do about it.
+pub(super) fn advice(error: &WriteError) -> String {
+    let source = match error {
+        WriteError::Io { source, .. } => source,
+        WriteError::Exists(path) => {
+            return format!(
+                "{} exists already; allow replacing it, or choose another name",
+                path.display()
+            );
+        }
+        WriteError::NotAFile(path) => {
+            return format!(
+                "{} is a folder or a device and cannot be replaced; choose another name",
+                path.display()
+            );
+        }
+        WriteError::ReplacesInput { .. } | WriteError::SameName(_) => return error.to_string(),
+        WriteError::Cancelled(_) => return CANCELLED.to_owned(),
+    };
+    let what_to_do = match source.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => {
+            "the disk is full: make room on it, or save to another disk"
+        }
+        ErrorKind::ReadOnlyFilesystem => "the disk can only be read: save to another disk",
+        ErrorKind::PermissionDenied => "nothing may be written there: save to another folder",
+        ErrorKind::NotFound | ErrorKind::NotADirectory => {
+            "the folder is not there: choose another, or make it first"
+        }
+        ErrorKind::InvalidFilename => {
+            "the name is too long, or has a sign in it that no name may have: choose another name"
+        }
+        _ => return error.to_string(),
+    };
+    format!("{what_to_do} ({source})")
+}
+
+/// How a file's name ends, in small letters.
+pub(crate) fn ending(path: &Path) -> Option<String> {
+    let ending = path.extension()?.to_str()?;
+    Some(ending.to_ascii_lowercase())
+}

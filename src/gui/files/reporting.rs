@@ -1,0 +1,188 @@
+//! The calibration report, written in the background: of the session as a search sees it, or of the
+//! model at hand. The ending of the file's name says whether it is HTML or PDF.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::fonts::{self, Library};
+use crate::pipeline::diagnose;
+use crate::report::exported::sidecar_of;
+use crate::report::{self, ExportedTable, Extras};
+
+use crate::gui::cache::outcome::Outcome;
+use crate::gui::core::document::Document;
+use crate::gui::core::search::{self, Search};
+use crate::gui::files;
+use crate::gui::jobs::Watch;
+use crate::gui::view::Message;
+
+/// Where a report comes from.
+#[derive(Debug, Clone)]
+pub(crate) enum Source {
+    /// A session, with its search if there was one, and the model in use if there is one.
+    Session(Arc<Document>, Option<Arc<Search>>, Option<Arc<Outcome>>),
+    Model(Arc<Outcome>),
+}
+
+/// A report to be written.
+#[derive(Debug, Clone)]
+pub(crate) struct Wanted {
+    /// Where it comes from.
+    pub(crate) source: Source,
+    /// Tables that were exported from this session.
+    pub(crate) tables: Vec<PathBuf>,
+    /// Files that it may not replace.
+    pub(crate) inputs: Vec<PathBuf>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Html,
+    Pdf,
+}
+
+/// Writes it, whole or not at all.
+pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) -> Message {
+    let mut details = Vec::new();
+    let written = make(wanted, path, replace, watch, &mut details);
+    match written {
+        Ok(()) => files::saved(path, details),
+        Err(problem) => files::not_written(path, problem),
+    }
+}
+
+fn make(
+    wanted: &Wanted,
+    path: &Path,
+    replace: bool,
+    watch: &Watch,
+    details: &mut Vec<String>,
+) -> Result<(), String> {
+    let kind = kind_of(path)?;
+    // A long search is not begun for a file that cannot be written.
+    files::can_be_written(path, replace, &wanted.inputs)?;
+    let extras = Extras {
+        date: None,
+        tables: named_tables(&wanted.tables, details),
+    };
+    let report = match &wanted.source {
+        Source::Model(outcome) => {
+            let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
+            report::Report::of_model(&answer.calibration, &extras)
+        }
+        Source::Session(document, searched, in_use) => {
+            let session = document.session_to_save();
+            let options = search::options();
+            let there = searched.as_ref().and_then(|s| s.answer.as_ref().ok());
+            let made;
+            let found = if let Some(found) = there {
+                // The tolerance may have been changed since: it decides nothing in a search.
+                found
+            } else {
+                details.push("The session was searched for it, as step 4 does".to_owned());
+                made = diagnose(&session, &options, &search::told(watch))
+                    .map_err(|e| e.to_string())?;
+                &made
+            };
+            let in_use = in_use.as_ref().and_then(|o| o.answer.as_ref().ok());
+            let in_use = in_use.map(|answer| &answer.calibration);
+            report::Report::of_diagnosis(&session, found, in_use, &options, &extras)
+                .map_err(|e| e.to_string())?
+        }
+    };
+    let bytes = match kind {
+        Kind::Html => report::html(&report).into_bytes(),
+        Kind::Pdf => {
+            let written = report::pdf_with(&report, &Library::system());
+            let written = written.map_err(|e| e.to_string())?;
+            if !written.unshown.is_empty() {
+                let says = fonts::cannot_be_shown(&written.unshown);
+                details.push(format!("Some letters stand in it as codes: {says}"));
+            }
+            written.bytes
+        }
+    };
+    files::write_one(path, replace, &bytes, watch)
+}
+
+/// The tables with their hashes; what cannot be named any more is said.
+fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTable> {
+    let mut tables = Vec::new();
+    // A model has no sidecar; it is no table.
+    for path in paths.iter().filter(|path| sidecar_of(path).exists()) {
+        match ExportedTable::read(path) {
+            Ok(table) => {
+                details.push(format!("Names the table {} with its hash", table.name));
+                tables.push(table);
+            }
+            Err(because) => details.push(format!("A table is not named in it: {because}")),
+        }
+    }
+    tables
+}
+
+fn kind_of(path: &Path) -> Result<Kind, String> {
+    match files::ending(path).as_deref() {
+        Some("html" | "htm") => Ok(Kind::Html),
+        Some("pdf") => Ok(Kind::Pdf),
+        _ => Err("expected a file name that ends in .html or .pdf".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::files::first_example;
+
+    fn wanted() -> Wanted {
+        Wanted {
+            source: Source::Session(Arc::new(Document::new(first_example())), None, None),
+            tables: Vec::new(),
+            inputs: Vec::new(),
+        }
+    }
+
+    fn files_in(folder: &Path) -> usize {
+        std::fs::read_dir(folder).expect("it can be listed").count()
+    }
+
+    #[test]
+    fn a_cancelled_report_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let watch = Watch::default();
+        watch.stop();
+        write(&wanted(), &folder.path().join("report.pdf"), false, &watch);
+        assert_eq!(files_in(folder.path()), 0);
+    }
+
+    #[test]
+    fn a_file_that_is_cancelled_at_its_end_leaves_nothing_behind() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("report.html");
+        let watch = Watch::default();
+        watch.stop();
+        assert!(files::write_one(&path, false, b"text", &watch).is_err());
+        assert_eq!(files_in(folder.path()), 0);
+        let watch = Watch::default();
+        assert_eq!(files::write_one(&path, false, b"text", &watch), Ok(()));
+        assert_eq!(files_in(folder.path()), 1);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_written_is_refused_before_the_search() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for (name, says) in [
+            ("report.txt", ".html or .pdf"),
+            ("report", ".html or .pdf"),
+            ("not there/report.pdf", "the folder is not there"),
+        ] {
+            let watch = Watch::default();
+            let message = write(&wanted(), &folder.path().join(name), false, &watch);
+            assert!(
+                message.wrong && message.details[0].contains(says),
+                "{message:?}"
+            );
+            assert!(!watch.begun(), "the search was not begun");
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! A file that an instrument wrote, before it is a session: what a person said about it, and what
+//! was seen with that.
+//!
+//! Every change of what was said is looked at in the background: the file is read again, the robot
+//! and the files beside it too, and where nothing is left to ask the whole import is tried. So the
+//! sheet shows what an import would bring before it is pressed, and pressing it only takes that.
+
+mod robot;
+mod said;
+mod trial;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::importers::{Inspection, Reading, inspect_watched};
+use crate::kinematics::Robot;
+use crate::progress::{Cancelled, Part, Progress, ReadError};
+use crate::sessions::files;
+
+use crate::gui::jobs::Watch;
+
+pub(crate) use robot::{RobotFrom, TypedAxis};
+pub(crate) use said::{Beside, Said};
+pub(crate) use trial::{Trial, in_the_sheets_words};
+
+/// A file that is longer, in bytes, is not read into memory.
+const LONGEST: u64 = 1 << 30;
+
+/// What is said until the file was looked at with everything that was said.
+pub(crate) const LOOKING: &str = "Looking at the file…";
+
+/// What was seen with what was said.
+#[derive(Debug)]
+pub(crate) struct Look {
+    /// What had been said then.
+    pub(crate) said: Said,
+    /// What was found out about the file.
+    pub(crate) inspection: Inspection,
+    /// The robot, or why there is none; `None` while nobody has said which.
+    pub(crate) robot: Option<Result<Robot, Vec<String>>>,
+    /// What the import brings, or why it is refused; `None` while something is open.
+    pub(crate) trial: Option<Result<Trial, Vec<String>>>,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Foreign {
+    pub(crate) path: PathBuf,
+    bytes: Arc<Vec<u8>>,
+    /// What a person said.
+    pub(crate) said: Said,
+    /// What was seen last.
+    pub(crate) seen: Arc<Look>,
+    /// The meanings of the columns that somebody has looked at.
+    confirmed: Option<Vec<String>>,
+}
+
+impl PartialEq for Foreign {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.bytes, &other.bytes)
+            && Arc::ptr_eq(&self.seen, &other.seen)
+            && self.said == other.said
+            && self.confirmed == other.confirmed
+    }
+}
+
+impl Foreign {
+    /// Reads a file if it is none of the program's own: those begin like one. `None`: it is.
+    /// Told as this part of something.
+    pub(crate) fn of(path: &Path, part: Part<'_>) -> Option<Result<Self, ReadError>> {
+        if path
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("json"))
+        {
+            return None;
+        }
+        // The reader of sessions says why a file cannot be read.
+        let length = std::fs::metadata(path).ok()?.len();
+        if length > LONGEST {
+            let found = format!("{} MB", length / 1_000_000);
+            let expected = "a table of at most 1000 MB: export fewer points, or cut it into parts";
+            let place = Place::file(path);
+            let refused = Rejected::because(Diagnostic::error(place, found, expected));
+            return Some(Err(refused.into()));
+        }
+        let bytes = match files::read_document_in(path, part.part(0.0, 0.1)) {
+            Ok(bytes) => bytes,
+            Err(ReadError::Rejected(_)) => return None,
+            Err(cancelled) => return Some(Err(cancelled)),
+        };
+        let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+        let is_own = start.trim_ascii_start().first() == Some(&b'{');
+        (!is_own).then(|| Self::read(path, bytes, part.part(0.1, 1.0)))
+    }
+
+    fn read(path: &Path, bytes: Vec<u8>, part: Part<'_>) -> Result<Self, ReadError> {
+        let said = Said {
+            name: path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            reading: Reading {
+                file: Some(path.to_path_buf()),
+                ..Reading::default()
+            },
+            ..Said::default()
+        };
+        let seen = Look::of(&bytes, path, &said, part)?;
+        if seen.inspection.kind.is_none() {
+            // Not even text: there is nothing that anybody could say about it.
+            return Err(Rejected {
+                diagnostics: seen.inspection.findings,
+            }
+            .into());
+        }
+        Ok(Self {
+            path: path.to_path_buf(),
+            bytes: Arc::new(bytes),
+            said,
+            seen: Arc::new(seen),
+            confirmed: None,
+        })
+    }
+
+    /// Looks again, with what was said since.
+    ///
+    /// # Errors
+    /// Nobody wants it any more.
+    pub(crate) fn look(&self, watch: &Watch) -> Result<Look, Cancelled> {
+        let told = watch.told();
+        let progress = Progress::new(&told);
+        Look::of(&self.bytes, &self.path, &self.said, progress.whole())
+    }
+
+    /// Takes what was seen, if it was seen of this file.
+    pub(crate) fn take(&mut self, other: &Self, seen: Look) {
+        if Arc::ptr_eq(&self.bytes, &other.bytes) {
+            self.seen = Arc::new(seen);
+        }
+    }
+
+    /// Whether what is seen belongs to what is said.
+    pub(crate) fn is_up_to_date(&self) -> bool {
+        self.seen.said == self.said
+    }
+
+    /// Whether columns are only guessed, and nobody has looked at them.
+    pub(crate) fn asks_for_confirmation(&self) -> bool {
+        let columns = &self.seen.inspection.columns;
+        columns.iter().any(crate::importers::ColumnGuess::is_guess)
+            && self.confirmed.as_ref() != Some(&self.meanings())
+    }
+
+    /// Somebody has looked at the columns.
+    pub(crate) fn confirm(&mut self) {
+        self.confirmed = Some(self.meanings());
+    }
+
+    fn meanings(&self) -> Vec<String> {
+        let columns = self.seen.inspection.columns.iter();
+        columns.map(|column| column.meaning.clone()).collect()
+    }
+
+    /// What stands in the way of an import, in words; `None`: nothing.
+    pub(crate) fn missing(&self) -> Option<String> {
+        let says = match self.hindrance()? {
+            // The reason itself: where it stands in full may be out of sight.
+            (says, Some(reason)) => format!("{says}: {reason}"),
+            (says, None) => says.to_owned(),
+        };
+        Some(says)
+    }
+
+    /// What stands in the way, and the first reason that was found.
+    fn hindrance(&self) -> Option<(&'static str, Option<String>)> {
+        let inspection = &self.seen.inspection;
+        let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
+        let so = |says: &'static str| Some((says, None));
+        if !self.is_up_to_date() {
+            return so(LOOKING);
+        }
+        if !inspection.questions.is_empty() {
+            return so("Answer what is asked above first");
+        }
+        if let Some(wrong) = inspection.findings.iter().find(|finding| is_wrong(finding)) {
+            let reason = in_the_sheets_words(&wrong.to_string());
+            return Some(("The file cannot be read like this", Some(reason)));
+        }
+        if self.asks_for_confirmation() {
+            return so("Look at the columns above, and confirm them");
+        }
+        if self.said.name.trim().is_empty() {
+            return so("Give the session a name");
+        }
+        match (&self.said.robot, &self.seen.robot) {
+            (RobotFrom::Open, _) => return so("Say whose robot was measured"),
+            (_, None) => return so("Say which file the robot is in"),
+            (_, Some(Err(because))) => {
+                let reason = because.first().cloned();
+                return Some(("The robot cannot be read like this", reason));
+            }
+            (_, Some(Ok(_))) => {}
+        }
+        match &self.seen.trial {
+            Some(Ok(_)) => None,
+            Some(Err(because)) => Some(("To fix", because.first().cloned())),
+            None => so(LOOKING),
+        }
+    }
+
+    /// What the import brings, if nothing stands in its way.
+    pub(crate) fn result(&self) -> Option<&Trial> {
+        let trial = self.seen.trial.as_ref()?.as_ref().ok();
+        trial.filter(|_| self.missing().is_none())
+    }
+}
+
+impl Look {
+    fn of(bytes: &[u8], path: &Path, said: &Said, part: Part<'_>) -> Result<Self, Cancelled> {
+        let robot = said
+            .robot
+            .robot()
+            .map(|robot| robot.map_err(|rejected| trial::in_words(&rejected.diagnostics)));
+        let known = robot.as_ref().and_then(|robot| robot.as_ref().ok());
+        let mut reading = said.reading.clone();
+        if let Some(robot) = known {
+            let reach = robot.base_from_tool.translation.vector.norm();
+            reading.reach_mm = Some(reach).filter(|reach| *reach > 0.0);
+        }
+        // Without a robot nothing is tried.
+        let inspecting = if known.is_some() { 0.3 } else { 1.0 };
+        let inspection = inspect_watched(bytes, &reading, part.part(0.0, inspecting).watch())?;
+        let is_wrong = |finding: &Diagnostic| finding.severity == Severity::Error;
+        let is_open = !inspection.questions.is_empty() || inspection.findings.iter().any(is_wrong);
+        let trial = known.filter(|_| !is_open).map(|robot| {
+            let part = part.part(inspecting, 1.0);
+            match Trial::of(bytes, path, said, robot, part) {
+                Ok(trial) => Ok(Ok(trial)),
+                Err(ReadError::Rejected(r)) => Ok(Err(trial::in_words(&r.diagnostics))),
+                Err(ReadError::Cancelled(cancelled)) => Err(cancelled),
+            }
+        });
+        let trial = trial.transpose()?;
+        part.reached(1.0)?;
+        Ok(Self {
+            said: said.clone(),
+            inspection,
+            robot,
+            trial,
+        })
+    }
+}

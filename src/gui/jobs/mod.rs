@@ -1,0 +1,164 @@
+//! Work in the background: the window never waits.
+//!
+//! A job runs on a thread of its own. What it makes goes, with what is to become of it, through a
+//! channel to whoever polls, and the window is woken. A cancelled job is told so by its [`Watch`],
+//! by which it says how far it is; whatever it still makes is dropped. Only of a file that is being
+//! written it is told how that went all the same: it may have been too late to cancel it. What is
+//! asked faster than it is answered goes through [`Latest`]: one at a time, and the latest after it.
+//!
+//! Nothing here knows what jobs are about: `B` is whatever their outcomes change.
+
+mod latest;
+mod running;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+pub(crate) use latest::Latest;
+pub(crate) use running::{Kind, Running, Watch};
+
+/// How jobs run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Runner {
+    /// On threads of their own.
+    #[default]
+    Threads,
+    /// At once: for tests, which must not depend on time.
+    AtOnce,
+}
+
+/// Wakes the window when something has arrived.
+pub(crate) type Wake = Arc<dyn Fn() + Send + Sync>;
+
+/// What becomes of what a job made.
+pub(crate) type Outcome<B> = Box<dyn FnOnce(&mut B) + Send>;
+
+/// The outcome of a job with this number; `None`: it broke off, which is a bug.
+type Arrived<B> = (u64, Option<Outcome<B>>);
+
+pub(crate) struct Jobs<B> {
+    runner: Runner,
+    wake: Wake,
+    sender: Sender<Arrived<B>>,
+    receiver: Receiver<Arrived<B>>,
+    running: Vec<Running>,
+    last_id: u64,
+}
+
+/// What is posted belongs to no job.
+const POSTED: u64 = 0;
+
+impl<B: 'static> Jobs<B> {
+    pub(crate) fn new(runner: Runner, wake: Wake) -> Self {
+        let (sender, receiver) = channel();
+        Self {
+            runner,
+            wake,
+            sender,
+            receiver,
+            running: Vec::new(),
+            last_id: POSTED,
+        }
+    }
+
+    pub(crate) fn runner(&self) -> Runner {
+        self.runner
+    }
+
+    /// Starts a job: `work` is done in the background, `then` with what it made by whoever polls.
+    /// One that brings another session takes the place of one that is under way already: what was
+    /// asked for last counts, not what takes longest.
+    pub(crate) fn start<T: Send + 'static>(
+        &mut self,
+        kind: Kind,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> T + Send + 'static,
+        then: impl FnOnce(&mut B, T) + Send + 'static,
+    ) {
+        while kind == Kind::Opens && self.running(kind).is_some() {
+            self.cancel(|other| other == kind);
+        }
+        self.last_id += 1;
+        let id = self.last_id;
+        let watch = Arc::new(Watch::default());
+        self.running.push(Running {
+            id,
+            what: what.into(),
+            kind,
+            watch: Arc::clone(&watch),
+        });
+        let (sender, wake) = (self.sender.clone(), Arc::clone(&self.wake));
+        let job = move || {
+            // A bug in one job must not leave the window waiting for it.
+            let made = catch_unwind(AssertUnwindSafe(|| work(&watch))).ok();
+            let outcome = made.map(|made| Box::new(|to: &mut B| then(to, made)) as Outcome<B>);
+            // The window may be gone already; then nobody wants it.
+            let _ = sender.send((id, outcome));
+            wake();
+        };
+        match self.runner {
+            Runner::AtOnce => job(),
+            Runner::Threads => {
+                let thread = std::thread::Builder::new().name("truepose task".to_owned());
+                if thread.spawn(job).is_err() {
+                    let _ = self.sender.send((id, None));
+                }
+            }
+        }
+    }
+
+    /// Starts a job that nobody has to know of, and that nobody can cancel.
+    pub(crate) fn quietly<T: Send + 'static>(
+        &mut self,
+        work: impl FnOnce() -> T + Send + 'static,
+        then: impl FnOnce(&mut B, T) + Send + 'static,
+    ) {
+        self.start(Kind::Quiet, "", move |_| work(), then);
+    }
+
+    /// A way in for what happens outside of jobs.
+    pub(crate) fn post(&self) -> impl Fn(Outcome<B>) + Send + 'static {
+        let (sender, wake) = (self.sender.clone(), Arc::clone(&self.wake));
+        move |outcome| {
+            let _ = sender.send((POSTED, Some(outcome)));
+            wake();
+        }
+    }
+
+    /// The job that the status bar names: the newest.
+    pub(crate) fn newest(&self) -> Option<&Running> {
+        self.running.iter().rfind(|r| r.kind.has_a_name())
+    }
+
+    /// The job of this kind that is under way.
+    pub(crate) fn running(&self, kind: Kind) -> Option<&Running> {
+        self.running.iter().find(|r| r.kind == kind)
+    }
+
+    /// Cancels the newest job of these kinds: what it makes will not be taken, unless it is a file
+    /// that is being written. The kind of the job that is dropped.
+    pub(crate) fn cancel(&mut self, meant: impl Fn(Kind) -> bool) -> Option<Kind> {
+        let place = self.running.iter().rposition(|r| meant(r.kind))?;
+        self.running[place].watch.stop();
+        // The file may have its name already.
+        let dropped = self.running[place].kind != Kind::Writes;
+        dropped.then(|| self.running.remove(place).kind)
+    }
+
+    /// Everything that has arrived: what kind of job it comes from, and what becomes of it; `None`
+    /// where the job broke off.
+    pub(crate) fn poll(&mut self) -> Vec<(Kind, Option<Outcome<B>>)> {
+        let mut arrived = Vec::new();
+        while let Ok((id, outcome)) = self.receiver.try_recv() {
+            let place = self.running.iter().position(|r| r.id == id);
+            match place {
+                Some(place) => arrived.push((self.running.remove(place).kind, outcome)),
+                None if id == POSTED => arrived.push((Kind::Quiet, outcome)),
+                // It was cancelled.
+                None => {}
+            }
+        }
+        arrived
+    }
+}

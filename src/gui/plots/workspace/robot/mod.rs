@@ -1,9 +1,0 @@
-//! The robot at one pose: the nominal one in outline, the real one beside it.
-
-mod model;
-mod paint;
-mod skeleton;
-
-pub(super) use model::Drawn;
-pub(super) use paint::{beneath, values};
-pub(crate) use skeleton::extent;

@@ -1,0 +1,307 @@
+//! Step 5: what the controller needs, seen before it is saved.
+
+use egui::{DragValue, RichText, ScrollArea, Ui};
+
+use crate::export::{EXPORTERS, find};
+use crate::gui::cache::preview::Made;
+use crate::gui::core::document::ExportChoice;
+use crate::gui::core::edit::Edit;
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::units::with_minus_signs;
+use crate::gui::view::{About, Step, What};
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
+use crate::gui::workbench::{Command, Workbench};
+use crate::kinematics::JointKind;
+
+/// Where an own step begins, degrees or mm.
+const FIRST_STEP: f64 = 1.0;
+
+pub(super) const STEP: StepView = StepView {
+    step: Step::Export,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    match workbench.exported().and_then(|path| path.file_name()) {
+        Some(name) => (name.to_string_lossy().into_owned(), Progress::Done),
+        None => ("not yet".to_owned(), Progress::Open),
+    }
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        widgets::hint(
+            ui,
+            "There is nothing to export yet: the table comes from the identified robot",
+        );
+    } else {
+        export(ui, workbench, commands);
+    }
+    reports(ui, workbench, commands);
+}
+
+/// The report: of the session, and of the model that is exported.
+fn reports(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let measured = !workbench.subject().is_empty();
+    let identified = workbench.answer().is_some();
+    if !measured && !identified {
+        return;
+    }
+    widgets::section(ui, "Report");
+    let mut offer = |ui: &mut Ui, text: &str, about: About| {
+        if widgets::secondary(ui, text).clicked() {
+            commands.push(Command::ChooseWhereToExport(What::Report(about)));
+        }
+    };
+    if measured {
+        offer(ui, "Report…", About::Session);
+        let says = if workbench.diagnosis().is_some() {
+            "HTML or PDF: what was measured, what the search found, what stays open"
+        } else {
+            "HTML or PDF: the session is searched for it first, which takes a while"
+        };
+        widgets::hint(ui, says);
+    }
+    if identified {
+        let text = if measured {
+            "Report of the model…"
+        } else {
+            "Report…"
+        };
+        offer(ui, text, About::Model);
+    }
+}
+
+fn export(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let choice = workbench.document().export;
+    widgets::section(ui, "Format");
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let robot = &workbench.subject().session.robot;
+        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
+            let response = ui.radio(format.id == choice.format, format.title);
+            if response.clicked() && format.id != choice.format {
+                commands.push(Command::Edit(Edit::Export(ExportChoice {
+                    format: format.id,
+                    ..choice
+                })));
+            }
+        }
+    });
+    // A description of the robot is about all joints and has no steps.
+    if find(choice.format).is_some_and(|format| format.rules.is_some()) {
+        widgets::section(ui, "Table");
+        joint_and_step(ui, workbench, choice, commands);
+    }
+    match workbench.export() {
+        None => widgets::hint(ui, "The table is being prepared"),
+        Some(Err(because)) => {
+            let color = Palette::of(ui).outside;
+            ui.label(RichText::new(because).color(color));
+        }
+        Some(Ok(made)) => {
+            if let Some(table) = &made.export.reads_as {
+                let entries = table.forward.places().len();
+                widgets::fact(ui, "entries", entries.to_string());
+            }
+            widgets::section(ui, "Also");
+            let what = if made.export.reads_as.is_some() {
+                "Copy table"
+            } else {
+                "Copy text"
+            };
+            if widgets::secondary(ui, what).clicked() {
+                ui.copy_text(text_of(made));
+            }
+            if widgets::secondary(ui, "Save model…").clicked() {
+                commands.push(Command::ChooseWhereToExport(What::Model));
+            }
+        }
+    }
+}
+
+fn joint_and_step(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    choice: ExportChoice,
+    commands: &mut Vec<Command>,
+) {
+    let joints = &workbench.subject().session.robot.joints;
+    let mut next = choice;
+    let mut dragged = false;
+    if joints.len() > 1 {
+        let mut joint = choice.joint + 1;
+        let field = DragValue::new(&mut joint).range(1..=joints.len());
+        let response = widgets::number(ui, "joint", field);
+        next.joint = joint - 1;
+        dragged |= response.dragged();
+        if response.drag_stopped() {
+            commands.push(Command::EndDrag);
+        }
+    }
+    let unit = match joints[choice.joint].kind {
+        JointKind::Revolute => "°",
+        JointKind::Prismatic => " mm",
+    };
+    let mut own = choice.step.is_some();
+    if ui.checkbox(&mut own, "Custom step").changed() {
+        next.step = own.then_some(FIRST_STEP);
+    }
+    let mut let_go = false;
+    if let Some(step) = &mut next.step {
+        let field = DragValue::new(step)
+            .range(0.001..=90.0)
+            .speed(0.02)
+            .max_decimals(4)
+            .suffix(unit);
+        let response = widgets::number(ui, "step", field);
+        dragged |= response.dragged();
+        let_go = response.drag_stopped();
+    }
+    if next != choice {
+        let edit = Edit::Export(next);
+        commands.push(if dragged {
+            Command::Drag(edit)
+        } else {
+            Command::Edit(edit)
+        });
+    }
+    if let_go {
+        commands.push(Command::EndDrag);
+    }
+}
+
+/// The table as the controller gets it.
+fn text_of(made: &Made) -> String {
+    let first = made.export.documents.first();
+    first.map_or_else(String::new, |document| {
+        String::from_utf8_lossy(&document.bytes).into_owned()
+    })
+}
+
+/// What the export does and what it is: the right-hand side in this step.
+pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
+    match workbench.export() {
+        Some(Ok(made)) => made_preview(ui, workbench, made),
+        Some(Err(because)) => widgets::hint(ui, because),
+        None if workbench.answer().is_none() => super::known::show(ui, workbench),
+        None => widgets::hint(ui, "The table is being prepared"),
+    }
+    super::standards::show(ui, workbench);
+}
+
+fn made_preview(ui: &mut Ui, workbench: &Workbench, made: &Made) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let title = |ui: &mut Ui, text: &str| {
+        ui.label(RichText::new(text).font(strong(size::BODY)));
+    };
+    widgets::card(ui, |ui| {
+        let measured = !workbench.subject().is_empty();
+        let stays = units.length(made.remainder.rms_mm);
+        let (says, left) = match made.gap {
+            Some(gap) if made.export.robot.is_some() => {
+                ("RMS error to this robot", units.length(gap.rms_mm))
+            }
+            Some(gap) => ("RMS error left by the table", units.length(gap.rms_mm)),
+            // Without samples there is only what the model itself says.
+            None => ("Not correctable by joint commands", stays.clone()),
+        };
+        ui.label(RichText::new(says).color(palette.muted));
+        ui.label(
+            RichText::new(left)
+                .font(strong(size::DISPLAY))
+                .color(palette.after),
+        );
+        if made.gap.is_some() {
+            let says = "Over the samples: noise, and loads and warmth that no table knows, are in it; \
+                        what the model by itself promises stands below";
+            widgets::hint(ui, says);
+        }
+        if let Some(before) = workbench.subject().gap_before {
+            widgets::fact(ui, "without it", units.length(before.rms_mm));
+        }
+        if let Some(answer) = workbench.answer().filter(|_| measured) {
+            let after = answer.identification.gap.after.rms_mm;
+            widgets::fact(ui, "model and measurement", units.length(after));
+        }
+        if made.gap.is_some() {
+            widgets::fact(ui, "not correctable by joint commands", stays);
+            if made
+                .gap
+                .is_some_and(|gap| gap.rms_mm < made.remainder.rms_mm)
+            {
+                let says = "The model says that more stays than was measured: it is not the robot";
+                widgets::hint(ui, says);
+            }
+        }
+        for line in made.remainder.says() {
+            widgets::hint(ui, with_minus_signs(&line));
+        }
+    });
+    widgets::card(ui, |ui| {
+        title(ui, "What the numbers mean");
+        // The export's own notes, which the terminal prints, are these and what stands above.
+        let said = [&made.sign, &made.example].into_iter().flatten();
+        for line in said.chain(&made.said) {
+            widgets::hint(ui, with_minus_signs(line));
+        }
+    });
+    widgets::card(ui, |ui| {
+        let name = made
+            .export
+            .documents
+            .first()
+            .map_or("", |d| d.name.as_str());
+        title(ui, name);
+        text(ui, &text_of(made));
+    });
+}
+
+/// The first lines; a table may have a million.
+fn text(ui: &mut Ui, text: &str) {
+    const MOST: usize = 200;
+    ui.spacing_mut().item_spacing.y = 1.0;
+    let lines: Vec<&str> = text.lines().take(MOST).collect();
+    ScrollArea::both()
+        .id_salt("table as text")
+        .max_height(220.0)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+            for line in &lines {
+                ui.label(RichText::new(*line).monospace());
+            }
+        });
+    let more = text.lines().count().saturating_sub(lines.len());
+    if more > 0 {
+        ui.add_space(space::TIGHT);
+        widgets::hint(ui, format!("and {more} more lines"));
+    }
+}
+
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        if widgets::primary(ui, "Go to identify").clicked() {
+            commands.push(Command::GoTo(Step::Identify));
+        }
+        return;
+    }
+    let format = find(workbench.document().export.format);
+    let title = format.map_or("table", |f| f.extension);
+    let what = if format.is_some_and(|f| f.rules.is_none()) {
+        "robot"
+    } else {
+        "table"
+    };
+    let ready = matches!(workbench.export(), Some(Ok(_)));
+    let save = ui.add_enabled_ui(ready, |ui| {
+        widgets::primary(ui, &format!("Save {what} as .{title}…"))
+    });
+    if save.inner.clicked() {
+        commands.push(Command::ChooseWhereToExport(What::Table));
+    }
+}

@@ -1,0 +1,159 @@
+//! What a search found: the verdict, names with their evidence, what cannot be told apart, what no
+//! name explains, and what to measure next.
+
+mod card;
+mod data;
+mod limits;
+mod next;
+
+use egui::{RichText, Ui};
+
+use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::units::{grouped, significant};
+use crate::gui::workbench::{Command, Workbench};
+use crate::gui::{help, widgets};
+
+use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
+use crate::gui::views::{copies, unexplained};
+
+pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::heading(ui, "Diagnosis");
+    ui.add_space(space::TIGHT);
+    widgets::scroll(ui, "findings", |ui| {
+        ui.spacing_mut().item_spacing.y = space::ROW;
+        match workbench.searched() {
+            None => crate::gui::views::known::show(ui, workbench),
+            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
+        }
+    });
+}
+
+fn all(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
+    verdict(ui, workbench, d);
+    data::show(ui, d, commands);
+    for (index, found) in d.found.iter().enumerate() {
+        widgets::card(ui, |ui| {
+            card::show(ui, workbench, d, found, commands);
+            curve_link(ui, workbench, index, commands);
+        });
+    }
+    if !d.found.is_empty() {
+        copies::button(ui, "found effects", || copies::found(d));
+    }
+    equivalent(ui, d);
+    unexplained::card(ui, workbench, d, commands);
+    if !d.next_poses.is_empty() {
+        widgets::card(ui, |ui| next::show(ui, workbench, &d.next_poses, commands));
+    }
+    excluded(ui, workbench, d);
+    not_identifiable(ui, &d.identification.not_identifiable);
+    limits::show(ui, d);
+    limits::not_testable(ui, d);
+}
+
+fn verdict(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let (says, color) = match d.verdict {
+        Verdict::Noise => ("Nothing is missing", palette.within),
+        Verdict::Explained => (
+            "Explained: the remaining error is at the noise floor",
+            palette.within,
+        ),
+        Verdict::PartlyExplained => (
+            "Partly explained: an error is left without a name",
+            palette.warning,
+        ),
+        Verdict::Unexplained => ("Not explained by any effect", palette.warning),
+    };
+    let from = match d.floor.from {
+        FloorFrom::Repeats => "from repeats",
+        FloorFrom::Instrument => "of the instrument",
+        FloorFrom::Estimated => "estimated",
+    };
+    widgets::card(ui, |ui| {
+        let says = RichText::new(says).font(strong(size::HEADING));
+        ui.label(says.color(color));
+        if !d.tested_anything() {
+            let none = "these samples can show no effect: that nothing was found says nothing";
+            ui.label(RichText::new(none).color(palette.warning));
+        }
+        if !d.equivalent.is_empty() {
+            let also = "the samples also allow another explanation, see below";
+            ui.label(RichText::new(also).color(palette.warning));
+        }
+        let mm = |mm: f64| units.length_number(mm);
+        let gaps = format!(
+            "{} → {} → {} {}",
+            mm(d.gap.start_mm),
+            mm(d.gap.identified_mm),
+            mm(d.gap.end_mm),
+            units.length_name()
+        );
+        widgets::fact(ui, "RMS error", gaps);
+        if let Some(unseen) = &d.held_out.gaps {
+            let gaps = format!("{} → {}", mm(unseen.identified_mm), mm(unseen.end_mm));
+            widgets::fact(ui, "held out", format!("{gaps} {}", units.length_name()));
+        }
+        let floor = format!("{}, {from}", units.length(d.floor.mm));
+        widgets::fact(ui, "noise floor", floor);
+        noise(ui, workbench, d);
+        widgets::hint(ui, format!("Held out: {}", d.held_out.how));
+    });
+}
+
+/// What there is to say of the noise, and of a fit that cannot be relied on.
+fn noise(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+    let units = workbench.units();
+    if let Some(noise) = &d.unexplained.noise {
+        widgets::fact(ui, "noise σ, stated", units.length(noise.stated_mm));
+        widgets::fact(ui, "noise σ, as found", units.length(noise.found_mm));
+    }
+    if let Some(slow) = &d.noise.slow {
+        let says = format!("Slow noise: {}", slow.says());
+        widgets::hint_about(ui, says, help::SLOW_NOISE);
+    }
+    let quality = &d.identification.quality;
+    if !quality.converged {
+        let says = format!("the fit did not converge: {}", quality.stopped);
+        ui.label(RichText::new(says).color(Palette::of(ui).warning));
+    }
+}
+
+fn equivalent(ui: &mut Ui, d: &Diagnosis) {
+    if d.equivalent.is_empty() {
+        return;
+    }
+    widgets::card(ui, |ui| {
+        title(ui, "The samples cannot rule out");
+        for one in &d.equivalent {
+            ui.label(format!(
+                "{} instead of {}",
+                titles(&one.instead),
+                titles(&one.explanation)
+            ));
+            let odds = significant(one.odds, 2);
+            widgets::hint(ui, format!("{odds} : 1 against it. {}", one.separate_by));
+        }
+    });
+}
+
+fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
+    const MOST: usize = 8;
+    if d.outliers.is_empty() {
+        return;
+    }
+    widgets::card(ui, |ui| {
+        let (excluded, all) = (d.outliers.len(), grouped(d.samples));
+        title(ui, &format!("Excluded outliers: {excluded} of {all}"));
+        for one in d.outliers.iter().take(MOST) {
+            let off = workbench.units().length(one.deviation_mm);
+            widgets::fact(ui, &format!("sample {}", one.sample + 1), off);
+        }
+        if d.outliers.len() > MOST {
+            widgets::hint(ui, format!("and {} more", d.outliers.len() - MOST));
+        }
+    });
+}

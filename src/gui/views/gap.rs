@@ -1,0 +1,184 @@
+//! Step 4: search for what is missing.
+
+use egui::{ProgressBar, RichText, Ui};
+
+use crate::diagnosis::Verdict;
+use crate::gui::core::edit::Edit;
+use crate::gui::core::search::{SEARCHING, STAGES};
+use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::view::Step;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
+use crate::gui::workbench::{Command, Workbench};
+
+pub(super) const STEP: StepView = StepView {
+    step: Step::Gap,
+    show,
+    next,
+    state,
+};
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.subject().is_empty() {
+        widgets::hint(ui, "Open a session that was measured on this robot first");
+        return;
+    }
+    widgets::hint(
+        ui,
+        "Looks for the physical effect that the model lacks, and proves each name on samples that \
+         the search has not seen",
+    );
+    if workbench.searching().is_some() {
+        stages(ui, workbench);
+        return;
+    }
+    let Some(diagnosis) = workbench.diagnosis() else {
+        before(ui, workbench);
+        // Restored after a kill, or the samples are others: what was added stays in the model.
+        return switches(ui, workbench, commands);
+    };
+    let units = workbench.units();
+    widgets::section(ui, "RMS error");
+    widgets::fact(ui, "nominal robot", units.length(diagnosis.gap.start_mm));
+    widgets::fact(ui, "identified", units.length(diagnosis.gap.identified_mm));
+    let end = units.length(diagnosis.gap.end_mm);
+    widgets::fact(ui, "with found effects", end);
+    widgets::fact(ui, "noise floor", units.length(diagnosis.floor.mm));
+    if widgets::secondary(ui, "Run diagnosis again").clicked() {
+        commands.push(Command::Search);
+    }
+    switches(ui, workbench, commands);
+}
+
+/// Where the work stands before there is a search.
+fn before(ui: &mut Ui, workbench: &Workbench) {
+    let subject = workbench.subject();
+    let units = workbench.units();
+    widgets::section(ui, "RMS error so far");
+    if let Some(gap) = subject.gap_before {
+        widgets::fact(ui, "nominal robot", units.length(gap.rms_mm));
+    }
+    let answer = workbench.answer();
+    let left = answer.map(|a| a.identification.gap.after.rms_mm);
+    if let Some(left) = left {
+        widgets::fact(ui, "identified", units.length(left));
+    }
+    let floor = subject.known.floor_mm;
+    if let Some(floor) = floor {
+        widgets::fact(ui, "noise floor", units.length(floor));
+    }
+    let says = match (left, floor) {
+        (None, _) => "The diagnosis identifies by itself: step 3 need not come first",
+        (Some(left), Some(floor)) if left < 1.2 * floor => {
+            "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
+        }
+        (Some(_), _) => {
+            "More error is left than noise explains, or no noise is stated: the diagnosis will tell which"
+        }
+    };
+    widgets::hint(ui, says);
+    widgets::section(ui, "What it can find");
+    let (yes, no) = (subject.testable.len(), subject.not_testable.len());
+    widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
+    if no > 0 {
+        widgets::hint(
+            ui,
+            "Why the others are not testable is listed at the right, with what to measure for them",
+        );
+    }
+}
+
+/// Where the search is.
+fn stages(ui: &mut Ui, workbench: &Workbench) {
+    let Some(running) = workbench.searching() else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    widgets::section(ui, "Diagnosing");
+    let (reached, found) = (running.stage(), running.found());
+    for (k, stage) in STAGES.into_iter().enumerate() {
+        let text = RichText::new(stage);
+        ui.label(match k.cmp(&reached) {
+            std::cmp::Ordering::Less => text.color(palette.within),
+            std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
+            std::cmp::Ordering::Greater => text.color(palette.muted),
+        });
+        if k == SEARCHING {
+            names_so_far(ui, &found);
+        }
+    }
+    let bar = ProgressBar::new(running.progress().unwrap_or(0.0));
+    ui.add(bar.desired_height(8.0).fill(palette.accent));
+    widgets::look_again_soon(ui);
+}
+
+/// What was found so far; a later step may exchange it for something likelier.
+fn names_so_far(ui: &mut Ui, found: &[String]) {
+    for name in found {
+        let title = super::names::title_of(name);
+        ui.indent(("found so far", name), |ui| ui.label(title));
+    }
+    if !found.is_empty() {
+        widgets::hint(ui, "so far; a likelier name may take the place of one");
+    }
+}
+
+/// What each effect is worth: switched off and on.
+fn switches(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let added = &workbench.document().added;
+    if added.is_empty() {
+        return;
+    }
+    widgets::section(ui, "In the model");
+    for (index, one) in added.iter().enumerate() {
+        let mut on = one.on;
+        let name = format!("use {}", one.term.effect.about().title.to_lowercase());
+        if ui.checkbox(&mut on, name).changed() {
+            commands.push(Command::Edit(Edit::Switch(index, on)));
+        }
+    }
+}
+
+/// What the step has to show for itself.
+fn state(workbench: &Workbench) -> (String, Progress) {
+    if workbench.searching().is_some() {
+        return ("searching".to_owned(), Progress::Open);
+    }
+    let on = workbench.document().in_the_model().count();
+    let caption = match (workbench.diagnosis(), on) {
+        (_, 1) => "one effect in the model".to_owned(),
+        (_, 2..) => format!("{on} effects in the model"),
+        (None, _) => return ("not yet".to_owned(), Progress::Open),
+        (Some(diagnosis), _) => match (diagnosis.verdict, diagnosis.found.len()) {
+            (Verdict::Noise, _) => "nothing is missing".to_owned(),
+            (Verdict::Unexplained, _) => "something unexplained".to_owned(),
+            (_, 1) => "one effect found".to_owned(),
+            (_, n) => format!("{n} effects found"),
+        },
+    };
+    (caption, Progress::Done)
+}
+
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.searching().is_some() {
+        if widgets::secondary(ui, "Stop the search").clicked() {
+            commands.push(Command::StopSearch);
+        }
+        return;
+    }
+    let missing = workbench.not_added();
+    if workbench.diagnosis().is_none() {
+        let measured = !workbench.subject().is_empty();
+        let button = ui.add_enabled_ui(measured, |ui| widgets::primary(ui, "Run diagnosis"));
+        if button.inner.clicked() {
+            commands.push(Command::Search);
+        }
+    } else if missing.len() > 1 {
+        let text = format!("Add all {} to the model", missing.len());
+        if widgets::primary(ui, &text).clicked() {
+            commands.push(Command::Edit(Edit::Add(missing)));
+        }
+    } else if widgets::primary(ui, "Continue to export").clicked() {
+        commands.push(Command::GoTo(Step::Export));
+    }
+}

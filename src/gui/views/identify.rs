@@ -1,0 +1,153 @@
+//! Step 3: how the robot is identified.
+
+use egui::{Checkbox, CollapsingHeader, RichText, Ui};
+
+use crate::effects::find;
+use crate::gui::core::document::Method;
+use crate::gui::core::edit::Edit;
+use crate::gui::style::tokens::{Palette, size};
+use crate::gui::view::Step;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
+use crate::gui::workbench::{Command, Workbench};
+
+pub(super) const STEP: StepView = StepView {
+    step: Step::Identify,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    let document = workbench.document();
+    let caption = match (document.identified, document.method) {
+        _ if document.given.is_some() => "model from a file".to_owned(),
+        (false, _) => "not yet".to_owned(),
+        (true, Method::Regional) => "by region".to_owned(),
+        (true, Method::Exact) => {
+            let n = document.effects.len();
+            let effects = if n == 1 { "effect" } else { "effects" };
+            format!("exact, {n} {effects}")
+        }
+    };
+    (caption, Progress::of(workbench.answer().is_some()))
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let document = workbench.document();
+    if let Some(given) = &document.given {
+        widgets::hint(
+            ui,
+            format!(
+                "The model in {} takes the place of an identification",
+                given.file_name()
+            ),
+        );
+        if workbench.subject().is_empty() {
+            widgets::hint(
+                ui,
+                "To identify the robot anew, open a session that was measured on it",
+            );
+            return;
+        }
+        if widgets::secondary(ui, "Identify from this session").clicked() {
+            commands.push(Command::Edit(Edit::Identify));
+        }
+        return;
+    }
+    widgets::section(ui, "Method");
+    let methods = [
+        (Method::Exact, "Full model"),
+        (Method::Regional, "By region"),
+    ];
+    let offered = if workbench.subject().single_revolute() {
+        &methods[..]
+    } else {
+        &methods[..1]
+    };
+    if let Some(method) = widgets::segmented(ui, offered, document.method) {
+        commands.push(Command::Edit(Edit::Method(method)));
+    }
+    match document.method {
+        Method::Exact => {
+            widgets::hint(
+                ui,
+                "One model for the whole range, fitted in the measuring frame, with an interval \
+                 for every number",
+            );
+            effects(ui, workbench, commands);
+        }
+        Method::Regional => {
+            widgets::hint(
+                ui,
+                "The source paper's method: a constant correction of angle and radius for each \
+                 region. It leaves out the rotation between lamp and base, so that one constant \
+                 error looks different in every region; use it to compare with earlier reports",
+            );
+            let n = document.regions.len();
+            widgets::fact(ui, "regions", n.to_string());
+            if ui.link("Change the regions").clicked() {
+                commands.push(Command::GoTo(Step::Regions));
+            }
+        }
+    }
+}
+
+fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let document = workbench.document();
+    let subject = workbench.subject();
+    widgets::section(ui, "Effects to fit");
+    ui.spacing_mut().item_spacing.y = 4.0;
+    for id in &subject.testable {
+        let Some(about) = find(id).map(crate::effects::Effect::about) else {
+            continue;
+        };
+        let mut on = document.effects.contains(id);
+        let response = ui.add(Checkbox::new(&mut on, about.title));
+        let response = response.on_hover_ui(|ui| {
+            ui.set_max_width(300.0);
+            ui.label(RichText::new(about.id).monospace());
+            ui.label(about.cause);
+            widgets::hint(ui, about.equation);
+        });
+        if response.changed() {
+            commands.push(Command::Edit(Edit::Effect(about.id, on)));
+        }
+    }
+    if subject.not_testable.is_empty() {
+        return;
+    }
+    let title = format!(
+        "{} that this session cannot show",
+        subject.not_testable.len()
+    );
+    let palette = Palette::of(ui);
+    let title = RichText::new(title).size(size::SMALL).color(palette.muted);
+    CollapsingHeader::new(title)
+        .id_salt("not testable")
+        .show(ui, |ui| {
+            for one in &subject.not_testable {
+                let title = find(one.effect).map_or(one.effect, |e| e.about().title);
+                ui.label(title);
+                widgets::hint(ui, &one.because);
+            }
+        });
+}
+
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let document = workbench.document();
+    if !document.identified {
+        if widgets::primary(ui, "Identify").clicked() {
+            commands.push(Command::Edit(Edit::Identify));
+        }
+        return;
+    }
+    if document.given.is_none() {
+        widgets::hint(ui, "Identified; the result follows every change");
+    }
+    if let Some(step) = Step::Identify.next()
+        && widgets::primary(ui, &format!("Continue to {}", step.name().to_lowercase())).clicked()
+    {
+        commands.push(Command::GoTo(step));
+    }
+}

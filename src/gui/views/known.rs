@@ -1,0 +1,291 @@
+//! What is known before anything is identified: what the samples cover, what can be seen in them,
+//! and what comes next. So that the right-hand side helps from the first minute on.
+
+use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
+
+use crate::effects::find;
+use crate::effects::survey::JointSurvey;
+use crate::export::EXPORTERS;
+use crate::gui::core::known::Known;
+use crate::gui::core::search::STAGES;
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::units::trimmed;
+use crate::gui::view::Step;
+use crate::gui::widgets;
+use crate::gui::workbench::Workbench;
+use crate::kinematics::JointKind;
+use crate::units::deg_from_rad;
+
+/// Shows it, what belongs to the step first.
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
+    if workbench.subject().is_empty() {
+        return;
+    }
+    match workbench.view().step {
+        Step::Session | Step::Regions => {
+            gap(ui, workbench);
+            covers(ui, workbench);
+            testable(ui, workbench);
+        }
+        Step::Identify => {
+            gap(ui, workbench);
+            testable(ui, workbench);
+            covers(ui, workbench);
+        }
+        Step::Gap => {
+            search(ui);
+            testable(ui, workbench);
+            covers(ui, workbench);
+        }
+        Step::Export => {
+            formats(ui, workbench);
+            gap(ui, workbench);
+        }
+    }
+}
+
+fn title(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(strong(size::BODY)));
+}
+
+/// How far off the nominal robot is.
+fn gap(ui: &mut Ui, workbench: &Workbench) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let subject = workbench.subject();
+    widgets::card(ui, |ui| {
+        let name = ui.label(RichText::new("RMS error of the nominal robot").color(palette.muted));
+        widgets::explained(name, crate::gui::help::GAP);
+        let rms = subject.gap_before;
+        let rms = rms.map_or_else(|| "–".to_owned(), |g| units.length(g.rms_mm));
+        ui.label(
+            RichText::new(rms)
+                .font(strong(size::DISPLAY))
+                .color(palette.before),
+        );
+        if let Some(gap) = subject.gap_before {
+            widgets::fact(ui, "largest deviation", units.length(gap.max_mm));
+        }
+        if let Some(tolerance_mm) = workbench.document().tolerance_mm {
+            let (inside, all) = subject.overview.lengths.within(tolerance_mm);
+            widgets::fact(ui, "within tolerance", format!("{inside} of {all}"));
+        }
+        if let Some(floor_mm) = subject.known.floor_mm {
+            let floor = format!("{}, instrument", units.length(floor_mm));
+            widgets::fact(ui, "noise floor", floor);
+        }
+        if workbench.document().identified {
+            return;
+        }
+        widgets::hint(
+            ui,
+            "Not identified yet. The identified parameters will stand here, with the interval of \
+             every number",
+        );
+    });
+}
+
+/// Under which conditions was measured.
+fn covers(ui: &mut Ui, workbench: &Workbench) {
+    let subject = workbench.subject();
+    let units = workbench.units();
+    let known = &subject.known;
+    let survey = &known.survey;
+    let turns = subject.turns();
+    let at = |q: f64| {
+        if turns {
+            units.angle(q)
+        } else {
+            units.length(q)
+        }
+    };
+    widgets::card(ui, |ui| {
+        title(ui, "What the samples cover");
+        strip(ui, known);
+        if let Some([from, to]) = known.measured {
+            widgets::fact(ui, "measured range", format!("{} … {}", at(from), at(to)));
+        }
+        if let Some([from, to]) = known.hole {
+            widgets::fact(ui, "widest hole", format!("{} … {}", at(from), at(to)));
+        }
+        for (k, joint) in survey.joints.iter().enumerate() {
+            let of_joint = match survey.joints.len() {
+                1 => String::new(),
+                _ => format!(", joint {}", k + 1),
+            };
+            widgets::fact(ui, &format!("came from{of_joint}"), sides(joint));
+            widgets::fact(ui, &format!("speed{of_joint}"), speeds(joint));
+        }
+        widgets::fact(ui, "load", range(known.load_kg, "kg", 2));
+        widgets::fact(ui, "temperature", range(known.temperature_c, "°C", 1));
+        let time = survey
+            .duration_s
+            .map_or_else(|| "not recorded".to_owned(), duration);
+        widgets::fact(ui, "took", time);
+    });
+}
+
+/// A range with its unit once.
+fn range(ends: Option<[f64; 2]>, unit: &str, decimals: usize) -> String {
+    match ends {
+        None => "not recorded".to_owned(),
+        Some([from, to]) if from == to => format!("{} {unit} throughout", trimmed(from, decimals)),
+        Some([from, to]) => {
+            format!(
+                "{} … {} {unit}",
+                trimmed(from, decimals),
+                trimmed(to, decimals)
+            )
+        }
+    }
+}
+
+/// A time as people say it.
+fn duration(seconds: f64) -> String {
+    let minutes = seconds / 60.0;
+    if minutes < 2.0 {
+        format!("{} s", trimmed(seconds, 0))
+    } else if minutes < 120.0 {
+        format!("{} min", trimmed(minutes, 0))
+    } else {
+        format!("{} h", trimmed(minutes / 60.0, 1))
+    }
+}
+
+/// The range of the joint as a strip: filled as high as there are samples.
+fn strip(ui: &mut Ui, known: &Known) {
+    const HEIGHT: f32 = 22.0;
+    let palette = Palette::of(ui);
+    let room = vec2(ui.available_width(), HEIGHT);
+    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+    let says = "samples over the range of joint 1";
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, says));
+    let painter = ui.painter();
+    painter.rect_filled(rect, f32::from(space::ROUND) / 2.0, palette.inset);
+    let most = known.cover.iter().copied().max().unwrap_or(0).max(1) as f32;
+    let width = rect.width() / known.cover.len().max(1) as f32;
+    for (k, count) in known.cover.iter().enumerate().filter(|(_, c)| **c > 0) {
+        let height = HEIGHT * (0.25 + 0.75 * *count as f32 / most);
+        let left = rect.left() + k as f32 * width;
+        let bar = Rect::from_min_max(
+            egui::pos2(left + 0.5, rect.bottom() - height),
+            egui::pos2(left + width - 0.5, rect.bottom()),
+        );
+        painter.rect_filled(bar, 0.0, palette.accent);
+    }
+    response.on_hover_text("Samples over the range of joint 1: where it is empty nothing is known");
+}
+
+/// Which effects can be seen in such samples, and which cannot.
+fn testable(ui: &mut Ui, workbench: &Workbench) {
+    let subject = workbench.subject();
+    let (yes, no) = (subject.testable.len(), subject.not_testable.len());
+    let name = |id: &str| find(id).map_or_else(|| id.to_owned(), |e| e.about().title.to_owned());
+    widgets::card(ui, |ui| {
+        title(ui, "Testable effects");
+        widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
+        folded(ui, &format!("{yes} can be tested"), |ui| {
+            let names: Vec<String> = subject.testable.iter().map(|id| name(id)).collect();
+            widgets::hint(ui, names.join(", ").to_lowercase());
+        });
+        if no == 0 {
+            return;
+        }
+        folded(ui, &format!("{no} cannot, and why"), |ui| {
+            for one in &subject.not_testable {
+                ui.label(name(one.effect));
+                widgets::hint(ui, &one.because);
+            }
+        });
+    });
+}
+
+fn folded(ui: &mut Ui, text: &str, contents: impl FnOnce(&mut Ui)) {
+    let muted = Palette::of(ui).muted;
+    let title = RichText::new(text).size(size::NOTE).color(muted);
+    CollapsingHeader::new(title)
+        .id_salt(text)
+        .show(ui, contents);
+}
+
+/// What a search does, before there is one.
+fn search(ui: &mut Ui) {
+    widgets::card(ui, |ui| {
+        title(ui, "No diagnosis yet");
+        widgets::hint(
+            ui,
+            "Effects that are found will be listed here with size, confidence and what to \
+             check on the machine. Where the samples cannot decide, both are listed, with \
+             the poses that would decide",
+        );
+        ui.add_space(space::TIGHT);
+        for (k, stage) in STAGES.into_iter().enumerate() {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().interact_size.y = size::HEADING;
+                widgets::caption(ui, &format!("{}", k + 1));
+                ui.label(stage);
+            });
+        }
+        widgets::hint(
+            ui,
+            "It takes a moment, and some seconds with a million samples. The window stays free \
+             meanwhile, and the search can be stopped",
+        );
+    });
+}
+
+/// What can be written, before there is anything to write.
+fn formats(ui: &mut Ui, workbench: &Workbench) {
+    widgets::card(ui, |ui| {
+        title(ui, "Nothing to export yet");
+        widgets::hint(
+            ui,
+            "The table comes from the identified robot. It will stand here as text, with its sign \
+             convention in words, the RMS error that it leaves, and what joint commands cannot correct",
+        );
+        ui.add_space(space::TIGHT);
+        let robot = &workbench.subject().session.robot;
+        for format in EXPORTERS.iter().filter(|format| (format.suits)(robot)) {
+            ui.label(format.title);
+        }
+    });
+}
+
+/// From which sides a joint was approached, and how often.
+fn sides(joint: &JointSurvey) -> String {
+    match joint.from_sides {
+        [0, 0] => "not recorded".to_owned(),
+        [0, up] => format!("{up} below, none above"),
+        [down, 0] => format!("none below, {down} above"),
+        [down, up] => format!("{up} below, {down} above"),
+    }
+}
+
+/// How fast a joint was while it was measured.
+fn speeds(joint: &JointSurvey) -> String {
+    let speed = match joint.kind {
+        JointKind::Revolute => format!("{}°/s", trimmed(deg_from_rad(joint.largest_speed), 1)),
+        JointKind::Prismatic => format!("{} mm/s", trimmed(joint.largest_speed, 1)),
+    };
+    match joint.speeds {
+        0 => "not recorded".to_owned(),
+        1 if joint.largest_speed == 0.0 => "standstill".to_owned(),
+        1 => format!("{speed} throughout"),
+        _ => format!("up to {speed}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conditions_read_as_people_say_them() {
+        assert_eq!(range(None, "kg", 2), "not recorded");
+        assert_eq!(range(Some([2.0, 2.0]), "kg", 2), "2 kg throughout");
+        assert_eq!(range(Some([0.0, 2.5]), "kg", 2), "0 … 2.5 kg");
+        assert_eq!(duration(45.0), "45 s");
+        assert_eq!(duration(1800.0), "30 min");
+        assert_eq!(duration(9000.0), "2.5 h");
+    }
+}

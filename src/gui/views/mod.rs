@@ -1,0 +1,26 @@
+//! What stands around the plots. Panels read the workbench and send commands.
+
+pub(super) mod charts;
+mod copies;
+mod disk;
+pub(super) mod dropped;
+mod export;
+mod findings;
+mod gap;
+mod identify;
+mod known;
+pub(super) mod menu;
+mod model;
+mod names;
+pub(super) mod pictures;
+mod regions;
+pub(super) mod results;
+mod samples;
+mod session;
+mod setup;
+pub(super) mod stage;
+mod standards;
+pub(super) mod status;
+mod step;
+pub(super) mod steps;
+mod unexplained;

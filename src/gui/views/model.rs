@@ -1,0 +1,86 @@
+//! A model that was read from a file: where it came from, and what it does on the session.
+
+use egui::{RichText, Ui};
+
+use crate::compensation::Verification;
+use crate::gui::core::answer::{Answer, Loaded};
+use crate::gui::style::tokens::{size, strong};
+use crate::gui::units::{Units, trimmed};
+use crate::gui::widgets;
+use crate::gui::workbench::Workbench;
+use crate::kinematics::JointKind;
+use crate::units::deg_from_rad;
+
+/// What there is to say about the model itself.
+pub(super) fn about(ui: &mut Ui, workbench: &Workbench, answer: &Answer, loaded: &Loaded) {
+    let calibration = &answer.calibration;
+    widgets::card(ui, |ui| {
+        title(ui, "Model from a file");
+        widgets::fact(ui, "file", &loaded.file);
+        widgets::fact(ui, "robot", &calibration.model.robot.name);
+        widgets::fact(ui, "identified from", &calibration.session);
+        let joints = &calibration.model.robot.joints;
+        for (joint, range) in joints.iter().zip(&calibration.measured) {
+            let (from, to, unit) = match joint.kind {
+                JointKind::Revolute => (deg_from_rad(range.from), deg_from_rad(range.to), "°"),
+                JointKind::Prismatic => (range.from, range.to, " mm"),
+            };
+            let measured = format!("{}{unit} … {}{unit}", trimmed(from, 2), trimmed(to, 2));
+            let name = match joints.len() {
+                1 => "measured".to_owned(),
+                _ => format!("measured, {}", joint.name),
+            };
+            widgets::fact(ui, &name, measured);
+        }
+        if workbench.subject().is_empty() {
+            widgets::hint(
+                ui,
+                "Nothing was measured yet. Open a session that was measured on this robot, and \
+                 what the model does there will stand here",
+            );
+        }
+    });
+    if !calibration.history.is_empty() {
+        widgets::card(ui, |ui| history(ui, workbench.units(), answer));
+    }
+}
+
+/// How the gap shrank while the model was made.
+fn history(ui: &mut Ui, units: Units, answer: &Answer) {
+    title(ui, "How it came about");
+    for step in &answer.calibration.history {
+        let gap = units.length(step.gap_mm);
+        let gap = match step.held_out_mm {
+            Some(held_out) => format!("{gap}, held out {}", units.length(held_out)),
+            None => gap,
+        };
+        widgets::fact(ui, &step.what, gap);
+    }
+}
+
+/// What the model does on the session that is open.
+pub(super) fn verified(ui: &mut Ui, units: Units, verification: &Verification) {
+    let number = |mm: f64| units.length_number(mm);
+    widgets::card(ui, |ui| {
+        title(ui, "Held against this session");
+        widgets::fact(ui, "samples", verification.samples.to_string());
+        let model = units.length(verification.model.rms_mm);
+        widgets::fact(ui, "measured and model", model);
+        if let Some(compensated) = verification.compensated {
+            let unit = units.length_name();
+            let gap = format!("{} {unit}", number(compensated.gap.rms_mm));
+            widgets::fact(ui, "with corrected commands", gap);
+            let largest = format!("{} {unit}", number(compensated.gap.max_mm));
+            widgets::fact(ui, "largest then", largest);
+            let stays = format!(
+                "{} {unit}",
+                number(compensated.cannot_be_removed_by_joints_mm)
+            );
+            widgets::fact(ui, "not correctable by joint commands", stays);
+        }
+    });
+}
+
+fn title(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).font(strong(size::BODY)));
+}

@@ -1,0 +1,222 @@
+//! Step 2: where the joint gets corrections of its own.
+
+mod row;
+mod rows;
+mod strip;
+
+use egui::{Align, DragValue, Layout, Ui};
+
+use crate::gui::core::angles::Count;
+use crate::gui::core::division::Division;
+use crate::gui::core::document::Method;
+use crate::gui::core::edit::Edit;
+use crate::gui::core::placing;
+use crate::gui::style::tokens::space;
+use crate::gui::units::number_of;
+use crate::gui::view::Step;
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::Progress;
+use crate::gui::workbench::{Command, Workbench};
+use crate::gui::{help, widgets};
+
+/// Regions that are offered when there are none: the paper's number.
+const OFFERED: usize = 6;
+
+/// More even regions than this are a slip of the keyboard.
+const MOST_EVEN: usize = 360;
+
+pub(in crate::gui::views) const STEP: StepView = StepView {
+    step: Step::Regions,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    let document = workbench.document();
+    if document.regions.is_empty() {
+        let says = if workbench.subject().is_empty() {
+            "nothing measured"
+        } else {
+            "not for this robot"
+        };
+        return (says.to_owned(), Progress::Open);
+    }
+    let used = document.identified && document.method == Method::Regional;
+    let regions = number_of(document.regions.len(), "region");
+    (regions, Progress::of(used))
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let subject = workbench.subject();
+    if !subject.single_revolute() {
+        widgets::hint(
+            ui,
+            "Regions are the paper's method for a single joint that turns. This robot is \
+             identified by the exact fit: continue to the next step",
+        );
+        return;
+    }
+    if subject.is_empty() {
+        widgets::hint(
+            ui,
+            "Regions divide what was measured: open a session that was measured on this robot",
+        );
+        return;
+    }
+    let counts = subject.angles().by_region(&workbench.document().regions);
+    division(ui, workbench, commands);
+    if workbench.document().regions.is_empty() {
+        none(ui, workbench);
+        return;
+    }
+    ui.add_space(space::TIGHT);
+    strip::show(ui, workbench, &counts);
+    rows::show(ui, workbench, &counts, commands);
+    left_out(ui, workbench, &counts);
+}
+
+/// How the range is divided.
+fn division(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let document = workbench.document();
+    let present = document.regions.len();
+    let number = if present == 0 { OFFERED } else { present };
+    let kinds = [(0, "Uniform"), (1, "Manual"), (2, "Adaptive")];
+    let now = match document.division {
+        _ if present == 0 => 3,
+        Division::Even => 0,
+        Division::Given => 1,
+        Division::Adaptive(_) => 2,
+    };
+    let chosen = widgets::row(ui, |ui| {
+        let chosen = widgets::segmented(ui, &kinds, now);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            widgets::question(ui, help::REGION);
+        });
+        chosen
+    });
+    match chosen {
+        Some(0) => commands.push(Command::Edit(Edit::Divide(number))),
+        Some(1) if present > 0 => commands.push(Command::Edit(Edit::KeepRegions)),
+        Some(1) => commands.push(Command::Edit(Edit::RegionsOfSession)),
+        Some(_) => commands.push(Command::Adapt),
+        None => {}
+    }
+    match &document.division {
+        Division::Even => evenly(ui, workbench, commands),
+        Division::Given => {
+            widgets::hint(
+                ui,
+                "Drag a boundary on the plot, or type it; the identification follows at once",
+            );
+            own(ui, workbench, commands);
+        }
+        Division::Adaptive(decision) => {
+            widgets::hint(ui, decision.says(workbench.units()));
+        }
+    }
+}
+
+fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let present = workbench.document().regions.len();
+    let mut number = if present == 0 { OFFERED } else { present };
+    let before = number;
+    ui.horizontal(|ui| {
+        let field = DragValue::new(&mut number)
+            .range(1..=MOST_EVEN)
+            .speed(0.1)
+            .suffix(if before == 1 { " region" } else { " regions" });
+        let response = widgets::cell_number(ui, "Number of regions", 110.0, field);
+        let divide = present == 0 && ui.button("Divide").clicked();
+        if number != before || divide {
+            let edit = Edit::Divide(number);
+            commands.push(if response.dragged() {
+                Command::Drag(edit)
+            } else {
+                Command::Edit(edit)
+            });
+        }
+        if response.drag_stopped() {
+            commands.push(Command::EndDrag);
+        }
+    });
+}
+
+/// Offers the regions that the session brings along.
+fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let own = &workbench.subject().session.regions;
+    if own.is_empty() || own[..] == workbench.document().regions[..] {
+        return;
+    }
+    let button = ui.button("Reset to session");
+    if button
+        .on_hover_text("take the regions that the session brings along")
+        .clicked()
+    {
+        commands.push(Command::Edit(Edit::RegionsOfSession));
+    }
+}
+
+/// There are no regions, and what that means.
+fn none(ui: &mut Ui, workbench: &Workbench) {
+    let range = crate::fit::regions::range_to_divide(&workbench.subject().session);
+    widgets::hint(
+        ui,
+        if range.is_some() {
+            "There are no regions: nothing is corrected by region. Divide the range evenly, or \
+             where the data ask for it"
+        } else {
+            "There are no regions, because all samples are at one angle: there is no range to \
+             divide. Give the joint its limits in step 1, or measure at other angles. The exact \
+             fit in step 3 needs no regions"
+        },
+    );
+}
+
+/// What no region covers.
+fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
+    let subject = workbench.subject();
+    let regions = &workbench.document().regions;
+    let gaps = placing::gaps(regions, subject.travel());
+    let outside = subject.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
+    if let Some((from, to)) = gaps.first() {
+        let units = workbench.units();
+        let gap = format!("{} … {}", units.angle(*from), units.angle(*to));
+        let more = match gaps.len() {
+            1 => gap,
+            n => format!("{gap} and {} more", n - 1),
+        };
+        let says = match outside {
+            0 => format!("{more}: in no region, and no sample is there"),
+            1 => format!("{more}: in no region; 1 sample there gets no correction"),
+            n => format!("{more}: in no region; {n} samples there get no correction"),
+        };
+        widgets::hint(ui, says);
+    } else if outside > 0 {
+        let samples = if outside == 1 {
+            "sample is"
+        } else {
+            "samples are"
+        };
+        widgets::hint(
+            ui,
+            format!("{outside} {samples} in no region and get no correction"),
+        );
+    }
+}
+
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let document = workbench.document();
+    let regional = document.identified && document.method == Method::Regional;
+    let subject = workbench.subject();
+    let possible = subject.single_revolute() && !subject.is_empty() && !document.regions.is_empty();
+    if possible && !regional {
+        if widgets::primary(ui, "Identify by region").clicked() {
+            commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
+        }
+        return;
+    }
+    if widgets::primary(ui, "Continue to identify").clicked() {
+        commands.push(Command::GoTo(Step::Identify));
+    }
+}

@@ -1,0 +1,348 @@
+//! The regions, one row each: name, boundaries, samples, and what can be done with it.
+
+use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
+
+use crate::fit::regions::Assignment;
+use crate::gui::core::angles::Count;
+use crate::gui::core::edit::Edit;
+use crate::gui::core::placing::{self, End, Joint, Typed};
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::units::{Units, number_of};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::sessions::Region;
+
+use super::row::{self, COLUMNS, name_id};
+
+/// More regions than this are too many to be listed with fields.
+const MOST_LISTED: usize = 60;
+/// Widest field for an end: all digits that a boundary is shown with.
+const WIDEST: f32 = 76.0;
+/// Between the columns.
+const GAP: f32 = 5.0;
+const HEIGHT: f32 = 24.0;
+
+/// The columns in a panel of this width.
+fn columns(available: f32) -> [f32; 5] {
+    let [name, least, _, samples, more] = COLUMNS;
+    let rest = available - name - samples - more - 4.0 * GAP;
+    let end = (0.5 * rest).clamp(least, WIDEST);
+    [name, end, end, samples, more]
+}
+
+pub(super) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    counts: &[Count],
+    commands: &mut Vec<Command>,
+) {
+    let regions = &workbench.document().regions;
+    let units = workbench.units();
+    ui.spacing_mut().item_spacing = vec2(GAP, 3.0);
+    ui.spacing_mut().interact_size.y = HEIGHT;
+    let columns = columns(ui.available_width());
+    head(ui, columns, units);
+    for (k, region) in regions.iter().enumerate().take(MOST_LISTED) {
+        ui.horizontal(|ui| {
+            name(ui, k, &region.name, commands);
+            for end in [End::From, End::To] {
+                angle(ui, columns[1], workbench, (k, end), commands);
+            }
+            samples(ui, workbench, k, counts[k], commands);
+            row::more(ui, regions, k, commands);
+        });
+        for end in [End::From, End::To] {
+            problem(ui, workbench, region, k, end);
+        }
+        if let Some(says) = few(counts[k]) {
+            note(ui, &says);
+        }
+    }
+    if regions.len() > MOST_LISTED {
+        widgets::hint(
+            ui,
+            format!(
+                "and {} more, to be dragged on the plot",
+                regions.len() - MOST_LISTED
+            ),
+        );
+    }
+}
+
+fn head(ui: &mut Ui, columns: [f32; 5], units: Units) {
+    let muted = Palette::of(ui).muted;
+    let unit = units.angle_name().trim();
+    let names = [
+        "name".to_owned(),
+        format!("from, {unit}"),
+        format!("to, {unit}"),
+        "samples".to_owned(),
+    ];
+    ui.horizontal(|ui| {
+        for (k, (name, width)) in names.into_iter().zip(columns).enumerate() {
+            // The head of the samples ends where their numbers end.
+            let layout = if k < 3 {
+                Layout::left_to_right(Align::Center)
+            } else {
+                Layout::right_to_left(Align::Center)
+            };
+            ui.allocate_ui_with_layout(vec2(width, 16.0), layout, |ui| {
+                ui.set_min_width(width);
+                let name = RichText::new(name).size(size::SMALL).color(muted);
+                ui.add(egui::Label::new(name).extend());
+            });
+        }
+    });
+}
+
+/// What a region with few samples can and cannot do.
+fn few(count: Count) -> Option<String> {
+    let measured = number_of(count.all, "sample");
+    match count.fitted {
+        0 if count.all == 0 => {
+            Some("no sample, so no correction: measure here, or merge it with the next".to_owned())
+        }
+        0 => Some(format!(
+            "{measured}, none of which can be fitted, so no correction"
+        )),
+        1 => Some("one sample to fit: a correction, but nothing to tell how sure it is".to_owned()),
+        _ => None,
+    }
+}
+
+/// A remark below a row, with a mark before it: colour alone says nothing.
+fn note(ui: &mut Ui, text: &str) {
+    let warning = Palette::of(ui).warning;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = f32::from(space::ROUND);
+        let (rect, _) = ui.allocate_exact_size(vec2(10.0, 14.0), egui::Sense::hover());
+        let centre = rect.center();
+        let corner = |x: f32, y: f32| centre + vec2(x, y);
+        let triangle = vec![corner(0.0, -4.5), corner(5.0, 4.0), corner(-5.0, 4.0)];
+        ui.painter().add(egui::Shape::closed_line(
+            triangle,
+            egui::Stroke::new(1.3, warning),
+        ));
+        let text = RichText::new(text).size(size::SMALL).color(warning);
+        ui.add(egui::Label::new(text).wrap());
+    });
+}
+
+fn name(ui: &mut Ui, region: usize, name: &str, commands: &mut Vec<Command>) {
+    let id = name_id(ui, region);
+    let typed: Option<String> = ui.data_mut(|data| data.get_temp(id));
+    let mut text = typed.unwrap_or_else(|| name.to_owned());
+    let edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .margin(egui::Margin::symmetric(4, 4))
+        .align(egui::Align2::LEFT_CENTER)
+        .clip_text(true);
+    let field = ui.add_sized([COLUMNS[0], HEIGHT], edit);
+    ui.ctx().accesskit_node_builder(field.id, |node| {
+        node.set_label(format!("Name of region {name}"));
+    });
+    let field = field.on_hover_text(name);
+    let escaped = ui.input(|i| i.key_pressed(Key::Escape));
+    if field.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, text));
+        return;
+    }
+    if field.lost_focus() && text != name && !escaped {
+        commands.push(Command::Edit(Edit::Rename(region, text)));
+    }
+    ui.data_mut(|data| data.remove::<String>(id));
+}
+
+/// What a field remembers while it is typed into.
+#[derive(Debug, Clone, Copy)]
+struct Typing {
+    /// The boundary as it was when the typing began: what it touches meanwhile does not join it.
+    joint: Joint,
+    /// Whether something was taken over already.
+    changed: bool,
+}
+
+fn angle(
+    ui: &mut Ui,
+    width: f32,
+    workbench: &Workbench,
+    (k, end): (usize, End),
+    commands: &mut Vec<Command>,
+) {
+    let regions = &workbench.document().regions;
+    let (region, units) = (&regions[k], workbench.units());
+    let at_rad = match end {
+        End::From => region.from_rad,
+        End::To => region.to_rad,
+    };
+    let draft = draft_of(workbench, region, end);
+    let refused = draft.and_then(|draft| judged(workbench, region, k, end, draft).err());
+    let before = draft.map_or_else(|| placing::shown(at_rad, units), str::to_owned);
+    let mut text = before.clone();
+    let id = ui.scope_id().with(("boundary", k, end == End::From));
+    let palette = Palette::of(ui);
+    let edit = TextEdit::singleline(&mut text)
+        .id(id)
+        .margin(egui::Margin::symmetric(4, 4))
+        .align(egui::Align2::RIGHT_CENTER)
+        .clip_text(true);
+    let field = ui.add_sized([width, HEIGHT], edit);
+    let name = format!(
+        "{}, region {}",
+        if end == End::From { "From" } else { "To" },
+        region.name
+    );
+    ui.ctx().accesskit_node_builder(field.id, |node| {
+        node.set_label(name);
+        if refused.is_some() {
+            node.set_invalid(egui::accesskit::Invalid::True);
+        }
+    });
+    if refused.is_some() && !field.has_focus() {
+        let stroke = egui::Stroke::new(1.5, palette.outside);
+        let round = f32::from(space::ROUND);
+        ui.painter()
+            .rect_stroke(field.rect, round, stroke, egui::StrokeKind::Inside);
+    }
+    let mut typing: Option<Typing> = ui.data_mut(|data| data.get_temp(id));
+    if field.gained_focus() {
+        typing = Some(Typing {
+            joint: placing::joint_at(regions, k, end),
+            changed: false,
+        });
+    }
+    let Some(mut now) = typing else {
+        return;
+    };
+    let draft_is = |text: Option<String>| Command::Type {
+        region: region.name.clone(),
+        end,
+        text,
+    };
+    if text != before {
+        let placed = placing::angle(&text, units).and_then(|at| {
+            placing::placed(regions, now.joint, at, workbench.subject().travel(), units).map(|_| at)
+        });
+        commands.push(draft_is(Some(text.clone())));
+        if let Ok(at) = placed {
+            now.changed = true;
+            commands.push(Command::Drag(Edit::PlaceBoundary(now.joint, at)));
+        }
+    }
+    if !field.lost_focus() {
+        ui.data_mut(|data| data.insert_temp(id, now));
+        return;
+    }
+    ui.data_mut(|data| data.remove::<Typing>(id));
+    commands.push(Command::EndDrag);
+    if ui.input(|i| i.key_pressed(Key::Escape)) {
+        commands.push(draft_is(None));
+        if now.changed {
+            commands.push(Command::Undo);
+        }
+    } else if judged(workbench, region, k, end, &text).is_ok() {
+        commands.push(draft_is(None));
+    }
+}
+
+fn draft_of<'a>(workbench: &'a Workbench, region: &Region, end: End) -> Option<&'a str> {
+    let typed = &workbench.view().typed;
+    let here = |t: &&Typed| t.region == region.name && t.end == end;
+    typed.iter().find(here).map(|t| t.text.as_str())
+}
+
+/// What is to be said of a text that stands in a field.
+fn judged(
+    workbench: &Workbench,
+    region: &Region,
+    k: usize,
+    end: End,
+    text: &str,
+) -> Result<(), String> {
+    let units = workbench.units();
+    let regions = &workbench.document().regions;
+    let at_rad = placing::angle(text, units)?;
+    let now = match end {
+        End::From => region.from_rad,
+        End::To => region.to_rad,
+    };
+    if (at_rad - now).abs() < 1e-9 {
+        // It is there already.
+        return Ok(());
+    }
+    let joint = placing::joint_at(regions, k, end);
+    placing::placed(regions, joint, at_rad, workbench.subject().travel(), units).map(|_| ())
+}
+
+/// What is wrong with what was typed, below its row.
+fn problem(ui: &mut Ui, workbench: &Workbench, region: &Region, k: usize, end: End) {
+    let Some(draft) = draft_of(workbench, region, end) else {
+        return;
+    };
+    let Err(says) = judged(workbench, region, k, end, draft) else {
+        return;
+    };
+    let which = match end {
+        End::From => "Region {}, from: ",
+        End::To => "Region {}, to: ",
+    };
+    let which = which.replace("{}", &region.name);
+    let at_rad = match end {
+        End::From => region.from_rad,
+        End::To => region.to_rad,
+    };
+    let stays = workbench.units().angle(at_rad);
+    widgets::wrong(
+        ui,
+        &format!("{which}{says}. Until then it stays at {stays}"),
+    );
+}
+
+/// The number of samples; pressed, it shows them.
+fn samples(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    k: usize,
+    count: Count,
+    commands: &mut Vec<Command>,
+) {
+    let region = &workbench.document().regions[k];
+    let palette = Palette::of(ui);
+    let room = egui::Rect::from_min_size(ui.cursor().min, vec2(COLUMNS[3], HEIGHT));
+    let number = RichText::new(count.all.to_string());
+    let layout = egui::Layout::right_to_left(egui::Align::Center);
+    let response = ui
+        .scope_builder(UiBuilder::new().max_rect(room).layout(layout), |ui| {
+            ui.set_min_size(room.size());
+            if count.all == 0 {
+                return ui.label(number.color(palette.warning));
+            }
+            ui.add(egui::Link::new(number))
+        })
+        .inner;
+    if count.all == 0 {
+        return;
+    }
+    let says = match count.all {
+        1 => format!("Show the sample of region {}", region.name),
+        n => format!(
+            "Show the {} of region {}",
+            number_of(n, "sample"),
+            region.name
+        ),
+    };
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_label(says.clone()));
+    if response.on_hover_text(says).clicked() {
+        commands.push(Command::Mark(samples_of(workbench, k)));
+    }
+}
+
+/// The samples of a region, in the order of the session.
+fn samples_of(workbench: &Workbench, region: usize) -> Vec<usize> {
+    let assignment = Assignment::new(&workbench.document().regions);
+    let q = &workbench.subject().session.samples.q[0];
+    (0..q.len())
+        .filter(|i| assignment.region_of(q[*i]) == Some(region))
+        .collect()
+}

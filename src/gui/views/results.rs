@@ -1,0 +1,378 @@
+//! The right-hand side: what the identification says, and how sure it is.
+
+use egui::{Grid, RichText, Ui};
+
+use crate::effects::find;
+use crate::fit::noise::StatedNoise;
+use crate::fit::{Estimate, Gap, RegionResult};
+use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded;
+use crate::gui::style::room::Room;
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::units::{Units, grouped, number_of, trimmed};
+use crate::gui::view::{Side, Step};
+use crate::gui::widgets::{self, dense};
+use crate::gui::workbench::{Command, Workbench};
+use crate::units::deg_from_rad;
+
+use super::names::{implausible, named, not_identifiable, title};
+use super::{copies, model, samples};
+
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+    // Samples that stand beside the results are not shown in their place as well.
+    let alone = room.samples.is_none();
+    let side = if alone {
+        workbench.view().side
+    } else {
+        Side::Results
+    };
+    if workbench.view().step == Step::Export {
+        widgets::heading(ui, "Export");
+        ui.add_space(space::TIGHT);
+        widgets::scroll(ui, "export", |ui| super::export::preview(ui, workbench));
+        return;
+    }
+    if workbench.view().step == Step::Gap && side == Side::Results {
+        return super::findings::show(ui, workbench, commands);
+    }
+    widgets::row(ui, |ui| {
+        widgets::heading(ui, "Results");
+        if !alone {
+            return;
+        }
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let sides = [(Side::Results, "Summary"), (Side::Samples, "Samples")];
+            if let Some(side) = widgets::segmented(ui, &sides, side) {
+                commands.push(Command::Side(side));
+            }
+        });
+    });
+    ui.add_space(space::TIGHT);
+    match side {
+        Side::Samples => samples::show(ui, workbench, commands),
+        Side::Results => {
+            widgets::scroll(ui, "results", |ui| summary(ui, workbench));
+        }
+    }
+}
+
+/// Shows the samples, where they have a place of their own.
+pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::heading(ui, "Samples");
+    ui.add_space(space::TIGHT);
+    samples::show(ui, workbench, commands);
+}
+
+fn summary(ui: &mut Ui, workbench: &Workbench) {
+    ui.spacing_mut().item_spacing.y = space::ROW;
+    match workbench.outcome().map(|o| &o.answer) {
+        None => super::known::show(ui, workbench),
+        Some(Err(because)) => widgets::card(ui, |ui| {
+            let color = Palette::of(ui).outside;
+            let title = RichText::new("This could not be identified");
+            ui.label(title.font(strong(size::BODY)).color(color));
+            ui.label(because);
+        }),
+        Some(Ok(answer)) => identified(ui, workbench, answer),
+    }
+}
+
+fn identified(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    if let Some(loaded) = &answer.loaded {
+        model::about(ui, workbench, answer, loaded);
+    }
+    if !workbench.subject().is_empty() {
+        gap_card(ui, workbench, answer);
+    }
+    if let Some(verification) = answer.loaded.as_ref().and_then(|l| l.verification.as_ref()) {
+        model::verified(ui, workbench.units(), verification);
+    }
+    let found = &answer.identification;
+    if !found.parameters.is_empty() {
+        let joints = workbench.subject().session.robot.joints.len();
+        widgets::card(ui, |ui| {
+            parameters(ui, &found.parameters, joints, workbench.units());
+        });
+    }
+    super::unexplained::in_the_model(ui, &answer.calibration.model);
+    if !found.regions.is_empty() {
+        widgets::card(ui, |ui| regions(ui, workbench, &found.regions));
+    }
+    not_identifiable(ui, &found.not_identifiable);
+    notes(ui, workbench, answer);
+}
+
+/// How many samples are within the tolerance, of how many; before the answer, or after it.
+fn within(workbench: &Workbench, after: bool) -> Option<(usize, usize)> {
+    let tolerance_mm = workbench.document().tolerance_mm?;
+    let lengths = if after {
+        &workbench.after()?.lengths
+    } else {
+        &workbench.subject().overview.lengths
+    };
+    Some(lengths.within(tolerance_mm))
+}
+
+fn gap_card(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let found = &answer.identification;
+    let number = |mm: f64| units.length_number(mm);
+    widgets::card(ui, |ui| {
+        let method = match found.method {
+            "regional" => "RMS error, by region",
+            loaded::METHOD => "RMS error, model from a file",
+            _ => "RMS error, full model",
+        };
+        ui.label(RichText::new(method).color(palette.muted));
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 8.0;
+            let big = |text: String| RichText::new(text).font(strong(size::DISPLAY));
+            ui.label(big(number(found.gap.before.rms_mm)).color(palette.before));
+            ui.label(RichText::new("→").size(size::HEADING).color(palette.muted));
+            ui.label(big(number(found.gap.after.rms_mm)).color(palette.after));
+            ui.label(RichText::new(units.length_name()).color(palette.muted));
+        });
+        let from_to = |gap: &Gap, pick: fn(&Gap) -> [f64; 2]| {
+            let [before, after] = pick(gap);
+            format!(
+                "{} → {} {}",
+                number(before),
+                number(after),
+                units.length_name()
+            )
+        };
+        let largest = |g: &Gap| [g.before.max_mm, g.after.max_mm];
+        widgets::fact(ui, "largest", from_to(&found.gap, largest));
+        if let Some(held_out) = &found.held_out {
+            let rms = |g: &Gap| [g.before.rms_mm, g.after.rms_mm];
+            widgets::fact(ui, "held out", from_to(held_out, rms));
+        }
+        if let (Some((before, _)), Some((after, all))) =
+            (within(workbench, false), within(workbench, true))
+        {
+            widgets::fact(
+                ui,
+                "within tolerance",
+                format!("{before} → {after} of {all}"),
+            );
+            let share = after as f32 / all.max(1) as f32;
+            widgets::share_bar(ui, share, palette.within);
+        }
+    });
+}
+
+fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) {
+    let palette = Palette::of(ui);
+    title(ui, "Identified parameters");
+    dense(ui);
+    let mut last = None;
+    for one in estimates {
+        if last != Some((one.effect, one.joint)) {
+            last = Some((one.effect, one.joint));
+            let title = find(one.effect).map_or(one.effect, |e| e.about().title);
+            let name = match one.joint {
+                Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
+                _ => title.to_owned(),
+            };
+            ui.add_space(space::TIGHT);
+            let name = RichText::new(name).color(palette.muted).size(size::SMALL);
+            let name = ui.add(egui::Label::new(name).wrap());
+            widgets::explained_effect(name, one.effect);
+        }
+        let (name, unit) = named(one.name);
+        let (value, half, unit) = units.estimate(one, unit);
+        estimate(ui, &name, &value, &format!("{half} {unit}"));
+    }
+    implausible(ui, estimates);
+    widgets::hint(ui, "± half the 95 % interval");
+    copies::button(ui, "parameters", || copies::parameters(estimates));
+}
+
+/// A parameter: its name, its value and how sure that is, each in a column of one width throughout,
+/// so that a long name does not push the numbers out; the last below the others where all three
+/// have no room.
+fn estimate(ui: &mut Ui, name: &str, value: &str, half: &str) {
+    const NAME: f32 = 80.0;
+    const VALUE: f32 = 72.0;
+    const HALF: f32 = 110.0;
+    let middle = egui::Align::Center;
+    let to_the_left = egui::Layout::left_to_right(middle);
+    let to_the_right = egui::Layout::right_to_left(middle);
+    let muted = Palette::of(ui).muted;
+    let half = RichText::new(half).size(size::SMALL).color(muted);
+    let value = RichText::new(value).font(strong(size::BODY));
+    let cell = |ui: &mut Ui, width: f32, layout: egui::Layout, text: RichText| {
+        let room = egui::vec2(width, ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(room, layout, |ui| {
+            ui.set_min_width(width);
+            ui.label(text);
+        });
+    };
+    let all = ui.available_width();
+    let roomy = all >= NAME + VALUE + HALF + 2.0 * space::ROW;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::ROW;
+        if roomy {
+            cell(ui, NAME, to_the_left, RichText::new(name));
+            cell(ui, VALUE, to_the_right, value);
+            ui.label(half.clone());
+        } else {
+            let left = all - HALF - space::ROW;
+            cell(ui, left, to_the_left, RichText::new(name));
+            cell(ui, HALF, to_the_right, value);
+        }
+    });
+    if !roomy {
+        ui.with_layout(egui::Layout::top_down(egui::Align::Max), |ui| {
+            ui.label(half)
+        });
+    }
+}
+
+/// Room for the numbers of a region beside its name, points.
+const NUMBERS: f32 = 212.0;
+
+fn regions(ui: &mut Ui, workbench: &Workbench, results: &[RegionResult]) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let is_given = workbench.document().given.is_some();
+    title(ui, "Correction of each region");
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    // The numbers keep their places, however long a name is.
+    let longest = (ui.available_width() - NUMBERS).max(44.0);
+    Grid::new("region results")
+        .num_columns(4)
+        .spacing([16.0, 6.0])
+        .min_col_width(0.0)
+        .show(ui, |ui| {
+            let (angle, length) = (units.angle_name().trim(), units.length_name());
+            let of = |quantity: &str, unit: &str| format!("{quantity}, {unit}");
+            for head in [
+                "region".to_owned(),
+                of("Δθ", angle),
+                of("Δl1", length),
+                of("RMS error", length),
+            ] {
+                ui.label(RichText::new(head).size(size::SMALL).color(palette.muted));
+            }
+            ui.end_row();
+            for result in results {
+                let correction = &result.correction;
+                let says = format!(
+                    "{}: {}° … {}°, {}",
+                    correction.name,
+                    trimmed(deg_from_rad(correction.from_rad), 2),
+                    trimmed(deg_from_rad(correction.to_rad), 2),
+                    number_of(correction.samples, "sample")
+                );
+                let color = palette.text;
+                let font = strong(size::BODY);
+                let name = widgets::cut(ui, &correction.name, font, color, longest);
+                ui.label(name).on_hover_text(says);
+                let in_degrees = result.theta_ci95.map(|ends| ends.map(deg_from_rad));
+                let numbers = [
+                    (deg_from_rad(correction.theta_rad), in_degrees, "°"),
+                    (correction.l1_mm, result.l1_ci95, "mm"),
+                ];
+                for (value, interval, unit) in numbers {
+                    let (value, half, _) = units.with_interval(value, interval, unit);
+                    // A model keeps no interval of a region.
+                    let half = if is_given { String::new() } else { half };
+                    ui.vertical(|ui| {
+                        ui.spacing_mut().item_spacing.y = 0.0;
+                        ui.label(value);
+                        ui.label(RichText::new(half).size(size::SMALL).color(palette.muted));
+                    });
+                }
+                let mm = |mm: f64| units.length_number(mm);
+                ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing.y = 0.0;
+                    ui.label(mm(result.rms_after_mm));
+                    let before = format!("was {}", mm(result.rms_before_mm));
+                    ui.label(RichText::new(before).size(size::SMALL).color(palette.muted));
+                });
+                ui.end_row();
+            }
+        });
+    widgets::hint(
+        ui,
+        if is_given {
+            "What to add"
+        } else {
+            "What to add, ± half the 95 % interval"
+        },
+    );
+    copies::button(ui, "regions", || copies::regions(results));
+}
+
+fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
+    const MOST: usize = 12;
+    let found = &answer.identification;
+    let units = workbench.units();
+    let mut lines: Vec<String> = found.notes.clone();
+    if !found.quality.converged {
+        let stopped = found.quality.stopped;
+        lines.push(format!("the fit did not converge: {stopped}"));
+    }
+    if let Some(noise) = &found.noise {
+        let stated = noise.against_stated(&workbench.subject().session);
+        let differs = stated.filter(StatedNoise::differs);
+        lines.extend(differs.map(|n| format!("measurement noise: {}", n.says())));
+        lines.extend(noise.slow.map(|slow| slow.says_of_remaining_error()));
+    }
+    if !found.outliers.is_empty() {
+        let (excluded, all) = (found.outliers.len(), grouped(found.samples));
+        lines.push(format!("excluded outliers: {excluded} of {all} samples"));
+    }
+    for outlier in found.outliers.iter().take(MOST) {
+        lines.push(format!(
+            "sample {} is an outlier: {} from the model",
+            outlier.sample + 1,
+            units.length(outlier.deviation_mm)
+        ));
+    }
+    for left_out in found.left_out.iter().take(MOST) {
+        lines.push(format!(
+            "sample {} is excluded: {}",
+            left_out.sample + 1,
+            left_out.because.says()
+        ));
+    }
+    let more =
+        found.outliers.len().saturating_sub(MOST) + found.left_out.len().saturating_sub(MOST);
+    if more > 0 {
+        lines.push(format!("and {more} more"));
+    }
+    if lines.is_empty() {
+        return;
+    }
+    widgets::card(ui, |ui| {
+        title(ui, "Notes");
+        for line in &lines {
+            widgets::hint(ui, line);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::CATALOGUE;
+    use crate::effects::term::parameter_names;
+
+    #[test]
+    fn every_parameter_of_the_catalogue_has_a_name_and_a_unit() {
+        for effect in CATALOGUE {
+            for parameter in parameter_names(*effect) {
+                let (name, unit) = named(parameter);
+                assert!(
+                    !name.is_empty() && !name.contains('_'),
+                    "{parameter}: {name}"
+                );
+                let pure = ["order", "ratio", "from_joint"].contains(&parameter);
+                assert_eq!(unit.is_empty(), pure, "{parameter}: {unit}");
+            }
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Sample by sample: what was measured where, and whether it is within the tolerance. Any number
+//! of rows; only those in sight are made.
+
+use egui::{Align, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui_extras::{Column, TableBuilder, TableRow};
+
+use crate::gui::style::tokens::{Palette, size};
+use crate::gui::units::trimmed;
+use crate::gui::views::copies;
+use crate::gui::workbench::{Command, Workbench};
+
+const ROW: f32 = 22.0;
+/// Width of the sample's number, and of its mark.
+const NUMBER: f32 = 44.0;
+const MARK: f32 = 20.0;
+
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let units = workbench.units();
+    let subject = workbench.subject();
+    let answer = workbench.answer();
+    let tolerance_mm = workbench.document().tolerance_mm;
+    let view = workbench.view();
+    let brought = brought(ui, workbench);
+    copies::button(ui, "samples", || copies::samples(workbench));
+    let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
+    let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
+    let wide = wide.clamp(52.0, 96.0).floor();
+    // A column has one number of decimals, so that its numbers can be compared at a glance.
+    let like_before = subject.gap_before.map_or(1.0, |gap| gap.rms_mm);
+    let like_after = answer.map_or(1.0, |a| a.identification.gap.after.rms_mm);
+    let mut table = TableBuilder::new(ui)
+        .striped(false)
+        .sense(Sense::click() | Sense::hover())
+        .cell_layout(Layout::right_to_left(Align::Center))
+        .column(Column::exact(NUMBER))
+        .columns(Column::exact(wide), 3)
+        .column(Column::exact(MARK))
+        .auto_shrink([false, false]);
+    if let Some((row, align)) = brought {
+        table = table.scroll_to_row(row, align).animate_scrolling(false);
+    }
+    let length = units.length_name();
+    let angle = if subject.turns() {
+        units.angle_name().trim()
+    } else {
+        length
+    };
+    let mut hovered = None;
+    table
+        .header(24.0, |mut header| {
+            let heads = [
+                "sample".to_owned(),
+                format!("angle, {angle}"),
+                format!("before, {length}"),
+                format!("after, {length}"),
+                String::new(),
+            ];
+            for head in heads {
+                heading(&mut header, &head);
+            }
+        })
+        .body(|body| {
+            body.rows(ROW, subject.len(), |mut row| {
+                let sample = row.index();
+                let marked = view.marked.binary_search(&sample).is_ok();
+                row.set_selected(view.selected == Some(sample) || marked);
+                row.set_hovered(view.hovered == Some(sample));
+                let before = subject.before.length_mm[sample];
+                let after = answer.map(|a| a.lengths_mm[sample]);
+                let q = subject.q(sample);
+                let q = if subject.turns() {
+                    trimmed(units.angle_value(q), 3)
+                } else {
+                    trimmed(units.length_value(q), 3)
+                };
+                cell(&mut row, "number", |ui| {
+                    let number = RichText::new((sample + 1).to_string());
+                    ui.label(number.color(palette.muted));
+                });
+                cell(&mut row, "angle", |ui| {
+                    ui.label(q);
+                });
+                cell(&mut row, "before", |ui| {
+                    ui.label(units.length_like(before, like_before));
+                });
+                cell(&mut row, "after", |ui| {
+                    let after = after.map(|mm| units.length_like(mm, like_after));
+                    ui.label(after.unwrap_or_default());
+                });
+                let shown = after.unwrap_or(before);
+                cell(&mut row, "tolerance", |ui| {
+                    if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
+                        mark(ui, shown <= tolerance_mm);
+                    }
+                });
+                let response = row.response();
+                if response.hovered() {
+                    hovered = Some(sample);
+                }
+                if response.clicked() {
+                    commands.push(Command::Select(Some(sample)));
+                }
+            });
+        });
+    let id = ui.scope_id().with("row under the pointer");
+    let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
+    ui.data_mut(|data| data.insert_temp(id, hovered));
+    if before.flatten() != hovered {
+        commands.push(Command::Hover(hovered));
+    }
+}
+
+/// The row that is brought into sight in this frame, and to where. A sample that is chosen or pointed
+/// at elsewhere is brought once; under the pointer nothing moves.
+fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
+    let view = workbench.view();
+    let here = ui.rect_contains_pointer(ui.available_rect_before_wrap());
+    let elsewhere = view.hovered.filter(|_| !here);
+    let wanted = elsewhere.or(view.selected);
+    let id = ui.scope_id().with("shown sample");
+    let last: Option<Option<usize>> = ui.data_mut(|data| data.get_temp(id));
+    ui.data_mut(|data| data.insert_temp(id, wanted));
+    if here || last.flatten() == wanted {
+        return None;
+    }
+    // What is only pointed at moves the table no farther than it must.
+    let align = elsewhere.is_none().then_some(Align::Center);
+    wanted.map(|row| (row, align))
+}
+
+/// The head of a column; the last is a mark, and needs a name all the same.
+fn heading(header: &mut TableRow<'_, '_>, head: &str) {
+    let (_, cell) = header.col(|ui| {
+        let muted = Palette::of(ui).muted;
+        ui.label(RichText::new(head).size(size::SMALL).color(muted));
+    });
+    let name = if head.is_empty() { "tolerance" } else { head };
+    let name = format!("column {name}");
+    cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
+}
+
+/// A cell of a row; it can be pressed, and so it has a name.
+fn cell(row: &mut TableRow<'_, '_>, what: &str, contents: impl FnOnce(&mut Ui)) {
+    let name = format!("row {}, {what}", row.index() + 1);
+    let (_, response) = row.col(contents);
+    response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
+}
+
+fn mark(ui: &mut Ui, within: bool) {
+    let palette = Palette::of(ui);
+    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
+    let painter = ui.painter();
+    if within {
+        painter.circle_filled(rect.center(), 3.4, palette.within);
+    } else {
+        let at = |x: f32, y: f32| rect.center() + vec2(x, y) * 4.6;
+        let corners = vec![at(0.0, -1.0), at(1.0, 0.0), at(0.0, 1.0), at(-1.0, 0.0)];
+        let stroke = Stroke::new(1.5, palette.outside);
+        painter.add(egui::Shape::convex_polygon(
+            corners,
+            palette.surface,
+            stroke,
+        ));
+    }
+    let says = if within {
+        "within the tolerance"
+    } else {
+        "outside the tolerance"
+    };
+    response.on_hover_text(says);
+}

@@ -1,0 +1,261 @@
+//! Step 1: what was measured, on what, and what was found while it was read.
+
+use egui::{DragValue, RichText, TextEdit, Ui};
+
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::gui::core::edit::Edit;
+use crate::gui::core::simulate::Form;
+use crate::gui::core::subject::Origin;
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::units::{grouped, number_of};
+use crate::gui::view::{Sheet, Step};
+use crate::gui::views::step::StepView;
+use crate::gui::widgets::{self, Progress};
+use crate::gui::workbench::{Command, Workbench};
+
+use super::setup;
+use crate::kinematics::JointKind;
+use crate::sessions::Sigma;
+
+pub(super) const STEP: StepView = StepView {
+    step: Step::Session,
+    show,
+    next,
+    state,
+};
+
+fn state(workbench: &Workbench) -> (String, Progress) {
+    let says = if workbench.subject().is_empty() {
+        "a model, nothing measured".to_owned()
+    } else {
+        number_of(workbench.subject().len(), "sample")
+    };
+    (says, Progress::Done)
+}
+
+fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::section(ui, "Measured");
+    facts(ui, workbench);
+    tolerance(ui, workbench, commands);
+    follow(ui, workbench, commands);
+    findings(ui, workbench, commands);
+    widgets::section(ui, "Another session or model");
+    if widgets::secondary(ui, "Open…").clicked() {
+        commands.push(Command::ChooseFile);
+    }
+    path_field(ui, commands);
+    if widgets::secondary(ui, "New by simulation…").clicked() {
+        commands.push(Command::Sheet(Some(Sheet::Simulate(Form::default()))));
+    }
+    recent(ui, workbench, commands);
+    setup::show(ui, workbench, commands);
+}
+
+/// Files that were opened before, newest first.
+fn recent(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    const MOST: usize = 5;
+    let recent: Vec<_> = workbench.recent().take(MOST).collect();
+    if recent.is_empty() {
+        return;
+    }
+    let palette = Palette::of(ui);
+    widgets::section(ui, "Recent files");
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    for (path, there) in recent {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let name = name.to_string_lossy();
+        let whole = path.display().to_string();
+        if there {
+            let link = ui.link(name.as_ref()).on_hover_text(whole);
+            if link.clicked() {
+                commands.push(Command::OpenFile(path.to_path_buf()));
+            }
+            continue;
+        }
+        let says = format!("{name} is not there any more");
+        let says = RichText::new(says).size(size::NOTE);
+        let says = ui.add(egui::Label::new(says.color(palette.muted)).wrap());
+        says.on_hover_text(whole);
+        if ui.link(format!("Forget {name}")).clicked() {
+            commands.push(Command::Forget(path.to_path_buf()));
+        }
+    }
+}
+
+fn facts(ui: &mut Ui, workbench: &Workbench) {
+    let subject = workbench.subject();
+    let session = &subject.session;
+    let units = workbench.units();
+    widgets::fact(ui, "robot", &session.robot.name);
+    if let [joint] = session.robot.joints.as_slice() {
+        let (from, to) = subject.travel();
+        let range = match joint.kind {
+            JointKind::Revolute => format!("{} … {}", units.angle(from), units.angle(to)),
+            JointKind::Prismatic => format!("{} … {}", units.length(from), units.length(to)),
+        };
+        widgets::fact(ui, "joint", format!("{}, {range}", joint.name));
+    } else {
+        widgets::fact(ui, "joints", session.robot.joints.len().to_string());
+    }
+    if subject.is_empty() {
+        widgets::fact(ui, "samples", "none: this is a model");
+        return;
+    }
+    let held_out = subject.overview.held_out;
+    let samples = if held_out > 0 {
+        let (all, held_out) = (grouped(subject.len()), grouped(held_out));
+        format!("{all}, {held_out} held out")
+    } else {
+        grouped(subject.len())
+    };
+    widgets::fact(ui, "samples", samples);
+    if let Some(kinds) = &subject.overview.kinds {
+        widgets::fact(ui, "measured", kinds);
+    }
+    if session.targets.len() > 1 {
+        widgets::fact(ui, "reflectors", session.targets.len().to_string());
+    }
+    if !session.instrument.name.is_empty() {
+        widgets::fact(ui, "instrument", &session.instrument.name);
+    }
+    let sigma = match session.instrument.sigma_mm {
+        None => "not given".to_owned(),
+        Some(Sigma::Overall(sigma)) => units.length(sigma),
+        Some(Sigma::PerAxis([x, y, z])) => units.length(((x * x + y * y + z * z) / 3.0).sqrt()),
+    };
+    widgets::fact(ui, "noise, one σ", sigma);
+    if session.samples.z_mm.is_none() {
+        widgets::fact(ui, "coordinates", "x and y; z was not measured");
+    }
+    if session.compensated_by.is_some() {
+        widgets::fact(ui, "compensated", "yes: this shows what is left");
+    }
+}
+
+fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    // The largest that makes sense on any robot; the field is in mm, as the file is.
+    const LARGEST_MM: f64 = 1000.0;
+    let now = workbench.document().tolerance_mm.unwrap_or(0.0);
+    let mut tolerance = now;
+    let field = DragValue::new(&mut tolerance)
+        .range(0.0..=LARGEST_MM)
+        .speed(0.005)
+        .max_decimals(4)
+        .custom_formatter(|value, decimals| {
+            if value > 0.0 {
+                egui::emath::format_with_decimals_in_range(value, decimals)
+            } else {
+                "none".to_owned()
+            }
+        })
+        .suffix(if now > 0.0 { " mm" } else { "" });
+    let response = widgets::number(ui, "tolerance", field);
+    if tolerance != now {
+        let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
+        commands.push(if response.dragged() {
+            Command::Drag(edit)
+        } else {
+            Command::Edit(edit)
+        });
+    }
+    if response.drag_stopped() {
+        commands.push(Command::EndDrag);
+    }
+}
+
+/// The file goes on growing: follow it.
+fn follow(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.samples_file().is_none() {
+        return;
+    }
+    let following = workbench.following();
+    let mut on = following.is_some();
+    let says = "New lines are read as they are written, and the answer follows";
+    let response = ui.checkbox(&mut on, "Follow the file as it grows");
+    if response.on_hover_text(says).changed() {
+        commands.push(Command::Follow(on));
+    }
+    if let Some(came) = following {
+        let samples = if came == 1 { "sample" } else { "samples" };
+        widgets::hint(ui, format!("{came} {samples} came since"));
+    }
+}
+
+fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    const MOST: usize = 50;
+    let findings = &workbench.subject().findings;
+    if findings.is_empty() {
+        return;
+    }
+    widgets::section(ui, &format!("Import log: {}", findings.len()));
+    ui.scope(|ui| {
+        // Rows are as high as their text, the first of a finding too.
+        ui.spacing_mut().interact_size.y = 0.0;
+        for finding in findings.iter().take(MOST) {
+            finding_line(ui, finding, commands);
+        }
+    });
+    if findings.len() > MOST {
+        widgets::hint(ui, format!("and {} more", findings.len() - MOST));
+    }
+}
+
+fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let (mark, color) = match finding.severity {
+        Severity::Note => ("note", palette.muted),
+        Severity::Warning => ("warning", palette.warning),
+        Severity::Error => ("error", palette.outside),
+    };
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
+        let text = RichText::new(finding.to_string()).size(size::SMALL);
+        if finding.samples.is_empty() {
+            ui.label(text);
+        } else if ui.link(text).on_hover_text("Show these samples").clicked() {
+            commands.push(Command::Mark(finding.samples.clone()));
+        }
+    });
+}
+
+/// A path can always be typed: not every system has a dialog.
+fn path_field(ui: &mut Ui, commands: &mut Vec<Command>) {
+    let id = ui.scope_id().with("typed path");
+    let mut typed: String = ui.data_mut(|data| data.get_temp(id)).unwrap_or_default();
+    ui.horizontal(|ui| {
+        let width = ui.available_width() - 64.0;
+        let field = TextEdit::singleline(&mut typed)
+            .hint_text("type a path, or drop a file")
+            .desired_width(width)
+            .min_size(egui::vec2(width, space::CONTROL))
+            .align(egui::Align2::LEFT_CENTER);
+        let field = ui.add(field);
+        ui.ctx().accesskit_node_builder(field.id, |node| {
+            node.set_label("Path of a session or model");
+        });
+        let entered = field.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        let path = typed.trim();
+        let button = ui.add_enabled(!path.is_empty(), egui::Button::new("Open"));
+        if (entered || button.clicked()) && !path.is_empty() {
+            commands.push(Command::OpenFile(path.into()));
+        }
+    });
+    ui.data_mut(|data| data.insert_temp(id, typed));
+}
+
+fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let subject = workbench.subject();
+    if subject.origin == Origin::Bundled {
+        widgets::hint(ui, "This is an example that comes with the program");
+    }
+    let (step, text) = if workbench.document().given.is_some() {
+        (Step::Export, "Continue to export")
+    } else if subject.single_revolute() {
+        (Step::Regions, "Continue to regions")
+    } else {
+        (Step::Identify, "Continue to identify")
+    };
+    if widgets::primary(ui, text).clicked() {
+        commands.push(Command::GoTo(step));
+    }
+}

@@ -1,0 +1,331 @@
+//! Robot, reflectors and instrument, to be edited: checked as they are typed, with the message at
+//! the field, and in the plots at once.
+
+use egui::{CollapsingHeader, DragValue, Response, RichText, TextEdit, Ui};
+
+use crate::gui::core::edit::Edit;
+use crate::gui::core::setup::{Field, JointForm, Problem, SetupForm, SigmaForm, TargetForm};
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::workbench::{Command, Workbench};
+use crate::gui::{help, widgets};
+use crate::kinematics::JointKind;
+
+/// What happened to the fields.
+#[derive(Default)]
+struct Touched {
+    dragged: bool,
+    released: bool,
+}
+
+impl Touched {
+    fn by(&mut self, response: &Response) {
+        self.dragged |= response.dragged();
+        self.released |= response.drag_stopped();
+    }
+}
+
+/// Shows the parts of the form, folded.
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let session = &workbench.subject().session;
+    let now = match &workbench.view().setup {
+        Some(draft) => SetupForm::clone(draft),
+        None => SetupForm::of(session),
+    };
+    let problems = match &workbench.view().setup {
+        Some(draft) => draft.session(session).err().unwrap_or_default(),
+        None => Vec::new(),
+    };
+    let mut form = now.clone();
+    let mut touched = Touched::default();
+    widgets::section(ui, "Robot and instrument");
+    ui.spacing_mut().item_spacing.y = space::TIGHT;
+    for k in 0..form.joints.len() {
+        let title = format!("Joint {}, {}", k + 1, now.joints[k].name);
+        let wrong = |f: Field| matches!(f, Field::JointName(j) | Field::Axis(j) | Field::Limits(j) | Field::Mass(j) if j == k);
+        let open = problems
+            .iter()
+            .any(|(f, _)| wrong(*f) || *f == Field::Joints);
+        folded(ui, &title, ("joint", k), open, |ui| {
+            joint(ui, &mut form.joints[k], k, &problems, &mut touched);
+        });
+    }
+    let open = problems.iter().any(|(f, _)| *f == Field::Tool);
+    folded(ui, "Tool and gravity", "tool", open, |ui| {
+        tool(ui, &mut form, &problems, &mut touched);
+    });
+    let open = problems.iter().any(|(f, _)| matches!(f, Field::Target(_)));
+    folded(ui, "Reflectors", "targets", open, |ui| {
+        let free = now.last_target_is_free(session);
+        targets(ui, &mut form, free, &problems, &mut touched);
+    });
+    if !workbench.subject().is_empty() {
+        let open = problems.iter().any(|(f, _)| *f == Field::Sigma);
+        folded(ui, "Instrument", "instrument", open, |ui| {
+            instrument(ui, &mut form, &problems, &mut touched);
+        });
+    }
+    if workbench.view().setup.is_some() {
+        if let Some((_, says)) = problems.iter().find(|(f, _)| *f == Field::Joints) {
+            widgets::wrong(ui, says);
+        }
+        widgets::hint(ui, "Not taken over while something is wrong");
+        if ui.link("Back to what was there").clicked() {
+            commands.push(Command::Draft(None));
+            return;
+        }
+    }
+    if form != now {
+        commands.push(match form.session(session) {
+            Err(_) => Command::Draft(Some(Box::new(form))),
+            Ok(_) if touched.dragged => Command::Drag(Edit::Setup(Box::new(form))),
+            Ok(_) => Command::Edit(Edit::Setup(Box::new(form))),
+        });
+    }
+    if touched.released {
+        commands.push(Command::EndDrag);
+    }
+}
+
+fn folded(
+    ui: &mut Ui,
+    title: &str,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    open: bool,
+    contents: impl FnOnce(&mut Ui),
+) {
+    let header = CollapsingHeader::new(RichText::new(title).size(size::BODY)).id_salt(salt);
+    // What is wrong is not folded away.
+    let header = if open {
+        header.open(Some(true))
+    } else {
+        header
+    };
+    header.show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = space::TIGHT;
+        contents(ui);
+    });
+}
+
+fn message(ui: &mut Ui, problems: &[Problem], field: Field) {
+    for (_, says) in problems.iter().filter(|(f, _)| *f == field) {
+        widgets::wrong(ui, says);
+    }
+}
+
+fn caption(ui: &mut Ui, text: &str) {
+    let muted = Palette::of(ui).muted;
+    ui.label(RichText::new(text).size(size::SMALL).color(muted));
+}
+
+fn text(ui: &mut Ui, label: &str, text: &mut String) {
+    let id = ui.scope_id().with(("text", label));
+    // A name is taken over when it is complete: one step back takes the whole of it back.
+    let mut typed: String = ui.data(|d| d.get_temp(id)).unwrap_or_else(|| text.clone());
+    let field = TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
+    let field = ui.add(field.min_size(egui::vec2(0.0, 24.0)));
+    ui.ctx()
+        .accesskit_node_builder(field.id, |node| node.set_label(label.to_owned()));
+    if field.has_focus() {
+        ui.data_mut(|d| d.insert_temp(id, typed));
+    } else {
+        if field.lost_focus() {
+            *text = typed;
+        }
+        ui.data_mut(|d| d.remove_temp::<String>(id));
+    }
+}
+
+/// So many numbers in a row.
+fn numbers(
+    ui: &mut Ui,
+    label: &str,
+    parts: &[&str],
+    values: &mut [f64],
+    speed: f64,
+    touched: &mut Touched,
+) {
+    let gap = 6.0;
+    let width = (ui.available_width() - gap * (parts.len() as f32 - 1.0)) / parts.len() as f32;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        for (part, value) in parts.iter().zip(values) {
+            let name = if part.is_empty() {
+                label.to_owned()
+            } else {
+                format!("{label} {part}")
+            };
+            let field = DragValue::new(value).speed(speed).max_decimals(6);
+            touched.by(&widgets::cell_number(ui, &name, width, field));
+        }
+    });
+}
+
+const XYZ: [&str; 3] = ["x", "y", "z"];
+
+fn joint(
+    ui: &mut Ui,
+    joint: &mut JointForm,
+    k: usize,
+    problems: &[Problem],
+    touched: &mut Touched,
+) {
+    let n = k + 1;
+    text(ui, &format!("Name of joint {n}"), &mut joint.name);
+    message(ui, problems, Field::JointName(k));
+    let kinds = [
+        (JointKind::Revolute, "turns"),
+        (JointKind::Prismatic, "slides"),
+    ];
+    if let Some(kind) = widgets::segmented(ui, &kinds, joint.kind) {
+        joint.kind = kind;
+    }
+    ui.horizontal(|ui| {
+        caption(ui, "axis, direction at home");
+        widgets::question(ui, help::AXIS);
+    });
+    numbers(
+        ui,
+        &format!("Axis {n}"),
+        &XYZ,
+        &mut joint.axis,
+        0.01,
+        touched,
+    );
+    message(ui, problems, Field::Axis(k));
+    caption(ui, "a point on it, mm");
+    numbers(
+        ui,
+        &format!("Point {n}"),
+        &XYZ,
+        &mut joint.point_mm,
+        0.1,
+        touched,
+    );
+    let unit = match joint.kind {
+        JointKind::Revolute => "°",
+        JointKind::Prismatic => "mm",
+    };
+    let mut limited = joint.limits.is_some();
+    if ui
+        .checkbox(&mut limited, format!("limits of joint {n}, {unit}"))
+        .changed()
+    {
+        joint.limits = limited.then_some([-90.0, 90.0]);
+    }
+    if let Some(limits) = &mut joint.limits {
+        numbers(
+            ui,
+            &format!("Limit {n}"),
+            &["from", "to"],
+            limits,
+            0.5,
+            touched,
+        );
+        message(ui, problems, Field::Limits(k));
+    }
+    let mut heavy = joint.link.is_some();
+    if ui
+        .checkbox(&mut heavy, format!("mass of link {n}, kg"))
+        .changed()
+    {
+        joint.link = heavy.then_some((1.0, joint.point_mm));
+    }
+    if let Some((mass, centre_mm)) = &mut joint.link {
+        let mass = std::slice::from_mut(mass);
+        numbers(ui, &format!("Mass {n}"), &[""], mass, 0.05, touched);
+        message(ui, problems, Field::Mass(k));
+        caption(ui, "its centre at home, mm");
+        numbers(ui, &format!("Centre {n}"), &XYZ, centre_mm, 0.5, touched);
+    }
+}
+
+fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut Touched) {
+    ui.horizontal(|ui| {
+        caption(ui, "tool at home, mm");
+        widgets::question(ui, help::TOOL);
+    });
+    numbers(ui, "Tool", &XYZ, &mut form.tool_mm, 0.1, touched);
+    caption(ui, "orientation, quaternion w x y z");
+    let wxyz = ["w", "x", "y", "z"];
+    numbers(
+        ui,
+        "Orientation",
+        &wxyz,
+        &mut form.tool_wxyz,
+        0.005,
+        touched,
+    );
+    message(ui, problems, Field::Tool);
+    let mut known = form.gravity.is_some();
+    if ui.checkbox(&mut known, "gravity is known, m/s²").changed() {
+        form.gravity = known.then_some([0.0, 0.0, -9.81]);
+    }
+    if let Some(gravity) = &mut form.gravity {
+        numbers(ui, "Gravity", &XYZ, gravity, 0.01, touched);
+    }
+}
+
+fn targets(
+    ui: &mut Ui,
+    form: &mut SetupForm,
+    last_is_free: bool,
+    problems: &[Problem],
+    touched: &mut Touched,
+) {
+    caption(ui, "in the tool frame, mm");
+    let mut gone = false;
+    let count = form.targets.len();
+    for (k, target) in form.targets.iter_mut().enumerate() {
+        let n = k + 1;
+        text(ui, &format!("Name of reflector {n}"), &mut target.name);
+        let label = format!("Reflector {n}");
+        numbers(ui, &label, &XYZ, &mut target.position_mm, 0.1, touched);
+        message(ui, problems, Field::Target(k));
+        if n == count && last_is_free {
+            gone = ui.link("Remove this reflector").clicked();
+        }
+    }
+    if gone {
+        form.targets.pop();
+    } else if ui.link("Add a reflector").clicked() {
+        form.targets.push(TargetForm {
+            name: format!("T{}", count + 1),
+            position_mm: [0.0; 3],
+        });
+    }
+}
+
+fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut Touched) {
+    text(ui, "Name of the instrument", &mut form.instrument);
+    ui.horizontal(|ui| {
+        caption(ui, "noise, one σ, mm");
+        widgets::question(ui, help::NOISE);
+    });
+    let kind = match form.sigma {
+        SigmaForm::Unknown => 0,
+        SigmaForm::One(_) => 1,
+        SigmaForm::Three(_) => 3,
+    };
+    let kinds = [(0, "unknown"), (1, "one number"), (3, "x, y, z")];
+    if let Some(kind) = widgets::segmented(ui, &kinds, kind) {
+        let size = match form.sigma {
+            SigmaForm::Unknown => 0.03,
+            SigmaForm::One(sigma) => sigma,
+            SigmaForm::Three([x, y, z]) => ((x * x + y * y + z * z) / 3.0).sqrt(),
+        };
+        form.sigma = match kind {
+            0 => SigmaForm::Unknown,
+            1 => SigmaForm::One(size),
+            _ => SigmaForm::Three([size; 3]),
+        };
+    }
+    match &mut form.sigma {
+        SigmaForm::Unknown => {}
+        SigmaForm::One(sigma) => {
+            let sigma = std::slice::from_mut(sigma);
+            numbers(ui, "Noise", &[""], sigma, 0.001, touched);
+        }
+        SigmaForm::Three(sigma) => numbers(ui, "Noise", &XYZ, sigma, 0.001, touched),
+    }
+    message(ui, problems, Field::Sigma);
+}

@@ -1,0 +1,91 @@
+//! Accuracy and repeatability as the standards state them, before and after.
+
+use egui::{Grid, RichText, Ui};
+
+use crate::gui::cache::figures::{Group, Made, as_text};
+use crate::gui::style::tokens::{Palette, size, space, strong};
+use crate::gui::workbench::Workbench;
+use crate::gui::{help, widgets};
+
+use super::copies;
+
+/// Shows them, where there is something measured.
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench) {
+    let Some(figures) = workbench.figures() else {
+        return;
+    };
+    widgets::card(ui, |ui| {
+        ui.label(RichText::new("Accuracy and repeatability").font(strong(size::BODY)));
+        match &figures.made {
+            None => widgets::hint(ui, "The figures are being worked out"),
+            Some(Err(because)) => widgets::hint(ui, because),
+            Some(Ok(made)) => tables(ui, made),
+        }
+    });
+}
+
+fn tables(ui: &mut Ui, made: &Made) {
+    if made.groups.iter().any(|group| !group.rows.is_empty()) {
+        copies::button(ui, "figures", || as_text(made));
+    }
+    let mut explained = "";
+    for group in &made.groups {
+        widgets::section(ui, &format!("{}, {}", group.title, group.standard));
+        if !group.says.is_empty() {
+            widgets::hint(ui, &group.says);
+        }
+        if !group.rows.is_empty() {
+            table(ui, group);
+            if group.standard != explained {
+                widgets::hint(ui, legend(group));
+                explained = group.standard;
+            }
+        }
+        for line in &group.missing {
+            widgets::hint(ui, format!("missing: {line}"));
+        }
+    }
+    for line in &made.notes {
+        widgets::hint(ui, line);
+    }
+}
+
+/// What the symbols of a table are called; what each means in full is said at the symbol.
+fn legend(group: &Group) -> String {
+    let sides = |symbol: &str| symbol.ends_with(['↑', '↓']);
+    let rows = group.rows.iter().filter(|row| !sides(row.symbol));
+    let mut names: Vec<String> = rows
+        .map(|row| format!("{} {}", row.symbol, row.name))
+        .collect();
+    if group.rows.iter().any(|row| sides(row.symbol)) {
+        names.push("↑ from below, ↓ from above".to_owned());
+    }
+    names.join(" · ")
+}
+
+fn table(ui: &mut Ui, group: &Group) {
+    let palette = Palette::of(ui);
+    ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
+    Grid::new(("standards", &group.title))
+        .num_columns(3)
+        .spacing([20.0, 3.0])
+        .show(ui, |ui| {
+            let measured = format!("measured, {}", group.unit);
+            for head in ["", &measured, "corrected"] {
+                let head = RichText::new(head).size(size::SMALL).color(palette.muted);
+                widgets::cell_right(ui, head);
+            }
+            ui.end_row();
+            for row in &group.rows {
+                let [before, after] = row.shown();
+                ui.label(row.symbol).on_hover_ui(|ui| {
+                    ui.set_max_width(space::TIP);
+                    ui.label(RichText::new(row.name).font(strong(size::BODY)));
+                    ui.label(help::figure(row.symbol).unwrap_or_default());
+                });
+                widgets::cell_right(ui, RichText::new(before));
+                widgets::cell_right(ui, RichText::new(after).font(strong(size::BODY)));
+                ui.end_row();
+            }
+        });
+}

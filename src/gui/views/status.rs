@@ -1,0 +1,125 @@
+//! The bar at the bottom: where the work stands, and what runs in the background.
+
+use egui::{Align, Layout, RichText, Spinner, Ui};
+
+use crate::diagnosis::FloorFrom;
+use crate::fonts;
+use crate::gui::core::edit::Edit;
+use crate::gui::style::tokens::{Palette, size};
+use crate::gui::units::number_of;
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+/// Where the work stands, in one line.
+pub(crate) fn line(workbench: &Workbench) -> String {
+    let subject = workbench.subject();
+    if subject.is_empty() {
+        return format!(
+            "model of {} · open a session measured on this robot to see what the model does",
+            subject.session.robot.name
+        );
+    }
+    let units = workbench.units();
+    let samples = number_of(subject.len(), "sample");
+    let unit = units.length_name();
+    let mm = |mm: f64| units.length_number(mm);
+    let gap = match (workbench.answer(), &subject.gap_before) {
+        (Some(answer), _) => {
+            let gap = &answer.identification.gap;
+            let mut gaps = vec![gap.before.rms_mm];
+            // What the identification left, where effects were added to it since.
+            let added = workbench.document().in_the_model().next().is_some();
+            gaps.extend(
+                workbench
+                    .diagnosis()
+                    .filter(|_| added)
+                    .map(|d| d.gap.identified_mm),
+            );
+            gaps.push(gap.after.rms_mm);
+            let gaps: Vec<String> = gaps.into_iter().map(mm).collect();
+            format!("RMS error {} {unit}", gaps.join(" → "))
+        }
+        (None, Some(gap)) => format!("RMS error {} {unit}", mm(gap.rms_mm)),
+        (None, None) => "no sample can be used".to_owned(),
+    };
+    let floor = match (workbench.diagnosis(), subject.known.floor_mm) {
+        (Some(d), _) => Some((d.floor.mm, floor_from(d.floor.from))),
+        (None, Some(mm)) => Some((mm, "instrument")),
+        (None, None) => None,
+    };
+    let floor = floor.map_or_else(String::new, |(floor_mm, from)| {
+        format!(" · floor {} {unit} ({from})", mm(floor_mm))
+    });
+    format!("{samples} · {gap}{floor}")
+}
+
+/// Where a noise floor comes from, in a word.
+fn floor_from(from: FloorFrom) -> &'static str {
+    match from {
+        FloorFrom::Repeats => "repeats",
+        FloorFrom::Instrument => "instrument",
+        FloorFrom::Estimated => "estimated",
+    }
+}
+
+/// What there is to say while nothing runs.
+fn idle(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    let small = |text: String| RichText::new(text).size(size::NOTE);
+    if workbench.is_declined() {
+        if ui.small_button("Identify again").clicked() {
+            commands.push(Command::Edit(Edit::Identify));
+        }
+        ui.label(small("the identification was cancelled".to_owned()).color(palette.warning));
+    } else if let Some(came) = workbench.following() {
+        if ui.small_button("Stop following").clicked() {
+            commands.push(Command::Follow(false));
+        }
+        let says = format!("following the file · {came} new");
+        ui.label(small(says).color(palette.accent));
+    } else if !workbench.letters().unshown.is_empty() {
+        if ui.small_button("Understood").clicked() {
+            commands.push(Command::DismissLetters);
+        }
+        let says = fonts::cannot_be_shown(&workbench.letters().unshown);
+        let says = small(says).color(palette.warning);
+        ui.add(egui::Label::new(says).truncate());
+    }
+}
+
+/// Room for what runs in the background, points.
+const BUSY: f32 = 420.0;
+
+pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let palette = Palette::of(ui);
+    ui.horizontal_centered(|ui| {
+        let status = line(workbench);
+        // What runs has its place at the right whatever is said at the left.
+        let busy = workbench.jobs().newest().is_some();
+        let room = ui.available_width() - if busy { BUSY } else { 0.0 };
+        let line = egui::Label::new(RichText::new(&status).size(size::NOTE)).truncate();
+        let high = ui.available_height();
+        let left = Layout::left_to_right(Align::Center);
+        ui.allocate_ui_with_layout(egui::vec2(room, high), left, |ui| ui.add(line));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let Some(task) = workbench.jobs().newest() else {
+                return idle(ui, workbench, commands);
+            };
+            if ui.small_button("Cancel").clicked() {
+                commands.push(Command::Cancel);
+            }
+            let what = RichText::new(task.says());
+            ui.label(what.size(size::NOTE).color(palette.muted));
+            match task.progress() {
+                Some(part) => {
+                    let bar = egui::ProgressBar::new(part).desired_width(120.0);
+                    ui.add(bar.desired_height(8.0).fill(palette.accent));
+                    widgets::look_again_soon(ui);
+                }
+                None => {
+                    ui.add(Spinner::new().size(14.0).color(palette.accent));
+                }
+            }
+        });
+    });
+}

@@ -1,0 +1,120 @@
+//! What no name explains: how much and where, and its smooth correction, added and taken back.
+
+use egui::{RichText, Ui};
+
+use crate::diagnosis::{Correction, Diagnosis};
+use crate::effects::Term;
+use crate::gui::core::edit::Edit;
+use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::units::{significant, trimmed};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::kinematics::JointKind;
+use crate::model::Model;
+use crate::units::deg_from_rad;
+
+use super::names::{curve_link, titles};
+
+/// The card of what a search could not name.
+pub(super) fn card(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis, commands: &mut Vec<Command>) {
+    let left = &d.unexplained;
+    if !left.present {
+        return;
+    }
+    let warning = Palette::of(ui).warning;
+    widgets::card(ui, |ui| {
+        let text = RichText::new("Unexplained").font(strong(size::HEADING));
+        ui.label(text.color(warning));
+        widgets::fact(ui, "what is left", workbench.units().length(left.rms_mm));
+        if let Some(place) = &left.place {
+            widgets::fact(ui, "where", place.says());
+        }
+        widgets::hint(ui, &left.says);
+        if !left.resembles.is_empty() {
+            let resembles = titles(&left.resembles);
+            widgets::hint(ui, format!("A part of it looks like {resembles}"));
+        }
+        match &left.correction {
+            None => {}
+            Some(Err(because)) => {
+                widgets::hint(ui, format!("It cannot be corrected: {because}"));
+            }
+            Some(Ok(found)) => {
+                correction(ui, workbench, found, commands);
+                curve_link(ui, workbench, d.found.len(), commands);
+            }
+        }
+    });
+}
+
+/// What a smooth correction would bring, and the button that adds it.
+fn correction(ui: &mut Ui, workbench: &Workbench, found: &Correction, commands: &mut Vec<Command>) {
+    let units = workbench.units();
+    let mm = |mm: f64| significant(units.length_value(mm), 3);
+    let [before, after] = found.held_out_mm;
+    let gap = format!("{} → {} {}", mm(before), mm(after), units.length_name());
+    widgets::fact(ui, "cross-validated RMS error, corrected", gap);
+    range(
+        ui,
+        workbench.subject().session.robot.joints[found.term.joint].kind,
+        &found.term,
+    );
+    let mut added = workbench.document().added.iter();
+    match added.position(|a| a.term.same_column(&found.term)) {
+        None => {
+            if widgets::secondary(ui, "Add smooth correction").clicked() {
+                // It is what the names leave: without them it would correct something else.
+                let mut terms = workbench.not_added();
+                terms.push(found.term.clone());
+                commands.push(Command::Edit(Edit::Add(terms)));
+            }
+        }
+        Some(index) => {
+            let mut on = workbench.document().added[index].on;
+            let checkbox = ui.checkbox(&mut on, "smooth correction in the model");
+            if checkbox.changed() {
+                commands.push(Command::Edit(Edit::Switch(index, on)));
+            }
+        }
+    }
+}
+
+/// Where the curve of a term is measured; outside nothing is known.
+fn range(ui: &mut Ui, kind: JointKind, term: &Term) {
+    let Some(curve) = term.curve() else { return };
+    let (unit, outer): (&str, fn(f64) -> f64) = match kind {
+        JointKind::Revolute => ("°", deg_from_rad),
+        JointKind::Prismatic => (" mm", |v| v),
+    };
+    let knots = curve.knots();
+    let between = [knots.from, knots.to].map(|v| format!("{}{unit}", trimmed(outer(v), 2)));
+    widgets::fact(ui, "measured", between.join(" … "));
+    let most = |size: f64, unit: &str| format!("{}{unit}", significant(size, 2));
+    let [motion, radial, axial] = curve.largest();
+    let parts = [
+        ("largest along the motion", outer(motion), unit),
+        ("largest along the radius", radial, " mm"),
+        ("largest along the axis", axial, " mm"),
+    ];
+    for (name, size, unit) in parts {
+        if size > 0.0 {
+            widgets::fact(ui, name, most(size, unit));
+        }
+    }
+    widgets::hint(
+        ui,
+        "A smooth curve without a name. Outside the measured range its end values are held, and \
+         nothing is known",
+    );
+}
+
+/// The smooth corrections of a model, beside its parameters.
+pub(super) fn in_the_model(ui: &mut Ui, model: &Model) {
+    for term in model.terms().iter().filter(|t| t.curve.is_some()) {
+        widgets::card(ui, |ui| {
+            let text = RichText::new("Unexplained").font(strong(size::BODY));
+            ui.label(text);
+            range(ui, model.robot.joints[term.joint].kind, term);
+        });
+    }
+}

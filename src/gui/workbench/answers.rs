@@ -1,0 +1,232 @@
+//! What the background has worked out about the document, and what is asked of it next.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::diagnosis::Diagnosis;
+use crate::effects::Term;
+use crate::gui::cache::backdrop::{Backdrop, Scenery};
+use crate::gui::cache::heat::Heat;
+use crate::gui::cache::nearest::Nearest;
+use crate::gui::cache::outcome::{After, Outcome};
+use crate::gui::cache::preview::{Made, Wanted};
+use crate::gui::core::answer::Answer;
+use crate::gui::core::document::{Method, Question};
+use crate::gui::core::edit::Edit;
+use crate::gui::core::given::Given;
+use crate::gui::core::search::term_of;
+use crate::gui::view::{Canvas, Step};
+
+use super::Workbench;
+
+impl Workbench {
+    /// Whether a model can be held against the open session: both are of the same robot. The
+    /// session that the window began with counts only where the model came from it.
+    pub(super) fn has_a_session_for(&self, given: &Given) -> bool {
+        let subject = self.subject();
+        if Arc::ptr_eq(subject, &self.first) {
+            given.came_from(&subject.session)
+        } else {
+            !subject.is_empty() && given.is_of(&subject.session)
+        }
+    }
+
+    /// What the answer depends on; `None` while nothing is to be identified. What was searched answers
+    /// for itself.
+    pub(super) fn question(&self) -> Option<Question> {
+        let question = self.document().question()?;
+        Some(match &self.searched {
+            Some(search) => question.found_by(search),
+            None => question,
+        })
+    }
+
+    /// The newest answer for the present session, or why there is none. While a newer question is
+    /// being answered it is the answer to the one before.
+    pub(crate) fn outcome(&self) -> Option<&Outcome> {
+        let document = self.document();
+        self.outcome.as_deref().filter(|outcome| {
+            let question = &outcome.question;
+            document.identified
+                && Arc::ptr_eq(&question.subject, &document.subject)
+                && document.question().is_some_and(|asked| {
+                    std::mem::discriminant(&asked.asks) == std::mem::discriminant(&question.asks)
+                })
+        })
+    }
+
+    /// The newest answer to any question of the present session.
+    pub(crate) fn last_outcome(&self) -> Option<&Arc<Outcome>> {
+        self.outcome.as_ref()
+    }
+
+    /// The newest answer.
+    pub(crate) fn answer(&self) -> Option<&Answer> {
+        self.outcome().and_then(|o| o.answer.as_ref().ok())
+    }
+
+    /// Whether charts leave out the deviation before, so that what is left can be seen.
+    pub(crate) fn only_after(&self) -> bool {
+        self.view.only_after && self.answer().is_some()
+    }
+
+    /// What follows from the newest answer, for drawing.
+    pub(crate) fn after(&self) -> Option<&After> {
+        self.outcome().and_then(|o| o.after.as_ref())
+    }
+
+    pub(super) fn backdrop(&self) -> Option<&Backdrop> {
+        let backdrop = self.backdrop.as_deref()?;
+        Arc::ptr_eq(&backdrop.scenery.subject, self.subject()).then_some(backdrop)
+    }
+
+    /// Which sample is where in the plane; `None` where they are few, or while it is being found
+    /// out.
+    pub(crate) fn nearest(&self) -> Option<&Nearest> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        self.backdrop().filter(seen)?.nearest.as_deref()
+    }
+
+    /// The heat map, if it is shown. While a newer one is being made it is the one before.
+    pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
+        let seen = |b: &&Backdrop| self.view.heat && b.scenery.plane == self.view.plane;
+        self.backdrop().filter(seen)?.heat.as_ref()
+    }
+
+    /// Samples that are drawn where not all can be; `None` where they are few, or until they are
+    /// chosen.
+    pub(crate) fn thinned(&self) -> Option<&[u32]> {
+        let seen = |b: &&Backdrop| b.scenery.plane == self.view.plane;
+        let thinned = self.backdrop().filter(seen)?.thinned.as_deref()?;
+        Some(&thinned.samples)
+    }
+
+    /// The export as it would be written, or why there is none. While a newer one is being made it
+    /// is the one before.
+    pub(crate) fn export(&self) -> Option<Result<&Made, &String>> {
+        self.answer()?;
+        let preview = self.preview.as_ref()?;
+        let same = Arc::ptr_eq(&preview.wanted.outcome.question.subject, self.subject());
+        same.then_some(preview.made.as_ref())
+    }
+
+    /// The file that was exported last, of this session.
+    pub(crate) fn exported(&self) -> Option<&PathBuf> {
+        self.exported.last()
+    }
+
+    /// Whether the identification was cancelled: nobody asks again by himself.
+    pub(crate) fn is_declined(&self) -> bool {
+        self.declined.is_some() && self.question() == self.declined
+    }
+
+    /// Whether the answer that is shown belongs to the document as it is.
+    #[cfg(test)]
+    pub(crate) fn settled(&self) -> bool {
+        match (self.question(), &self.outcome) {
+            (None, _) => true,
+            (Some(asked), Some(outcome)) => outcome.question == asked,
+            (Some(_), None) => false,
+        }
+    }
+
+    /// What a search of the open session found, or why it found nothing out.
+    pub(crate) fn searched(&self) -> Option<Result<&Diagnosis, &String>> {
+        let search = self.searched.as_ref()?;
+        Arc::ptr_eq(&search.subject, self.subject()).then_some(search.answer.as_ref())
+    }
+
+    /// The diagnosis of the open session.
+    pub(crate) fn diagnosis(&self) -> Option<&Diagnosis> {
+        self.searched().and_then(Result::ok)
+    }
+
+    /// What was found and is not in the model.
+    pub(crate) fn not_added(&self) -> Vec<Term> {
+        let Some(diagnosis) = self.diagnosis() else {
+            return Vec::new();
+        };
+        let there = |term: &Term| {
+            let mut added = self.document().added.iter();
+            added.any(|a| a.term.same_column(term))
+        };
+        let found = diagnosis.found.iter().filter_map(|f| term_of(diagnosis, f));
+        found.filter(|term| !there(term)).collect()
+    }
+
+    /// A search begins where the exact identification ends.
+    pub(super) fn search(&mut self) {
+        if self.subject().is_empty() {
+            return self.complain(
+                "There is nothing to search yet",
+                vec!["Open a session that was measured on this robot".to_owned()],
+            );
+        }
+        let document = self.document();
+        let exact =
+            document.identified && document.method == Method::Exact && document.given.is_none();
+        if !exact {
+            self.edit(&Edit::IdentifyBy(Method::Exact), false);
+        }
+        self.search_in(Arc::clone(self.subject()));
+    }
+
+    /// Asks for the preview that the export step shows.
+    pub(super) fn keep_preparing(&mut self) {
+        self.keep_figuring();
+        // A model by itself has nothing to show but its table.
+        let shown = self.view.step == Step::Export || self.subject().is_empty();
+        if !shown || self.answer().is_none() {
+            return;
+        }
+        let Some(outcome) = self.outcome.clone() else {
+            return;
+        };
+        let choice = self.document().export;
+        let saved = self.saved_as.as_ref().filter(|(of, _)| *of == choice);
+        let wanted = Wanted {
+            outcome,
+            choice,
+            name: saved.map(|(_, name)| name.clone()),
+        };
+        let made = self.preview.as_ref().is_some_and(|p| p.wanted == wanted);
+        if !made {
+            self.want_preview(wanted);
+        }
+    }
+
+    /// Asks for what the plots stand on, if it is not there and not on its way.
+    pub(super) fn keep_drawing(&mut self) {
+        let outcome = self.outcome.clone().filter(|_| self.outcome().is_some());
+        let scenery = Scenery {
+            subject: Arc::clone(self.subject()),
+            outcome,
+            plane: self.view.plane,
+            heat: self.view.heat,
+            thins: self.view.canvas == Canvas::Shapes,
+            polar: self.view.polar(),
+            component: self.view.component,
+            chart: self.charting(),
+        };
+        let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
+        if scenery.any() && !there {
+            self.want_backdrop(scenery);
+        }
+    }
+
+    /// Asks for the answer that the document wants, if it is not there and not on its way.
+    pub(super) fn keep_asking(&mut self) {
+        let Some(question) = self.question() else {
+            return;
+        };
+        let answered = self
+            .outcome
+            .as_ref()
+            .is_some_and(|o| o.question == question);
+        let declined = self.declined.as_ref() == Some(&question);
+        if !answered && !declined && !self.is_asked(&question) {
+            self.declined = None;
+            self.ask(question);
+        }
+    }
+}

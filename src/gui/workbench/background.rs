@@ -1,0 +1,295 @@
+//! What is done in the background, and what becomes of it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::gui::cache::backdrop::{Backdrop, Scenery};
+use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::preview::{Preview, Wanted};
+use crate::gui::core::document::Question;
+use crate::gui::core::edit::Edit;
+use crate::gui::core::search::Search;
+use crate::gui::core::subject::Subject;
+use crate::gui::files::{self, Opened};
+use crate::gui::jobs::{Jobs, Kind, Running};
+use crate::gui::units::number_of;
+use crate::gui::view::{Message, Sheet, What};
+
+use super::{Command, Workbench};
+
+impl Workbench {
+    /// Jobs that are under way.
+    pub(crate) fn jobs(&self) -> &Jobs<Self> {
+        &self.jobs
+    }
+
+    /// The search that is under way.
+    pub(crate) fn searching(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Searches)
+    }
+
+    /// Takes what was done in the background. Whether there was anything.
+    pub(crate) fn receive(&mut self) -> bool {
+        let mut any = false;
+        loop {
+            let arrived = self.jobs.poll();
+            if arrived.is_empty() {
+                return any;
+            }
+            any = true;
+            for (kind, outcome) in arrived {
+                match kind {
+                    Kind::Identifies => {
+                        if let Some(next) = self.asked.questions.answered() {
+                            self.identify(next);
+                        }
+                    }
+                    Kind::Prepares => {
+                        if let Some(next) = self.asked.previews.answered() {
+                            self.prepare(next);
+                        }
+                    }
+                    _ => {}
+                }
+                match outcome {
+                    Some(take) => take(self),
+                    None => self.broke_off(),
+                }
+                if kind == Kind::Draws
+                    && let Some(next) = self.asked.sceneries.answered()
+                {
+                    self.draw_backdrop(next);
+                }
+            }
+        }
+    }
+
+    /// Asks for an answer. A question that is waiting is forgotten for it.
+    pub(super) fn ask(&mut self, question: Question) {
+        if let Some(question) = self.asked.questions.ask(question) {
+            self.identify(question);
+        }
+    }
+
+    /// Whether this question is the last that was asked and has no answer yet.
+    pub(super) fn is_asked(&self, question: &Question) -> bool {
+        self.asked.questions.is_asked(question)
+    }
+
+    fn identify(&mut self, question: Question) {
+        let samples = number_of(question.subject.len(), "sample");
+        self.jobs.start(
+            Kind::Identifies,
+            format!("identifying, {samples}"),
+            move |watch| Outcome::of(question, watch),
+            |bench: &mut Self, outcome| {
+                let before = bench.outcome.replace(Arc::new(outcome));
+                bench.let_go(before);
+                bench.keep_preparing();
+                bench.keep_drawing();
+            },
+        );
+    }
+
+    /// Asks for the preview of an export, if it is not on its way.
+    pub(super) fn want_preview(&mut self, wanted: Wanted) {
+        if !self.asked.previews.is_asked(&wanted)
+            && let Some(wanted) = self.asked.previews.ask(wanted)
+        {
+            self.prepare(wanted);
+        }
+    }
+
+    fn prepare(&mut self, wanted: Wanted) {
+        self.jobs.start(
+            Kind::Prepares,
+            "preparing the table",
+            move |_| Preview::of(wanted),
+            |bench: &mut Self, preview| bench.preview = Some(preview),
+        );
+    }
+
+    /// Asks for what plots of many samples stand on, if it is not on its way.
+    pub(super) fn want_backdrop(&mut self, scenery: Scenery) {
+        if !self.asked.sceneries.is_asked(&scenery)
+            && let Some(scenery) = self.asked.sceneries.ask(scenery)
+        {
+            self.draw_backdrop(scenery);
+        }
+    }
+
+    fn draw_backdrop(&mut self, scenery: Scenery) {
+        let last = self.backdrop.clone();
+        self.jobs.start(
+            Kind::Draws,
+            "drawing",
+            move |_| Backdrop::of(scenery, last.as_deref()),
+            |bench: &mut Self, backdrop| {
+                let before = bench.backdrop.replace(Arc::new(backdrop));
+                bench.let_go(before);
+            },
+        );
+    }
+
+    /// Searches a session for what is missing, unless a search is under way.
+    pub(super) fn search_in(&mut self, subject: Arc<Subject>) {
+        if self.searching().is_some() {
+            return;
+        }
+        self.jobs.start(
+            Kind::Searches,
+            "searching",
+            move |watch| Search::of(subject, watch),
+            |bench: &mut Self, search| {
+                bench.searched = Some(Arc::new(search));
+                // What is in the model may be just what was found, with the search's values.
+                bench.keep_asking();
+                bench.keep_drawing();
+            },
+        );
+    }
+
+    /// Drops the newest job that the status bar names.
+    pub(super) fn cancel_newest(&mut self) {
+        match self.jobs.cancel(Kind::has_a_name) {
+            Some(Kind::Identifies) => {
+                self.declined = self.asked.questions.forget().or(self.declined.take());
+            }
+            Some(Kind::Prepares) => drop(self.asked.previews.forget()),
+            _ => {}
+        }
+    }
+
+    /// Gives the memory of what was worked out before back elsewhere: with many samples that takes
+    /// longer than a frame may.
+    fn let_go(&mut self, before: Option<impl Send + 'static>) {
+        const MANY: usize = 100_000;
+        if before.is_some() && self.subject().len() > MANY {
+            self.jobs.quietly(move || drop(before), |_, ()| ());
+        }
+    }
+
+    pub(super) fn take_opened(&mut self, opened: Result<Opened, Message>) {
+        match opened {
+            Ok(Opened::Session(subject)) => self.execute(Command::Edit(Edit::Open(subject))),
+            Ok(Opened::Foreign(foreign)) => self.view.sheet = Some(Sheet::Import(foreign)),
+            Ok(Opened::Model(given)) => {
+                let beside = self.has_a_session_for(&given);
+                self.execute(Command::Edit(Edit::OpenModel { given, beside }));
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    pub(super) fn take_exported(&mut self, exported: Result<PathBuf, Message>) {
+        match exported {
+            Ok(path) => {
+                self.model_is_on_file();
+                self.view.message = Some(files::saved(&path, Vec::new()));
+                self.remember_name(&path);
+                self.exported.retain(|other| *other != path);
+                self.exported.push(path);
+                self.keep_preparing();
+                self.go_on();
+            }
+            Err(message) => self.take_written(message),
+        }
+    }
+
+    /// Something was written, or not: what was to be done then is done, or is not.
+    pub(super) fn take_written(&mut self, message: Message) {
+        let written = !message.wrong;
+        self.view.message = Some(message);
+        if written {
+            self.go_on();
+        } else {
+            self.stay();
+        }
+    }
+
+    /// Asks for a file to open.
+    pub(super) fn choose_file(&mut self) {
+        self.choose(
+            "waiting for a file to be chosen",
+            files::choose_to_open,
+            |bench, path| match path {
+                Some(path) => bench.execute(Command::OpenFile(path)),
+                // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
+                None => bench.view.message = Some(no_file_was_chosen()),
+            },
+        );
+    }
+
+    /// Asks where to save the session.
+    pub(super) fn choose_where_to_save(&mut self) {
+        let path = self.proposed_path();
+        let ask = move || files::choose_to_save(&path);
+        self.choose("waiting for a file name", ask, |bench, path| {
+            let command = match path {
+                // The dialog has asked.
+                Some(path) => Command::SaveAs {
+                    path,
+                    replace: true,
+                },
+                None => bench.typed_path(),
+            };
+            bench.execute(command);
+        });
+    }
+
+    /// Asks where to export to.
+    pub(super) fn choose_where_to_export(&mut self, what: What) {
+        let path = self.placed(self.name_of(what).as_ref());
+        let ask = move || files::choose_to_export(what, &path);
+        self.choose("waiting for a file name", ask, move |bench, path| {
+            if let Some(path) = path {
+                // The dialog has asked.
+                let replace = true;
+                return bench.execute(Command::ExportTo {
+                    what,
+                    path,
+                    replace,
+                });
+            }
+            let path = bench.placed(bench.name_of(what).as_ref());
+            bench.view.sheet = Some(Sheet::ExportPath {
+                what,
+                path: path.display().to_string(),
+                replace: false,
+            });
+        });
+    }
+
+    /// Waits for the system's dialog.
+    pub(super) fn choose(
+        &mut self,
+        what: &str,
+        ask: impl FnOnce() -> Option<PathBuf> + Send + 'static,
+        then: impl FnOnce(&mut Self, Option<PathBuf>) + Send + 'static,
+    ) {
+        self.jobs.start(Kind::Once, what, move |_| ask(), then);
+    }
+
+    fn broke_off(&mut self) {
+        self.stop_figuring();
+        self.complain(
+            "Something went wrong inside the program",
+            vec![
+                "Nothing was changed; save your work, and please report what you did last"
+                    .to_owned(),
+            ],
+        );
+    }
+}
+
+fn no_file_was_chosen() -> Message {
+    Message {
+        wrong: false,
+        title: "No file was chosen".to_owned(),
+        details: vec![
+            "If no dialog appeared, drop the file on the window, or type its path in the \
+             Session step"
+                .to_owned(),
+        ],
+    }
+}

@@ -1,0 +1,152 @@
+//! The list of everything that can be done.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use crate::gui::core::edit::Edit;
+use crate::gui::core::placing::End;
+use crate::gui::core::setup::SetupForm;
+use crate::gui::core::simulate::Form;
+use crate::gui::core::subject::Component;
+use crate::gui::foreign::{Beside, Said};
+use crate::gui::preferences::Preferences;
+use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
+
+/// One thing that can be done.
+#[derive(Debug, Clone)]
+pub(crate) enum Command {
+    /// A finished change of the document.
+    Edit(Edit),
+    /// A change within a gesture.
+    Drag(Edit),
+    EndDrag,
+    /// Take the last change back.
+    Undo,
+    Redo,
+    /// Ask for a file to open.
+    ChooseFile,
+    OpenFile(PathBuf),
+    /// Say something about the foreign file on the sheet.
+    Say(Box<Said>),
+    /// Its columns were looked at, and are right.
+    ConfirmColumns,
+    /// Ask for a file beside it.
+    ChooseBeside(Beside),
+    /// Make a session of it.
+    Import,
+    /// Open a session that comes with the program.
+    OpenExample(usize),
+    /// Do it, whatever is lost.
+    Do(Then),
+    /// Save what would be lost, then do it.
+    SaveThen(Then),
+    /// Write the session to its own file; ask for one where it has none.
+    Save,
+    /// The same, although the file changed since it was read.
+    SaveDespite,
+    /// Read the session's file again.
+    Reload,
+    /// Go on with what is here, whatever is on the disk.
+    KeepMine,
+    /// Follow the samples file as it grows, or stop.
+    Follow(bool),
+    /// Take a file out of the recent ones.
+    Forget(PathBuf),
+    /// Bring back what a window that is gone has left behind.
+    Restore(usize),
+    /// Throw it away.
+    DiscardLeft(usize),
+    /// Keep what is not saved against a crash.
+    KeepRecovery,
+    /// Look whether open files are what they were.
+    LookAtDisk,
+    /// Ask for a file to save to.
+    ChooseWhereToSave,
+    /// Write the session to this file.
+    SaveAs {
+        path: PathBuf,
+        /// Whether a file that is there may be replaced.
+        replace: bool,
+    },
+    /// Ask for a file to export to.
+    ChooseWhereToExport(What),
+    /// Write the table, or the model, to this file.
+    ExportTo {
+        what: What,
+        path: PathBuf,
+        /// Whether files that are there may be replaced.
+        replace: bool,
+    },
+    /// Divide the joint's range where the samples ask for it.
+    Adapt,
+    /// What is being typed for an end of a region; `None`: what the document says.
+    Type {
+        region: String,
+        end: End,
+        text: Option<String>,
+    },
+    /// Search for what is missing.
+    Search,
+    /// Make a session by simulation.
+    Simulate(Form),
+    /// Find a font for characters that are shown.
+    FindLetters(BTreeSet<char>),
+    /// It was read which characters cannot be shown.
+    DismissLetters,
+    /// Drop the task that is under way.
+    Cancel,
+    /// Drop the search that is under way.
+    StopSearch,
+    /// Stops looking at a foreign file; saying something looks again.
+    StopLooking,
+    GoTo(Step),
+    /// Look at the workspace in this plane.
+    Look(Plane),
+    /// Look at the deviation around the joint's angle.
+    LookAround,
+    /// Draw error vectors so much longer; `None`: so that they are readable.
+    Magnify(Option<f64>),
+    /// From before, 0, to after, 1.
+    Blend(f32),
+    /// Let the colour of error vectors say this.
+    Colour(Colouring),
+    /// Show the heat map, or hide it.
+    Heat(bool),
+    /// Show this component in the chart.
+    Component(Component),
+    /// Show only what is left in the chart.
+    OnlyAfter(bool),
+    /// The pointer is on this sample.
+    Hover(Option<usize>),
+    Select(Option<usize>),
+    /// Choose these samples: a finding is about them.
+    Mark(Vec<usize>),
+    /// Show this on the right-hand side.
+    Side(Side),
+    /// Show this part of the middle where there is no room for both.
+    Part(Part),
+    /// Show this below the workspace.
+    Chart(Chart),
+    /// Let charts be about this joint, counted from 0.
+    ChartJoint(usize),
+    /// Show the curve of an effect that was found, by its place in the answer.
+    ShowEffect(usize),
+    /// Open the right-hand side, or shut it.
+    Results(bool),
+    /// Draw what there is for each sample on this.
+    Canvas(Canvas),
+    /// Show numbers, colours and text like this.
+    Prefer(Preferences),
+    /// Robot and instrument as they are being typed, while that makes no robot.
+    Draft(Option<Box<SetupForm>>),
+    /// Open, change or close a sheet.
+    Sheet(Option<Sheet>),
+    Leave,
+    Dismiss,
+    /// Show everything again.
+    Fit,
+    /// The upper plot shows everything again.
+    FitWorkspace,
+    /// The chart shows everything again.
+    FitChart,
+}

@@ -1,0 +1,318 @@
+//! Files: where an opening stands on the disk, what changed there, and what outlives the window.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::gui::core::disk::Fate;
+use crate::gui::core::document::Document;
+use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::files;
+use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
+use crate::gui::keeping::recovery::{self, Keeper, LeftBehind};
+use crate::gui::keeping::settings::{self, Recent};
+use crate::gui::keeping::watcher::{Order, Seen, Watched, Watcher};
+use crate::gui::view::{OnDisk, Sheet};
+
+use super::state::Place;
+use super::{Command, Workbench};
+
+impl Workbench {
+    /// Keeps preferences, recent files and what is not saved in this folder, and looks what it
+    /// holds.
+    pub(crate) fn at_home(&mut self, home: PathBuf) {
+        let (settings, damaged) = settings::read(&home);
+        self.view.preferences = settings.preferences;
+        self.desk.recent = settings.recent;
+        let keeper = Keeper::new(&home);
+        let mut details = Vec::new();
+        details.extend(damaged.map(|says| format!("Preferences could not be read: {says}")));
+        match keeper {
+            Ok(keeper) => self.desk.keeper = Some(keeper),
+            Err(error) => details.push(format!(
+                "What is not saved cannot be kept against a crash: {}: {error}",
+                home.display()
+            )),
+        }
+        if !details.is_empty() {
+            self.complain("Not everything could be set up", details);
+        }
+        self.order(Order::Recent(self.desk.recent.clone()));
+        let folder = home.clone();
+        self.jobs.quietly(
+            move || recovery::left_behind(&folder),
+            Self::take_left_behind,
+        );
+        self.desk.home = Some(home);
+    }
+
+    /// Leaves nothing behind: the window closes as it should.
+    pub(crate) fn tidy(&mut self) {
+        if let Some(keeper) = self.desk.keeper.take() {
+            keeper.tidy();
+        }
+    }
+
+    /// Recent files, newest first, and whether each is there.
+    pub(crate) fn recent(&self) -> impl Iterator<Item = (&Path, bool)> {
+        let missing = |path: &PathBuf| self.desk.missing.contains(path);
+        let recent = self.desk.recent.iter();
+        recent.map(move |path| (path.as_path(), !missing(path)))
+    }
+
+    /// What windows that are gone have left behind.
+    pub(crate) fn left_behind(&self) -> &[LeftBehind] {
+        &self.desk.left_behind
+    }
+
+    /// The file that the session stands in.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        let place = self.desk.places.get(&self.subject().lineage);
+        place.map(|place| place.path.as_path())
+    }
+
+    /// The folder where new files of what is open belong: beside its own file, or beside the one
+    /// that it came from.
+    fn folder(&self) -> Option<PathBuf> {
+        let came_from = match &self.subject().origin {
+            Origin::File(path) | Origin::Imported(path) | Origin::Model(path) => Some(path),
+            Origin::Recovered(path) => path.as_ref(),
+            Origin::Bundled | Origin::Simulated => None,
+        };
+        let given = self.document().given.as_ref().map(|given| &given.path);
+        let beside = self.file().or(came_from.or(given).map(PathBuf::as_path))?;
+        std::path::absolute(beside)
+            .ok()?
+            .parent()
+            .map(PathBuf::from)
+    }
+
+    /// Where a file of this name is written: nobody has to know where the program was started.
+    pub(crate) fn placed(&self, name: &Path) -> PathBuf {
+        match self.folder() {
+            Some(folder) => folder.join(name),
+            None => std::path::absolute(name).unwrap_or_else(|_| name.to_path_buf()),
+        }
+    }
+
+    /// Where the session is saved unless the user says otherwise.
+    pub(crate) fn proposed_path(&self) -> PathBuf {
+        match self.file() {
+            Some(own) => std::path::absolute(own).unwrap_or_else(|_| own.to_path_buf()),
+            None => self.placed(files::file_name_for(&self.subject().session).as_ref()),
+        }
+    }
+
+    /// Opens the sheet on which a path to save to is typed.
+    pub(crate) fn typed_path(&self) -> Command {
+        Command::Sheet(Some(Sheet::SavePath {
+            path: self.proposed_path().display().to_string(),
+            replace: false,
+        }))
+    }
+
+    /// The file with its samples, if they are in one: it can be followed.
+    pub(crate) fn samples_file(&self) -> Option<&Path> {
+        let place = self.desk.places.get(&self.subject().lineage);
+        place.and_then(|place| place.samples.as_deref())
+    }
+
+    /// How many samples came since the file is followed; `None` where it is not.
+    pub(crate) fn following(&self) -> Option<usize> {
+        let here = self.desk.followed == Some(self.subject().lineage);
+        here.then_some(self.desk.came)
+    }
+
+    /// A session or a model was opened.
+    pub(super) fn opened(&mut self) {
+        let subject = Arc::clone(self.subject());
+        match &subject.origin {
+            Origin::File(path) => {
+                let place = Place {
+                    path: path.clone(),
+                    files: subject.files.clone(),
+                    samples: subject.samples_file.clone(),
+                };
+                self.desk.places.insert(subject.lineage, place);
+                let path = path.clone();
+                self.use_recent(Recent::Used(path));
+                self.remember_on_file(Arc::clone(self.history.present()));
+            }
+            Origin::Bundled | Origin::Model(_) => {
+                self.remember_on_file(Arc::clone(self.history.present()));
+            }
+            Origin::Simulated | Origin::Recovered(_) | Origin::Imported(_) => {}
+        }
+        self.arrived();
+    }
+
+    /// Another opening is looked at now.
+    pub(super) fn arrived(&mut self) {
+        self.view.on_disk = None;
+        if self
+            .desk
+            .followed
+            .is_some_and(|f| f != self.subject().lineage)
+        {
+            self.follow(false);
+        }
+        self.watch_files();
+    }
+
+    pub(super) fn watch_files(&mut self) {
+        let place = self.desk.places.get(&self.subject().lineage);
+        let files = place.map_or_else(Vec::new, |place| place.files.clone());
+        self.order(Order::Files(files));
+    }
+
+    /// Keeps a change of the recent files.
+    pub(super) fn use_recent(&mut self, recent: Recent) {
+        // Seen from another folder tomorrow, it has to be the same file.
+        let recent = match recent {
+            Recent::Used(path) => Recent::Used(std::path::absolute(&path).unwrap_or(path)),
+            forgotten @ Recent::Forgotten(_) => forgotten,
+        };
+        self.desk.recent = settings::with_recent(&self.desk.recent, &recent);
+        self.order(Order::Recent(self.desk.recent.clone()));
+        if let Some(home) = self.desk.home.clone() {
+            self.jobs.quietly(
+                move || settings::keep_recent(&home, &recent).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
+    }
+
+    /// Keeps the preferences for tomorrow.
+    pub(super) fn keep_preferences(&mut self) {
+        let preferences = self.view.preferences;
+        if let Some(home) = self.desk.home.clone() {
+            self.jobs.quietly(
+                move || settings::keep_preferences(&home, preferences).map_err(|e| e.to_string()),
+                Self::take_kept,
+            );
+        }
+    }
+
+    /// Reads the session's file again. Undo brings back what was here.
+    pub(super) fn reload(&mut self) {
+        self.view.on_disk = None;
+        let Some(place) = self.desk.places.get(&self.subject().lineage) else {
+            return;
+        };
+        let (path, files) = (place.path.clone(), place.files.clone());
+        self.desk.then = None;
+        self.view.sheet = None;
+        let what = format!("reading {}", path.display());
+        let work = move |watch: &Watch| {
+            // What is not there cannot be read again; it can be written again.
+            match files.into_iter().find(|file| !file.path.exists()) {
+                Some(gone) => Err(gone.path),
+                None => Ok(files::open(&path, watch)),
+            }
+        };
+        self.jobs.start(
+            Kind::Opens,
+            what,
+            work,
+            |bench: &mut Self, opened| match opened {
+                Ok(opened) => bench.take_opened(opened),
+                Err(gone) => bench.take_seen(Seen::Fate(gone, Some(Fate::Vanished))),
+            },
+        );
+    }
+
+    /// Begins to look at the disk, as jobs run.
+    pub(super) fn watcher(jobs: &Jobs<Self>) -> Watcher {
+        if jobs.runner() == Runner::AtOnce {
+            return Watcher::Here(Watched::default());
+        }
+        let post = jobs.post();
+        Watcher::on_thread(move |seen| post(Box::new(|bench: &mut Self| bench.take_seen(seen))))
+    }
+
+    /// Looks at something else on the disk from now on.
+    pub(super) fn order(&mut self, order: Order) {
+        let seen = self.watcher.order(order);
+        self.post_seen(seen);
+    }
+
+    /// Looks at the disk now, where no thread does.
+    pub(super) fn look_at_disk(&mut self) {
+        let seen = self.watcher.look();
+        self.post_seen(seen);
+    }
+
+    fn post_seen(&self, seen: impl IntoIterator<Item = Seen>) {
+        let post = self.jobs.post();
+        for seen in seen {
+            post(Box::new(|bench: &mut Self| bench.take_seen(seen)));
+        }
+    }
+
+    /// Whether somebody has to ask for a look at the disk from time to time.
+    pub(crate) fn wants_looking(&self) -> bool {
+        self.watcher.wants_looking()
+    }
+
+    pub(super) fn take_seen(&mut self, seen: Seen) {
+        match seen {
+            Seen::Missing(missing) => self.desk.missing = missing,
+            Seen::Fate(path, fate) => {
+                let place = self.desk.places.get(&self.subject().lineage);
+                let ours = place.is_some_and(|p| p.files.iter().any(|f| f.path == path));
+                let shown = self.view.on_disk.as_ref();
+                let same = shown.is_some_and(|shown| shown.path == path);
+                let worse = shown.is_none_or(|shown| shown.fate == Fate::Changed);
+                match fate {
+                    Some(fate) if ours && (same || worse) => {
+                        self.view.on_disk = Some(OnDisk { path, fate });
+                    }
+                    None if same => self.view.on_disk = None,
+                    _ => {}
+                }
+            }
+            Seen::Read(print) => {
+                for place in self.desk.places.values_mut() {
+                    let same = place.files.iter_mut().find(|f| f.path == print.path);
+                    if let Some(file) = same {
+                        *file = print.clone();
+                    }
+                }
+            }
+            Seen::Grew(growth) => self.take_growth(*growth),
+        }
+    }
+
+    pub(super) fn take_kept(&mut self, kept: Result<(), String>) {
+        if let Err(because) = kept {
+            self.complain(
+                "Not everything could be kept for tomorrow",
+                vec![
+                    because,
+                    "The session is as it was; save it under a name of your own".to_owned(),
+                ],
+            );
+        }
+    }
+
+    /// Counts samples that came.
+    pub(super) fn count_new(&mut self, samples: usize) {
+        self.desk.came += samples;
+    }
+
+    /// Begins or ends to count samples that come.
+    pub(super) fn set_followed(&mut self, lineage: Option<u64>) {
+        self.desk.followed = lineage;
+        self.desk.came = 0;
+    }
+
+    /// Everything that stood in a file and was about `from` is about `to` now.
+    pub(super) fn grow_on_file(&mut self, from: &Arc<Subject>, to: &Arc<Subject>) {
+        for document in &mut self.desk.on_file {
+            if Arc::ptr_eq(&document.subject, from) {
+                let mut grown = Document::clone(document);
+                grown.subject = Arc::clone(to);
+                *document = Arc::new(grown);
+            }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Regions: divided where the samples ask for it, and their boundaries while they are typed.
+
+use std::sync::Arc;
+
+use crate::gui::core::division::{Decision, adapt};
+use crate::gui::core::edit::Edit;
+use crate::gui::core::placing::{End, Typed};
+use crate::gui::core::subject::Subject;
+use crate::gui::jobs::Kind;
+use crate::sessions::Region;
+
+use super::{Command, Workbench};
+
+/// Regions, what decided for them, and of which session.
+type Adapted = (Arc<Subject>, Result<(Vec<Region>, Decision), String>);
+
+/// Looks where the samples ask for regions. Takes its time with many samples.
+pub(super) fn adapted(subject: Arc<Subject>) -> Adapted {
+    let made = adapt(&subject.session);
+    (subject, made)
+}
+
+impl Workbench {
+    /// Looks where the samples ask for regions.
+    pub(super) fn adapt(&mut self) {
+        let subject = Arc::clone(self.subject());
+        if subject.is_empty() || !subject.single_revolute() {
+            return self.complain(
+                "This change cannot be made",
+                vec!["regions divide what was measured with a single joint that turns".to_owned()],
+            );
+        }
+        self.jobs.start(
+            Kind::Once,
+            "looking where regions are needed",
+            move |_| adapted(subject),
+            Self::take_adapted,
+        );
+    }
+
+    pub(super) fn take_adapted(&mut self, (subject, made): Adapted) {
+        if !Arc::ptr_eq(&subject, self.subject()) {
+            // Another session is looked at now: nobody asked about that one.
+            return;
+        }
+        match made {
+            Ok((regions, decision)) => {
+                let edit = Edit::Adapt(regions.into(), decision);
+                self.execute(Command::Edit(edit));
+            }
+            Err(because) => self.complain("This change cannot be made", vec![because]),
+        }
+    }
+
+    /// Keeps what is typed for an end of a region, or forgets it.
+    pub(super) fn type_boundary(&mut self, region: String, end: End, text: Option<String>) {
+        let here = |t: &Typed| t.region == region && t.end == end;
+        self.view.typed.retain(|t| !here(t));
+        if let Some(text) = text {
+            self.view.typed.push(Typed { region, end, text });
+        }
+        self.forget_typed();
+    }
+
+    /// What is typed stays with its region whatever that is called.
+    pub(super) fn keep_typed(&mut self, edit: &Edit) {
+        if let Edit::Rename(region, _) = edit {
+            let regions = &self.history.present().regions;
+            let lost = |name: &String| regions.iter().all(|r| r.name != *name);
+            if let Some(renamed) = regions.get(*region) {
+                for typed in self.view.typed.iter_mut().filter(|t| lost(&t.region)) {
+                    typed.region.clone_from(&renamed.name);
+                }
+            }
+        }
+        self.forget_typed();
+    }
+
+    /// Nothing is typed for a region that is gone.
+    pub(super) fn forget_typed(&mut self) {
+        let regions = &self.history.present().regions;
+        let there = |t: &Typed| regions.iter().any(|r| r.name == t.region);
+        self.view.typed.retain(there);
+    }
+}

@@ -1,0 +1,85 @@
+//! Tables, models and measuring lists: what they are called, and how they are written.
+
+use std::path::{Path, PathBuf};
+
+use crate::design::measuring_list;
+use crate::export::find;
+use crate::gui::cache::preview::Wanted;
+use crate::gui::core::document::plain;
+use crate::gui::files;
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{About, What};
+
+use super::Workbench;
+
+impl Workbench {
+    /// What an export's file is called unless the user says otherwise.
+    pub(crate) fn name_of(&self, what: What) -> String {
+        let document = self.document();
+        let session = &document.subject.session.name;
+        match what {
+            What::Table => document.export.file_name(session),
+            What::Model => format!("{}.model.json", plain(session)),
+            What::Poses => format!("{}-next-poses.csv", plain(session)),
+            What::Report(About::Session) => {
+                format!("{}-report.html", plain(session))
+            }
+            What::Report(About::Model) => {
+                format!("{}-model-report.html", plain(session))
+            }
+            What::Picture(plot) => plot.file_name(session),
+        }
+    }
+
+    /// A table was saved: what is to be entered in the controller names this file from now on.
+    pub(super) fn remember_name(&mut self, path: &Path) {
+        let choice = self.document().export;
+        let ending = find(choice.format).map(|format| format.extension);
+        let name = path.file_name().and_then(|name| name.to_str());
+        let is_table = path.extension().and_then(|e| e.to_str()) == ending;
+        if let (true, Some(name)) = (is_table, name) {
+            self.saved_as = Some((choice, name.to_owned()));
+        }
+    }
+
+    pub(super) fn export_to(&mut self, what: What, path: PathBuf, replace: bool) {
+        match what {
+            What::Report(about) => return self.write_report(about, path, replace),
+            What::Picture(plot) => return self.write_picture(plot, path, replace),
+            What::Table | What::Model | What::Poses => {}
+        }
+        if what == What::Poses {
+            let Some(diagnosis) = self.diagnosis() else {
+                return self.complain(
+                    "There is no measuring list yet",
+                    vec!["Run the diagnosis first, in step 4".to_owned()],
+                );
+            };
+            let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
+            let says = format!("writing {}", path.display());
+            let work = move |_: &Watch| files::write_list(list, &path, replace);
+            self.jobs
+                .start(Kind::Writes, says, work, Self::take_written);
+            return;
+        }
+        // From what is shown, but under the name that was chosen.
+        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+            return self.complain(
+                "There is nothing to export yet",
+                vec!["Identify the robot first, in step 3".to_owned()],
+            );
+        };
+        let choice = self.document().export;
+        let says = format!("writing {}", path.display());
+        let work = move |_: &Watch| {
+            let wanted = Wanted {
+                outcome,
+                choice,
+                name: None,
+            };
+            files::export(&wanted, what, &path, replace)
+        };
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_exported);
+    }
+}

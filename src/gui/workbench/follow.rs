@@ -1,0 +1,161 @@
+//! Following a samples file that something else goes on writing.
+//!
+//! The watcher reads what is new; a task puts it behind the samples that are there and brings the
+//! answer along, so that the window goes from one session with its answer to the next.
+
+use std::sync::Arc;
+
+use crate::diagnostic::Rejected;
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::cache::outcome::Outcome;
+use crate::gui::core::document::{Document, Question};
+use crate::gui::core::subject::Subject;
+use crate::gui::jobs::Watch;
+use crate::gui::keeping::watcher::Order;
+use crate::gui::view::Message;
+use crate::sessions::{Growing, Growth, Samples};
+
+use super::Workbench;
+
+/// A session that has grown, with the answer to what was asked of it.
+struct Extended {
+    from: Arc<Subject>,
+    to: Arc<Subject>,
+    outcome: Option<Outcome>,
+}
+
+impl Workbench {
+    /// Follows the session's samples file, or stops.
+    pub(super) fn follow(&mut self, on: bool) {
+        self.waiting_samples = None;
+        if !on {
+            if self.desk.followed.is_some() {
+                self.set_followed(None);
+                self.order(Order::Follow(None));
+            }
+            return;
+        }
+        let Some(path) = self.samples_file() else {
+            return self.complain(
+                "There is no file to follow",
+                vec!["The samples of this session are not in a file of their own".to_owned()],
+            );
+        };
+        let growing = Growing::new(&self.subject().session, path);
+        let lineage = self.subject().lineage;
+        self.set_followed(Some(lineage));
+        self.order(Order::Follow(Some(Box::new(growing))));
+        self.look_at_disk();
+    }
+
+    pub(super) fn take_growth(&mut self, growth: Result<Growth, Rejected>) {
+        if self.following().is_none() {
+            return;
+        }
+        match growth {
+            Ok(Growth::Nothing) => {}
+            Ok(Growth::More(samples)) => {
+                self.count_new(samples.len());
+                self.extend(samples, false);
+            }
+            Ok(Growth::Anew(samples)) => {
+                let before = self.subject().len();
+                let grown = samples.len() >= before && starts_with(&samples, self.subject());
+                self.count_new(samples.len().saturating_sub(before));
+                if !grown {
+                    self.view.message = Some(Message {
+                        wrong: false,
+                        title: "The file was rewritten and is read anew".to_owned(),
+                        details: Vec::new(),
+                    });
+                }
+                if samples.len() != before || !grown {
+                    self.extend(samples, true);
+                }
+            }
+            Err(rejected) => {
+                self.set_followed(None);
+                let lines = rejected.diagnostics.iter().take(5).map(ToString::to_string);
+                let mut details: Vec<String> = lines.collect();
+                details.push(
+                    "What was read before is here still; mend the file, then follow it again"
+                        .to_owned(),
+                );
+                self.complain("The file cannot be followed any further", details);
+            }
+        }
+    }
+
+    /// Puts samples behind those of the session, or in their place.
+    fn extend(&mut self, samples: Samples, anew: bool) {
+        if self.extending {
+            // One at a time; what comes in between waits together.
+            match &mut self.waiting_samples {
+                Some((waiting, _)) if !anew => waiting.append(samples),
+                waiting => *waiting = Some((samples, anew)),
+            }
+            return;
+        }
+        self.extending = true;
+        let from = Arc::clone(self.subject());
+        let question = self.document().question();
+        let work = move || {
+            let mut session = from.session.clone();
+            if anew {
+                session.samples = samples;
+            } else {
+                session.samples.append(samples);
+            }
+            let to = Arc::new(Subject::with_samples(&from, session));
+            Cloud::of(&to);
+            let outcome = question.map(|question| {
+                let question = Question {
+                    subject: Arc::clone(&to),
+                    ..question
+                };
+                Outcome::of(question, &Watch::default())
+            });
+            Extended { from, to, outcome }
+        };
+        self.jobs.quietly(work, Self::take_extended);
+    }
+
+    fn take_extended(&mut self, extended: Extended) {
+        self.extending = false;
+        let Extended { from, to, outcome } = extended;
+        if !Arc::ptr_eq(&from, self.subject()) {
+            // The robot was edited or something was undone meanwhile: from the start, with what
+            // is here now.
+            if self.following().is_some() {
+                self.follow(true);
+            }
+            return;
+        }
+        self.history.rewrite(|document| {
+            Arc::ptr_eq(&document.subject, &from).then(|| Document {
+                subject: Arc::clone(&to),
+                ..document.clone()
+            })
+        });
+        self.grow_on_file(&from, &to);
+        if let Some(outcome) = outcome {
+            self.outcome = Some(Arc::new(outcome));
+        }
+        self.forget_missing_samples();
+        self.keep_asking();
+        self.keep_preparing();
+        if let Some((samples, anew)) = self.waiting_samples.take() {
+            self.extend(samples, anew);
+        }
+    }
+}
+
+/// Whether the samples begin with those of the session.
+fn starts_with(samples: &Samples, subject: &Subject) -> bool {
+    let before = &subject.session.samples;
+    let begins = |all: &[f64], start: &[f64]| {
+        let pairs = all.iter().zip(start);
+        start.len() <= all.len() && pairs.into_iter().all(|(a, b)| a.to_bits() == b.to_bits())
+    };
+    begins(&samples.x_mm, &before.x_mm) && begins(&samples.y_mm, &before.y_mm)
+}

@@ -1,0 +1,116 @@
+//! A foreign file: what is said about it, what is seen then, and the session that it becomes.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::{Command, Workbench};
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::core::edit::Edit;
+use crate::gui::files;
+use crate::gui::foreign::{Beside, Foreign, Look, Said};
+use crate::gui::jobs::{Kind, Running, Watch};
+use crate::gui::view::Sheet;
+
+impl Workbench {
+    fn foreign(&mut self) -> Option<&mut Foreign> {
+        match &mut self.view.sheet {
+            Some(Sheet::Import(foreign)) => Some(foreign),
+            _ => None,
+        }
+    }
+
+    /// Takes what was said, and looks at the file with it.
+    pub(super) fn say(&mut self, said: Said) {
+        if let Some(foreign) = self.foreign() {
+            foreign.said = said;
+        }
+        self.keep_looking();
+    }
+
+    /// The look at a foreign file that is under way.
+    pub(crate) fn looking(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Looks)
+    }
+
+    /// Cancels that look, whatever else is under way.
+    pub(super) fn cancel_look(&mut self) {
+        self.jobs.cancel(|kind| kind == Kind::Looks);
+    }
+
+    /// Asks for a file beside it.
+    pub(super) fn choose_beside(&mut self, which: Beside) {
+        let ask = move || files::choose_beside(which);
+        self.choose(
+            "waiting for a file to be chosen",
+            ask,
+            move |bench, path| bench.take_beside(which, path),
+        );
+    }
+
+    /// One look at a time; when it is done, the next with what was said meanwhile.
+    fn keep_looking(&mut self) {
+        if self.looking().is_some() {
+            return;
+        }
+        let Some(foreign) = self.foreign().filter(|f| !f.is_up_to_date()) else {
+            return;
+        };
+        let foreign = foreign.clone();
+        let work = move |watch: &Watch| {
+            let seen = foreign.look(watch);
+            if let Ok(Look {
+                trial: Some(Ok(trial)),
+                ..
+            }) = &seen
+            {
+                // Made here, so that the window never waits for it.
+                Cloud::of(&trial.subject);
+            }
+            (seen, foreign)
+        };
+        self.jobs.start(
+            Kind::Looks,
+            "looking at the file",
+            work,
+            |bench: &mut Self, (seen, of)| {
+                // Of one that was cancelled nobody takes anything.
+                if let Ok(seen) = seen {
+                    bench.take_looked(&of, seen);
+                }
+            },
+        );
+    }
+
+    fn take_looked(&mut self, of: &Foreign, seen: Look) {
+        if let Some(foreign) = self.foreign() {
+            foreign.take(of, seen);
+        }
+        self.keep_looking();
+    }
+
+    /// Takes a file that was chosen; the field is there to type it where no dialog is.
+    fn take_beside(&mut self, which: Beside, path: Option<PathBuf>) {
+        if let (Some(foreign), Some(path)) = (self.foreign(), path) {
+            foreign.said.choose(which, &path);
+        }
+        self.keep_looking();
+    }
+
+    pub(super) fn confirm_columns(&mut self) {
+        if let Some(foreign) = self.foreign() {
+            foreign.confirm();
+        }
+    }
+
+    /// Opens the session that the sheet shows.
+    pub(super) fn import(&mut self) {
+        let result = self.foreign().and_then(|foreign| {
+            let trial = foreign.result()?;
+            Some(Arc::clone(&trial.subject))
+        });
+        if let Some(subject) = result {
+            self.view.sheet = None;
+            self.execute(Command::Edit(Edit::Open(subject)));
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! What would be lost, what is asked before it is, and how it is saved.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::gui::core::document::Document;
+use crate::gui::core::subject::Origin;
+use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
+use crate::gui::jobs::{Kind, Running, Watch};
+use crate::gui::keeping::settings::Recent;
+use crate::gui::view::{Message, Sheet, Then, What};
+
+use super::state::Place;
+use super::{Command, Workbench};
+
+/// Documents that are remembered as standing in a file.
+const MOST_ON_FILE: usize = 64;
+
+/// What would be lost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Losses {
+    /// The session, or changes of it.
+    pub(crate) session: bool,
+    pub(crate) model: bool,
+}
+
+impl Losses {
+    /// Whether there is something.
+    pub(crate) fn any(self) -> bool {
+        self.session || self.model
+    }
+}
+
+impl Workbench {
+    /// Whether something would be lost that a session's file can hold.
+    pub(crate) fn unsaved(&self) -> bool {
+        let now = self.document();
+        if now.subject.is_empty() {
+            return false;
+        }
+        let same = |saved: &Arc<Document>| {
+            now.regions == saved.regions
+                && now.tolerance_mm == saved.tolerance_mm
+                && Arc::ptr_eq(&now.subject, &saved.subject)
+        };
+        !self.desk.on_file.iter().any(same)
+    }
+
+    /// What would be lost if the session were closed now. The session that the window began with
+    /// is an example: what was tried on it can be tried again.
+    pub(crate) fn at_risk(&self) -> Losses {
+        let document = self.document();
+        let example = self.subject().lineage == self.first.lineage
+            || self.subject().origin == Origin::Bundled;
+        let asked = self.question().filter(|_| document.given.is_none());
+        Losses {
+            session: self.unsaved(),
+            model: !example
+                && self.answer().is_some()
+                && asked.is_some()
+                && asked != self.desk.model_on_file,
+        }
+    }
+
+    /// The file that is being written.
+    pub(crate) fn writing(&self) -> Option<&Running> {
+        self.jobs.running(Kind::Writes)
+    }
+
+    /// Does it, unless something would be lost: then asks first.
+    pub(super) fn ask_then(&mut self, then: Then) {
+        if let (Then::Leave, Some(writing)) = (&then, self.writing()) {
+            // Nobody has to choose between a file and leaving.
+            let title = format!("The window closes after {}", writing.what);
+            self.view.message = Some(Message {
+                wrong: false,
+                title,
+                details: Vec::new(),
+            });
+            self.desk.then = Some(then);
+            return;
+        }
+        if self.at_risk().any() {
+            self.view.sheet = Some(Sheet::Unsaved(then));
+        } else {
+            self.go(then);
+        }
+    }
+
+    pub(super) fn go(&mut self, then: Then) {
+        self.desk.then = None;
+        self.view.sheet = None;
+        match then {
+            Then::Leave => self.view.leaving = true,
+            Then::Open(path) => {
+                let what = format!("reading {}", path.display());
+                self.open(what, move |watch| files::open(&path, watch));
+            }
+            Then::Example(index) => {
+                self.open("reading an example", move |_| files::open_example(index));
+            }
+            Then::Simulate(form) => {
+                self.open("simulating", move |watch| files::simulate(&form, watch));
+            }
+        }
+    }
+
+    /// Brings another session.
+    pub(super) fn open(
+        &mut self,
+        what: impl Into<String>,
+        work: impl FnOnce(&Watch) -> Result<Opened, Message> + Send + 'static,
+    ) {
+        self.jobs.start(Kind::Opens, what, work, Self::take_opened);
+    }
+
+    /// Saves what would be lost, then does it.
+    pub(super) fn save_then(&mut self, then: Then) {
+        self.view.sheet = None;
+        self.desk.then = Some(then);
+        if self.at_risk().session {
+            self.execute(Command::Save);
+        } else {
+            let what = What::Model;
+            self.execute(Command::ChooseWhereToExport(what));
+        }
+    }
+
+    /// Something was written: what was to be done then, if nothing else would be lost.
+    pub(super) fn go_on(&mut self) {
+        if let Some(then) = self.desk.then.take() {
+            self.ask_then(then);
+        }
+    }
+
+    /// What was to be done after saving is not done.
+    pub(super) fn stay(&mut self) {
+        self.desk.then = None;
+    }
+
+    /// Saves to the session's own file, or asks for one.
+    pub(super) fn save_here(&mut self) {
+        match self.file().map(Path::to_path_buf) {
+            Some(path) => self.save_to(&path, Replace::Own),
+            None => self.execute(Command::ChooseWhereToSave),
+        }
+    }
+
+    /// Saves to a file.
+    pub(super) fn save_to(&mut self, path: &Path, replace: Replace) {
+        self.view.sheet = None;
+        let document = Arc::clone(self.history.present());
+        let known = self.desk.places.get(&document.subject.lineage);
+        let known = known.map_or_else(Vec::new, |place| place.files.clone());
+        let (what, path) = (format!("saving {}", path.display()), path.to_path_buf());
+        let work = move |watch: &Watch| files::save(document, &path, replace, known, watch);
+        self.jobs.start(Kind::Writes, what, work, Self::take_saved);
+    }
+
+    pub(super) fn take_saved(&mut self, saved: Saved) {
+        let Saved {
+            document,
+            path,
+            result,
+        } = saved;
+        match result {
+            Err(NotSaved::Changed(changed)) => self.view.sheet = Some(Sheet::Overwrite(changed)),
+            Err(NotSaved::Because(message)) => {
+                self.stay();
+                self.view.message = Some(message);
+            }
+            Ok(prints) => {
+                let samples = prints.get(1).map(|print| print.path.clone());
+                let place = Place {
+                    path: path.clone(),
+                    files: prints,
+                    samples,
+                };
+                // What stood in its file before does not stand there any more.
+                let lineage = document.subject.lineage;
+                self.desk.on_file.retain(|d| d.subject.lineage != lineage);
+                self.remember_on_file(document);
+                self.desk.places.insert(lineage, place);
+                self.view.on_disk = None;
+                self.watch_files();
+                let whole = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
+                self.use_recent(Recent::Used(path));
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: format!("Saved {}", whole.display()),
+                    details: Vec::new(),
+                });
+                self.go_on();
+            }
+        }
+    }
+
+    pub(super) fn remember_on_file(&mut self, document: Arc<Document>) {
+        self.desk.on_file.push(document);
+        if self.desk.on_file.len() > MOST_ON_FILE {
+            self.desk.on_file.remove(0);
+        }
+    }
+
+    /// The model stands in a file.
+    pub(super) fn model_is_on_file(&mut self) {
+        self.desk.model_on_file = self.question();
+    }
+}

@@ -1,0 +1,39 @@
+//! Letters that the bundled fonts lack.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::fonts::{Library, Purpose};
+use crate::gui::style::letters::Letters;
+
+use super::Workbench;
+
+impl Workbench {
+    /// What is known of letters.
+    pub(crate) fn letters(&self) -> &Letters {
+        &self.letters
+    }
+
+    /// Looks for letters in this library from now on.
+    pub(crate) fn read_letters_from(&mut self, library: Arc<Library>) {
+        self.letters.library = library;
+    }
+
+    /// Looks for a face for these, in the background.
+    pub(super) fn find_letters(&mut self, wanted: BTreeSet<char>) {
+        let new = self.letters.new_among(wanted);
+        if new.is_empty() {
+            return;
+        }
+        let library = Arc::clone(&self.letters.library);
+        self.jobs.quietly(
+            move || library.covering(&new, Purpose::Screen),
+            |bench: &mut Self, found| bench.letters.take(found),
+        );
+    }
+
+    /// Somebody has read that they cannot be shown.
+    pub(super) fn dismiss_letters(&mut self) {
+        self.letters.unshown.clear();
+    }
+}

@@ -1,0 +1,376 @@
+//! Everything that can be done, and the one place that does it.
+//!
+//! Panels and plots read the [`Workbench`] and send [`Command`]s; [`Workbench::execute`] is the
+//! only function that changes anything.
+
+mod answers;
+mod background;
+mod charts;
+mod command;
+mod desk;
+mod dividing;
+mod exports;
+mod follow;
+#[cfg(test)]
+mod how_far;
+mod imports;
+mod leaving;
+mod letters;
+mod papers;
+mod recovering;
+mod state;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod under_way;
+#[cfg(test)]
+mod walk;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+pub(crate) use command::Command;
+
+use state::{Asked, Desk};
+
+use crate::gui::cache::backdrop::Backdrop;
+use crate::gui::cache::figures::Figures;
+use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::preview::Preview;
+use crate::gui::core::document::{Document, ExportChoice, Question};
+use crate::gui::core::edit::Edit;
+use crate::gui::core::search::Search;
+use crate::gui::core::subject::Subject;
+use crate::gui::core::undo::History;
+use crate::gui::files::Replace;
+use crate::gui::jobs::{Jobs, Kind};
+use crate::gui::keeping::settings::Recent;
+use crate::gui::keeping::watcher::Watcher;
+use crate::gui::style::letters::Letters;
+use crate::gui::units::Units;
+use crate::gui::view::{Aspect, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState};
+use crate::report::drawing::Drawing;
+use crate::sessions::Samples;
+
+/// A plot that is drawn in the background: the drawing and what it shows, or why there is none.
+pub(crate) type Draw = Box<dyn FnOnce() -> Result<(Drawing, String), String> + Send>;
+
+/// Who knows how plots are drawn: the views, which stand above the workbench.
+pub(crate) type Drawer = fn(&Workbench, Plot) -> Draw;
+
+/// Document, view, answer and jobs.
+pub(crate) struct Workbench {
+    history: History<Document>,
+    /// The session that nobody opened: the window began with it.
+    first: Arc<Subject>,
+    desk: Desk,
+    /// A question that was cancelled: it is not asked again by itself.
+    declined: Option<Question>,
+    /// Whether samples are being put behind those that are there.
+    extending: bool,
+    /// Samples that came meanwhile, and whether they take the place of all others.
+    waiting_samples: Option<(Samples, bool)>,
+    view: ViewState,
+    outcome: Option<Arc<Outcome>>,
+    searched: Option<Arc<Search>>,
+    preview: Option<Preview>,
+    backdrop: Option<Arc<Backdrop>>,
+    /// Files that were exported from this session, the newest last.
+    exported: Vec<PathBuf>,
+    /// The name under which this export was saved last.
+    saved_as: Option<(ExportChoice, String)>,
+    figures: Option<Figures>,
+    letters: Letters,
+    draw: Drawer,
+    jobs: Jobs<Self>,
+    asked: Asked,
+    watcher: Watcher,
+}
+
+impl Workbench {
+    /// A workbench with a session on it.
+    pub(crate) fn new(subject: Arc<Subject>, jobs: Jobs<Self>, draw: Drawer) -> Self {
+        let first = Arc::clone(&subject);
+        let history = History::new(Document::new(subject));
+        let mut workbench = Self {
+            first,
+            desk: Desk::default(),
+            declined: None,
+            extending: false,
+            waiting_samples: None,
+            history,
+            view: ViewState::default(),
+            outcome: None,
+            searched: None,
+            preview: None,
+            backdrop: None,
+            exported: Vec::new(),
+            saved_as: None,
+            figures: None,
+            letters: Letters::default(),
+            draw,
+            asked: Asked::default(),
+            watcher: Self::watcher(&jobs),
+            jobs,
+        };
+        workbench.remember_on_file(Arc::clone(workbench.history.present()));
+        workbench.look_along_the_axis();
+        workbench
+    }
+
+    pub(crate) fn document(&self) -> &Document {
+        self.history.present()
+    }
+
+    pub(crate) fn subject(&self) -> &Arc<Subject> {
+        &self.document().subject
+    }
+
+    /// How it is looked at.
+    pub(crate) fn view(&self) -> &ViewState {
+        &self.view
+    }
+
+    pub(crate) fn units(&self) -> Units {
+        Units {
+            length: self.view.preferences.length,
+            angle: self.view.preferences.angle,
+        }
+    }
+
+    pub(crate) fn undoes(&self) -> Option<&'static str> {
+        self.history.undoes()
+    }
+
+    pub(crate) fn redoes(&self) -> Option<&'static str> {
+        self.history.redoes()
+    }
+
+    pub(crate) fn execute(&mut self, command: Command) {
+        match command {
+            Command::Edit(edit) => self.edit(&edit, false),
+            Command::Drag(edit) => self.edit(&edit, true),
+            Command::EndDrag => self.history.finish_gesture(),
+            Command::Undo => self.travel(History::undo),
+            Command::Redo => self.travel(History::redo),
+            Command::ChooseFile => self.choose_file(),
+            Command::OpenFile(path) => self.ask_then(Then::Open(path)),
+            Command::OpenExample(index) => self.ask_then(Then::Example(index)),
+            Command::Leave => self.ask_then(Then::Leave),
+            Command::Do(then) => self.go(then),
+            Command::SaveThen(then) => self.save_then(then),
+            Command::Save | Command::ChooseWhereToSave | Command::SaveAs { .. }
+                if self.subject().is_empty() =>
+            {
+                self.complain(
+                    "There is no session to save",
+                    vec!["A model by itself is saved in the Export step".to_owned()],
+                );
+            }
+            Command::ChooseWhereToSave => self.choose_where_to_save(),
+            Command::Say(said) => self.say(*said),
+            Command::ConfirmColumns => self.confirm_columns(),
+            Command::ChooseBeside(which) => self.choose_beside(which),
+            Command::Import => self.import(),
+            Command::Save => self.save_here(),
+            Command::SaveAs { path, replace } => {
+                let replace = if replace {
+                    Replace::Named
+                } else {
+                    Replace::Nothing
+                };
+                self.save_to(&self.placed(&path), replace);
+            }
+            Command::SaveDespite => {
+                if let Some(path) = self.file().map(Path::to_path_buf) {
+                    self.save_to(&path, Replace::Whatever);
+                }
+            }
+            Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
+            Command::Restore(index) => self.restore(index),
+            Command::DiscardLeft(index) => self.discard_left(index),
+            Command::Reload => self.reload(),
+            Command::Follow(on) => self.follow(on),
+            Command::KeepRecovery => self.keep_recovery(),
+            Command::LookAtDisk => self.look_at_disk(),
+            Command::ChooseWhereToExport(what) => self.choose_where_to_export(what),
+            Command::ExportTo {
+                what,
+                path,
+                replace,
+            } => {
+                self.view.sheet = None;
+                self.export_to(what, self.placed(&path), replace);
+            }
+            Command::Simulate(form) => {
+                if let Some(problem) = form.problem() {
+                    self.complain("The simulation needs other numbers", vec![problem]);
+                } else {
+                    self.ask_then(Then::Simulate(form));
+                }
+            }
+            Command::FindLetters(wanted) => self.find_letters(wanted),
+            Command::DismissLetters => self.dismiss_letters(),
+            Command::Adapt => self.adapt(),
+            Command::Search => self.search(),
+            Command::StopSearch => drop(self.jobs.cancel(|kind| kind == Kind::Searches)),
+            Command::StopLooking => self.cancel_look(),
+            Command::Cancel => {
+                // What was to be done after it is not wanted any more either.
+                self.stay();
+                self.cancel_newest();
+            }
+            other => self.look(other),
+        }
+        self.keep_asking();
+        self.keep_preparing();
+        self.keep_drawing();
+    }
+
+    fn look(&mut self, command: Command) {
+        let view = &mut self.view;
+        match command {
+            Command::GoTo(step) => view.step = step,
+            Command::Look(plane) => {
+                (view.plane, view.aspect, view.part) = (plane, Aspect::Plane, Part::Workspace);
+            }
+            Command::LookAround => (view.aspect, view.part) = (Aspect::Around, Part::Workspace),
+            Command::Magnify(factor) => {
+                view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
+            }
+            Command::Blend(t) if t.is_finite() => view.blend = t.clamp(0.0, 1.0),
+            Command::Colour(colouring) => view.colouring = colouring,
+            Command::Heat(shown) => view.heat = shown,
+            Command::Canvas(canvas) => view.canvas = canvas,
+            Command::Component(component) => view.component = component,
+            Command::OnlyAfter(only) => view.only_after = only,
+            Command::Hover(sample) => view.hovered = sample,
+            Command::Select(sample) => {
+                view.selected = sample;
+                view.marked.clear();
+            }
+            Command::Mark(samples) => {
+                view.selected = samples.first().copied();
+                view.marked = samples;
+                view.side = Side::Samples;
+            }
+            Command::Side(side) => view.side = side,
+            Command::Chart(chart) => {
+                view.part = Part::Chart;
+                self.choose_chart(chart);
+            }
+            Command::ChartJoint(joint) => view.joint = joint,
+            Command::ShowEffect(index) => {
+                view.part = Part::Chart;
+                self.show_effect(index);
+            }
+            Command::Results(open) => view.results = Some(open),
+            Command::Prefer(preferences) => {
+                view.preferences = preferences.sound();
+                self.keep_preferences();
+            }
+            Command::Draft(form) => view.setup = form,
+            Command::KeepMine => view.on_disk = None,
+            Command::Sheet(sheet) => {
+                if matches!(
+                    (&self.view.sheet, &sheet),
+                    (
+                        Some(
+                            Sheet::Unsaved(_)
+                                | Sheet::Overwrite(_)
+                                | Sheet::SavePath { .. }
+                                | Sheet::ExportPath { .. }
+                        ),
+                        None
+                    )
+                ) {
+                    // Whoever closes the question wants neither.
+                    self.stay();
+                }
+                if matches!((&self.view.sheet, &sheet), (Some(Sheet::Import(_)), None)) {
+                    self.cancel_look();
+                }
+                self.view.sheet = sheet;
+            }
+            Command::Type { region, end, text } => self.type_boundary(region, end, text),
+            Command::Dismiss => view.message = None,
+            Command::Fit => view.fitted.everywhere(),
+            Command::FitWorkspace => view.fitted.workspace += 1,
+            Command::Part(part) => view.part = part,
+            Command::FitChart => view.fitted.chart += 1,
+            _ => {}
+        }
+        self.forget_missing_samples();
+    }
+
+    fn edit(&mut self, edit: &Edit, within_gesture: bool) {
+        let before = Arc::clone(self.subject());
+        match edit.apply(self.document()) {
+            Err(because) => self.complain("This change cannot be made", vec![because]),
+            Ok(next) if within_gesture => self.history.change_within_gesture(next, edit.what()),
+            Ok(next) => self.history.change(next, edit.what()),
+        }
+        self.view.setup = None;
+        self.keep_typed(edit);
+        if matches!(edit, Edit::Identify | Edit::IdentifyBy(_)) {
+            self.declined = None;
+        }
+        if !Arc::ptr_eq(&before, self.subject()) {
+            self.view.marked.clear();
+            self.after_travel(before.lineage);
+        }
+        if before.lineage != self.subject().lineage {
+            self.exported.clear();
+            self.saved_as = None;
+            self.look_along_the_axis();
+            self.view.step = Step::Session;
+            self.view.fitted.everywhere();
+            self.view.message = None;
+            self.opened();
+        }
+    }
+
+    /// Back or forth in the history.
+    fn travel(&mut self, way: fn(&mut History<Document>) -> bool) {
+        let before = self.subject().lineage;
+        way(&mut self.history);
+        self.after_travel(before);
+    }
+
+    /// After a change that may have brought another session.
+    fn after_travel(&mut self, lineage_before: u64) {
+        self.view.setup = None;
+        self.forget_typed();
+        self.forget_missing_samples();
+        if self.subject().lineage != lineage_before {
+            self.arrived();
+        }
+    }
+
+    fn forget_missing_samples(&mut self) {
+        let samples = self.subject().len();
+        let there = |sample: &usize| *sample < samples;
+        self.view.hovered = self.view.hovered.filter(there);
+        self.view.selected = self.view.selected.filter(there);
+        self.view.marked.retain(there);
+    }
+
+    /// Looks at the workspace in the plane in which joint 1 turns.
+    fn look_along_the_axis(&mut self) {
+        let along = self.subject().joint.along;
+        self.view.aspect = Aspect::Plane;
+        let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
+        self.view.plane = Plane::ALL
+            .into_iter()
+            .find(|plane| Some(plane.normal()) == steepest)
+            .unwrap_or_default();
+    }
+
+    fn complain(&mut self, title: &str, details: Vec<String>) {
+        self.view.message = Some(Message {
+            wrong: true,
+            title: title.to_owned(),
+            details,
+        });
+    }
+}

@@ -1,0 +1,123 @@
+//! Reports, pictures and the standards' figures: what is written about a session.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::gui::cache::figures::Figures;
+use crate::gui::files;
+use crate::gui::files::reporting::{self, Source};
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{About, Plot, Step};
+use crate::report::exported::sidecar_of;
+use crate::sessions::samples_path;
+
+use super::Workbench;
+
+impl Workbench {
+    /// Everything that the open session, its model and its tables stand in: no paper replaces it.
+    fn inputs(&self) -> Vec<PathBuf> {
+        let mut inputs: Vec<PathBuf> = self
+            .subject()
+            .files
+            .iter()
+            .map(|f| f.path.clone())
+            .collect();
+        if let Some(file) = self.file() {
+            inputs.extend([file.to_path_buf(), samples_path(file)]);
+        }
+        inputs.extend(self.samples_file().map(PathBuf::from));
+        inputs.extend(
+            self.document()
+                .given
+                .as_ref()
+                .map(|given| given.path.clone()),
+        );
+        for table in &self.exported {
+            inputs.extend([table.clone(), sidecar_of(table)]);
+        }
+        inputs
+    }
+
+    pub(super) fn write_report(&mut self, about: About, path: PathBuf, replace: bool) {
+        let source = match (about, &self.outcome, self.answer()) {
+            (About::Model, Some(outcome), Some(_)) => Source::Model(Arc::clone(outcome)),
+            (About::Session, ..) if !self.subject().is_empty() => {
+                let of_this = |s: &&Arc<_>| self.is_search_of_this(s);
+                let searched = self.searched.as_ref().filter(of_this).cloned();
+                let in_use = self.outcome.clone().filter(|_| self.answer().is_some());
+                Source::Session(Arc::clone(self.history.present()), searched, in_use)
+            }
+            _ => {
+                return self.complain(
+                    "There is nothing to report yet",
+                    vec!["Open a session, or identify the robot in step 3".to_owned()],
+                );
+            }
+        };
+        let wanted = reporting::Wanted {
+            source,
+            tables: self.exported.clone(),
+            inputs: self.inputs(),
+        };
+        let says = format!("writing {}", path.display());
+        let work = move |watch: &Watch| reporting::write(&wanted, &path, replace, watch);
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_written);
+    }
+
+    fn is_search_of_this(&self, search: &crate::gui::core::search::Search) -> bool {
+        Arc::ptr_eq(&search.subject, self.subject()) && search.answer.is_ok()
+    }
+
+    pub(super) fn write_picture(&mut self, plot: Plot, path: PathBuf, replace: bool) {
+        let (draw, inputs) = ((self.draw)(self, plot), self.inputs());
+        let says = format!("writing {}", path.display());
+        let work = move |watch: &Watch| files::write_picture(draw, &path, replace, &inputs, watch);
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_written);
+    }
+
+    /// The standards' figures of what is shown; while newer ones are worked out, the ones before.
+    pub(crate) fn figures(&self) -> Option<&Figures> {
+        self.answer()?;
+        let figures = self.figures.as_ref()?;
+        let same = Arc::ptr_eq(&figures.outcome.question.subject, self.subject());
+        same.then_some(figures)
+    }
+
+    /// Asks for the figures that the export step shows; one at a time, nobody waits for them.
+    pub(super) fn keep_figuring(&mut self) {
+        if self.view.step != Step::Export || self.subject().is_empty() || self.answer().is_none() {
+            return;
+        }
+        let Some(outcome) = self.outcome.clone() else {
+            return;
+        };
+        let there = self
+            .figures
+            .as_ref()
+            .is_some_and(|f| f.made.is_none() || Arc::ptr_eq(&f.outcome, &outcome));
+        if there {
+            return;
+        }
+        self.figures = Some(Figures {
+            outcome: Arc::clone(&outcome),
+            made: None,
+        });
+        self.jobs.quietly(
+            move || Figures::of(outcome),
+            |bench: &mut Self, figures| {
+                bench.figures = Some(figures);
+                // What is shown may be another answer by now.
+                bench.keep_figuring();
+            },
+        );
+    }
+
+    /// A task broke off: it may have been the one that everybody waits for.
+    pub(super) fn stop_figuring(&mut self) {
+        if let Some(figures) = self.figures.as_mut().filter(|f| f.made.is_none()) {
+            figures.made = Some(Err("The figures could not be worked out".to_owned()));
+        }
+    }
+}

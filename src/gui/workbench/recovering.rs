@@ -1,0 +1,118 @@
+//! What is not saved, kept against a crash: when it is written, and how it comes back.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use crate::gui::core::edit::Edit;
+use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::keeping::recovery::{self, Kept, LeftBehind};
+use crate::gui::view::{Message, Sheet};
+
+use super::{Command, Workbench};
+
+impl Workbench {
+    /// Whether recovery lags behind the document.
+    pub(crate) fn recovery_lags(&self) -> bool {
+        let now = self.history.present();
+        let kept = self.desk.kept.as_ref();
+        self.desk.keeper.is_some()
+            && match (kept, self.at_risk().any()) {
+                (Some(kept), true) => !Arc::ptr_eq(kept, now),
+                (Some(_), false) | (None, true) => true,
+                (None, false) => !self.desk.restored.is_empty(),
+            }
+    }
+
+    /// Writes what is not saved to this window's recovery file, or removes it where all is saved.
+    pub(super) fn keep_recovery(&mut self) {
+        let Some(path) = self.desk.keeper.as_ref().map(|k| k.path().to_path_buf()) else {
+            return;
+        };
+        if !self.recovery_lags() {
+            return;
+        }
+        if !self.at_risk().any() {
+            self.desk.kept = None;
+            let restored = std::mem::take(&mut self.desk.restored);
+            let work = move || {
+                // What was restored is saved: nobody needs either.
+                let _ = std::fs::remove_file(&path);
+                restored.into_iter().for_each(LeftBehind::remove);
+            };
+            self.jobs.quietly(work, |_, ()| ());
+            return;
+        }
+        let document = Arc::clone(self.history.present());
+        self.desk.kept = Some(Arc::clone(&document));
+        let file = self.file().map(Path::to_path_buf);
+        let restored = std::mem::take(&mut self.desk.restored);
+        let work = move || {
+            let written = recovery::write(&path, &Kept::of(&document, file));
+            if written.is_ok() {
+                restored.into_iter().for_each(LeftBehind::remove);
+            }
+            written.map_err(|e| e.to_string())
+        };
+        self.jobs.quietly(work, Self::take_kept);
+    }
+
+    pub(super) fn take_left_behind(&mut self, left: Vec<LeftBehind>) {
+        self.desk.left_behind = left;
+        if !self.desk.left_behind.is_empty() && self.view.sheet.is_none() {
+            self.view.sheet = Some(Sheet::Recover);
+        }
+    }
+
+    /// Brings back what was left behind.
+    pub(super) fn restore(&mut self, index: usize) {
+        if index >= self.desk.left_behind.len() {
+            return;
+        }
+        let left = self.desk.left_behind.remove(index);
+        self.close_recovery();
+        match &left.kept {
+            Ok(kept) => {
+                let mut session = kept.session.clone();
+                session.path.clone_from(&kept.file);
+                let origin = Origin::Recovered(kept.file.clone());
+                let subject = Arc::new(Subject::new(session, Vec::new(), origin));
+                let edit = Edit::Recover(subject, kept.choices());
+                self.execute(Command::Edit(edit));
+                self.desk.restored.push(left);
+                self.keep_recovery();
+                self.view.message = Some(Message {
+                    wrong: false,
+                    title: "Restored; it is not saved yet".to_owned(),
+                    details: Vec::new(),
+                });
+            }
+            Err(because) => {
+                let because = because.clone();
+                let aside = left.put_aside();
+                self.complain(
+                    "What was left behind is damaged and cannot be restored",
+                    vec![because, format!("It is kept as {}", aside.display())],
+                );
+            }
+        }
+    }
+
+    /// Nobody wants what was left behind.
+    pub(super) fn discard_left(&mut self, index: usize) {
+        if index < self.desk.left_behind.len() {
+            let left = self.desk.left_behind.remove(index);
+            if left.kept.is_ok() {
+                left.remove();
+            } else {
+                left.put_aside();
+            }
+        }
+        self.close_recovery();
+    }
+
+    fn close_recovery(&mut self) {
+        if self.desk.left_behind.is_empty() && self.view.sheet == Some(Sheet::Recover) {
+            self.view.sheet = None;
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! What the workbench keeps beside the document and the view: where openings stand on the disk, and
+//! what it has asked of the background.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::gui::cache::backdrop::Scenery;
+use crate::gui::cache::preview::Wanted;
+use crate::gui::core::disk::Print;
+use crate::gui::core::document::{Document, Question};
+use crate::gui::jobs::Latest;
+use crate::gui::keeping::recovery::{Keeper, LeftBehind};
+use crate::gui::view::Then;
+
+/// Where an opening stands on the disk.
+#[derive(Debug, Clone)]
+pub(super) struct Place {
+    pub(super) path: PathBuf,
+    /// As they looked when they were last read or written.
+    pub(super) files: Vec<Print>,
+    pub(super) samples: Option<PathBuf>,
+}
+
+/// Files: where openings stand on the disk, what changed there, and what outlives the window.
+#[derive(Default)]
+pub(super) struct Desk {
+    pub(super) home: Option<PathBuf>,
+    pub(super) keeper: Option<Keeper>,
+    pub(super) left_behind: Vec<LeftBehind>,
+    /// Restored, and to be removed as soon as this window keeps it itself.
+    pub(super) restored: Vec<LeftBehind>,
+    pub(super) recent: Vec<PathBuf>,
+    pub(super) missing: Vec<PathBuf>,
+    pub(super) places: BTreeMap<u64, Place>,
+    /// Documents that stand in a file, or need none.
+    pub(super) on_file: Vec<Arc<Document>>,
+    /// What was asked of the model that was written last.
+    pub(super) model_on_file: Option<Question>,
+    pub(super) then: Option<Then>,
+    /// The document as recovery has it.
+    pub(super) kept: Option<Arc<Document>>,
+    /// The opening whose samples file is followed.
+    pub(super) followed: Option<u64>,
+    /// How many samples came while it was followed.
+    pub(super) came: usize,
+}
+
+/// What is asked faster than it is answered.
+#[derive(Default)]
+pub(super) struct Asked {
+    pub(super) questions: Latest<Question>,
+    pub(super) previews: Latest<Wanted>,
+    pub(super) sceneries: Latest<Scenery>,
+}

@@ -1,0 +1,271 @@
+//! Commands, one by one.
+
+use std::sync::Arc;
+
+use super::{Command, Workbench};
+use crate::gui::core::boundaries::boundaries;
+
+use crate::fit::Estimate;
+use crate::gui::core::document::Method;
+use crate::gui::core::edit::Edit;
+use crate::gui::core::search;
+use crate::gui::core::setup::SetupForm;
+use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::jobs::{Jobs, Runner};
+use crate::gui::testing::workbench;
+use crate::gui::view::{About, Step, What};
+use crate::units::rad_from_deg;
+
+fn done(workbench: &mut Workbench, edit: Edit) {
+    workbench.execute(Command::Edit(edit));
+    workbench.receive();
+}
+
+#[test]
+fn the_exact_fit_finds_what_the_simulation_hid() {
+    let mut workbench = workbench();
+    done(&mut workbench, Edit::Effect("backlash", true));
+    done(&mut workbench, Edit::Identify);
+    let found = &workbench
+        .answer()
+        .expect("it can be identified")
+        .identification;
+    let value = |name: &str| {
+        let one = found.parameters.iter().find(|p| p.name == name);
+        one.expect("it was fitted").value
+    };
+    assert!((value("offset_deg") + 3.0).abs() < 0.01);
+    assert!((value("delta_mm") + 5.0).abs() < 0.05);
+    assert!((value("width_deg") - 0.05).abs() < 0.01);
+    assert!(found.gap.after.rms_mm < 0.08);
+}
+
+#[test]
+fn all_that_a_search_found_is_one_model_to_the_last_bit_wherever_it_goes() {
+    let mut workbench = workbench();
+    workbench.execute(Command::Search);
+    workbench.receive();
+    let found = workbench.diagnosis().expect("it was searched").clone();
+    assert!(!found.found.is_empty());
+    let terms = search::terms(&found).into_iter().flatten().collect();
+    done(&mut workbench, Edit::Add(terms));
+    let all = found.calibration(&workbench.subject().session);
+    let answer = workbench.answer().expect("it is identified");
+    assert_eq!(answer.calibration, all);
+    assert_eq!(answer.identification.model, all.model);
+    let width = |estimates: &[Estimate]| {
+        let one = estimates.iter().find(|e| e.name == "width_deg");
+        one.expect("it was found").clone()
+    };
+    let shown = width(&answer.identification.parameters);
+    assert_eq!(shown, width(&found.found[0].parameters));
+    // There is one fit: what is shown of it is what the search answered.
+    if found.unexplained.corrected().is_none() {
+        assert_eq!(answer.identification, found.identification);
+    }
+    assert_eq!(found.identification.outliers, found.outliers);
+    assert_eq!(found.identification.model, found.model);
+    let gap = answer.identification.gap.after.rms_mm;
+    assert!((gap - found.gap.end_mm).abs() < 1e-9, "{gap}");
+    // A part of it is another model; all of it is the same one again.
+    done(&mut workbench, Edit::Switch(0, false));
+    let part = &workbench.answer().expect("identified").calibration;
+    assert_ne!(part.model, all.model);
+    done(&mut workbench, Edit::Switch(0, true));
+    assert_eq!(workbench.answer().expect("identified").calibration, all);
+}
+
+#[test]
+fn dragging_a_boundary_identifies_by_region_and_is_undone_in_one_step() {
+    let mut workbench = workbench();
+    for deg in [1.0, 3.0, 7.0] {
+        let edit = Edit::MoveBoundary(3, rad_from_deg(deg));
+        workbench.execute(Command::Drag(edit));
+        workbench.receive();
+        assert!(workbench.settled(), "the answer follows at once");
+        let outcome = workbench.answer().expect("by region");
+        assert_eq!(outcome.identification.method, "regional");
+    }
+    workbench.execute(Command::EndDrag);
+    assert_eq!(workbench.undoes(), Some("move boundary"));
+    workbench.execute(Command::Undo);
+    let all = boundaries(&workbench.document().regions);
+    assert!(all[3].at_rad.abs() < 1e-12);
+    assert_eq!(workbench.document().method, Method::Exact);
+    assert_eq!(workbench.undoes(), None);
+}
+
+#[test]
+fn undo_brings_the_session_before_back() {
+    let mut workbench = workbench();
+    let first = Arc::clone(workbench.subject());
+    workbench.execute(Command::OpenExample(1));
+    workbench.receive();
+    assert_eq!(workbench.subject().len(), 30);
+    workbench.execute(Command::Undo);
+    assert!(Arc::ptr_eq(&first, workbench.subject()));
+}
+
+#[test]
+fn an_answer_to_another_question_is_not_shown() {
+    let mut workbench = workbench();
+    done(&mut workbench, Edit::Identify);
+    assert!(workbench.answer().is_some());
+    workbench.execute(Command::OpenExample(1));
+    workbench.receive();
+    assert!(workbench.answer().is_none(), "nothing is identified yet");
+}
+
+#[test]
+fn what_cannot_be_done_is_said_and_changes_nothing() {
+    let mut workbench = workbench();
+    let before = workbench.document().clone();
+    done(&mut workbench, Edit::Divide(0));
+    assert_eq!(*workbench.document(), before);
+    let message = workbench.view().message.as_ref().expect("it is said");
+    assert!(message.wrong && message.details[0].contains("0 regions"));
+    assert_eq!(workbench.undoes(), None);
+}
+
+#[test]
+fn a_wrong_file_leaves_everything_as_it_was() {
+    let mut workbench = workbench();
+    done(&mut workbench, Edit::Identify);
+    let before = workbench.document().clone();
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("wrong.json");
+    std::fs::write(&path, "{ \"format\": \"truepose-session/1\", ").expect("it can be written");
+    workbench.execute(Command::OpenFile(path));
+    workbench.receive();
+    assert_eq!(*workbench.document(), before);
+    assert!(workbench.answer().is_some());
+    let message = workbench.view().message.as_ref().expect("it is said");
+    assert!(message.title.contains("nothing was changed"));
+    assert!(
+        message.details[0].contains("line 1"),
+        "{:?}",
+        message.details
+    );
+}
+
+#[test]
+fn a_saved_session_brings_its_regions_and_its_tolerance_back() {
+    let mut workbench = workbench();
+    done(&mut workbench, Edit::Divide(4));
+    done(&mut workbench, Edit::Tolerance(Some(0.35)));
+    assert!(workbench.unsaved());
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("kept.json");
+    workbench.execute(Command::SaveAs {
+        path: path.clone(),
+        replace: false,
+    });
+    workbench.receive();
+    assert!(!workbench.unsaved(), "{:?}", workbench.view().message);
+    let regions = Arc::clone(&workbench.document().regions);
+    workbench.execute(Command::OpenFile(path.clone()));
+    workbench.receive();
+    assert_eq!(workbench.document().regions, regions);
+    assert_eq!(workbench.document().tolerance_mm, Some(0.35));
+
+    workbench.execute(Command::SaveAs {
+        path,
+        replace: false,
+    });
+    workbench.receive();
+    let message = workbench.view().message.as_ref().expect("it is said");
+    assert!(message.wrong && message.details[0].contains("exists already"));
+}
+
+#[test]
+fn an_export_writes_the_table_and_what_it_means() {
+    let mut workbench = workbench();
+    done(&mut workbench, Edit::Identify);
+    workbench.execute(Command::GoTo(Step::Export));
+    workbench.receive();
+    let made = workbench.export().expect("prepared").expect("possible");
+    let table = made.export.reads_as.as_ref().expect("a table");
+    let first = table.forward.values()[0];
+    assert!((first - 3.0).abs() < 0.05, "add what is missing: {first}");
+    assert!(
+        made.remainder.rms_mm > 4.5,
+        "a joint cannot lengthen a link"
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    workbench.execute(Command::ExportTo {
+        what: crate::gui::view::What::Table,
+        path: folder.path().join("table.csv"),
+        replace: false,
+    });
+    workbench.receive();
+    for name in ["table.csv", "table.csv.meta.json"] {
+        assert!(folder.path().join(name).exists(), "{name}");
+    }
+}
+
+#[test]
+fn a_robot_that_is_edited_is_seen_at_once_and_undone_in_one_step() {
+    let mut workbench = workbench();
+    let before = workbench
+        .subject()
+        .gap_before
+        .expect("there are samples")
+        .rms_mm;
+    let mut form = SetupForm::of(&workbench.subject().session);
+    for k in 1..=5 {
+        form.tool_mm[0] += f64::from(k);
+        workbench.execute(Command::Drag(Edit::Setup(Box::new(form.clone()))));
+        workbench.receive();
+    }
+    workbench.execute(Command::EndDrag);
+    let after = workbench
+        .subject()
+        .gap_before
+        .expect("there are samples")
+        .rms_mm;
+    assert!((after - before).abs() > 1.0);
+    assert!(workbench.unsaved());
+    assert_eq!(workbench.undoes(), Some("edit robot and instrument"));
+    workbench.execute(Command::Undo);
+    assert_eq!(workbench.undoes(), None);
+    assert!(!workbench.unsaved());
+}
+
+#[test]
+fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
+    let mut workbench = workbench();
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
+    workbench.execute(Command::Edit(Edit::Identify));
+    workbench.execute(Command::Cancel);
+    assert!(workbench.is_declined());
+    workbench.execute(Command::GoTo(Step::Export));
+    assert!(workbench.jobs.newest().is_none(), "nobody asked again");
+    workbench.execute(Command::Edit(Edit::Identify));
+    assert!(workbench.jobs.newest().is_some());
+}
+
+#[test]
+fn new_files_belong_beside_what_they_were_made_of() {
+    let mut workbench = workbench();
+    let folder = tempfile::tempdir().expect("a folder");
+    let tracker = folder.path().join("tracker.txt");
+    let session = workbench.subject().session.clone();
+    let imported = Subject::new(session, Vec::new(), Origin::Imported(tracker));
+    workbench.execute(Command::Edit(Edit::Open(Arc::new(imported))));
+    let proposed = workbench.proposed_path();
+    assert_eq!(proposed.parent(), Some(folder.path()));
+    // A bare name means the same folder, not the one that the program was started in.
+    workbench.execute(Command::SaveAs {
+        path: "column.json".into(),
+        replace: false,
+    });
+    workbench.receive();
+    let saved = folder.path().join("column.json");
+    assert!(saved.exists(), "{:?}", workbench.view().message);
+    assert_eq!(workbench.proposed_path(), saved);
+    let message = workbench.view().message.as_ref().expect("it is said");
+    assert!(message.title.contains(&saved.display().to_string()));
+    let report = workbench.name_of(What::Report(About::Session));
+    let report = workbench.placed(report.as_ref());
+    assert_eq!(report.parent(), Some(folder.path()));
+}

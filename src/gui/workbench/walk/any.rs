@@ -1,0 +1,396 @@
+//! A command at random, of every kind, sensible or not.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+use crate::diagnosis::Mend;
+use crate::effects::CATALOGUE;
+use crate::export::EXPORTERS;
+use crate::gui::core::document::{ExportChoice, Method};
+use crate::gui::core::edit::Edit;
+use crate::gui::core::placing::{End, Joint};
+use crate::gui::core::search::term_of;
+use crate::gui::core::setup::{SetupForm, SigmaForm};
+use crate::gui::core::simulate::Form;
+use crate::gui::core::subject::{Component, Subject};
+use crate::gui::foreign::{Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::preferences::{Preferences, Theme};
+use crate::gui::units::{AngleUnit, LengthUnit};
+use crate::gui::view::{
+    About, Canvas, Chart, Colouring, Part, Plane, Plot, Sheet, Side, Step, Then, What,
+};
+use crate::gui::workbench::{Command, Workbench};
+use crate::kinematics::JointKind;
+use crate::progress::{Progress, unwatched};
+use crate::units::rad_from_deg;
+
+/// Files that the walk opens and writes.
+pub(super) struct Files {
+    /// Written by the walk: sessions and models.
+    pub(super) written: Vec<PathBuf>,
+    /// A file that an instrument wrote.
+    pub(super) foreign: PathBuf,
+    /// A folder to write into.
+    pub(super) folder: PathBuf,
+}
+
+impl Files {
+    fn any(&self, random: &mut ChaCha8Rng) -> PathBuf {
+        match random.random_range(0..6) {
+            0 => self.folder.clone(),
+            1 => self.folder.join("there is no such file.json"),
+            2 => self.folder.join("damaged.json"),
+            3 => self.foreign.clone(),
+            _ => one_of(random, &self.written)
+                .cloned()
+                .unwrap_or_else(|| self.folder.join("nothing yet.json")),
+        }
+    }
+
+    fn to_write(&self, random: &mut ChaCha8Rng, ending: &str) -> PathBuf {
+        match random.random_range(0..12) {
+            0 => self.folder.clone(),
+            1 => self.folder.join("no folder").join("a.json"),
+            2 => self.folder.join("damaged.json").join("a.json"),
+            3 => self.folder.join("without an ending"),
+            _ => {
+                let number: u8 = random.random_range(0..4);
+                self.folder.join(format!("größe {number}.{ending}"))
+            }
+        }
+    }
+}
+
+pub(super) fn one_of<'a, T>(random: &mut ChaCha8Rng, all: &'a [T]) -> Option<&'a T> {
+    (!all.is_empty()).then(|| &all[random.random_range(0..all.len())])
+}
+
+fn pick<T: Copy>(random: &mut ChaCha8Rng, all: &[T]) -> T {
+    all[random.random_range(0..all.len())]
+}
+
+fn angle(random: &mut ChaCha8Rng) -> f64 {
+    match random.random_range(0..30) {
+        0 => f64::NAN,
+        1 => f64::INFINITY,
+        2 => 1e300,
+        _ => rad_from_deg(random.random_range(-200.0..200.0)),
+    }
+}
+
+/// A robot that may make no sense.
+fn setup(random: &mut ChaCha8Rng, subject: &Subject) -> SetupForm {
+    let mut form = SetupForm::of(&subject.session);
+    let number = random.random_range(-300.0..300.0);
+    let axis = random.random_range(0..3);
+    match random.random_range(0..8) {
+        0 => form.joints[0].axis[axis] = number,
+        1 => form.joints[0].limits = Some([number, 90.0]),
+        2 => form.tool_mm[axis] = number,
+        3 => form.sigma = SigmaForm::One(number),
+        4 => form.joints[0].kind = JointKind::Prismatic,
+        5 => form.joints[0].axis = [0.0; 3],
+        6 => form.joints[0].limits = None,
+        _ => {
+            if let Some(target) = form.targets.first_mut() {
+                target.position_mm[axis] = number;
+            }
+        }
+    }
+    form
+}
+
+fn mend(random: &mut ChaCha8Rng) -> Mend {
+    match random.random_range(0..5) {
+        0 => Mend::ScaleJoint {
+            joint: random.random_range(0..2),
+            factor: -1.0,
+        },
+        1 => Mend::Reorder([1, 2, 0]),
+        2 => Mend::FreeFrame,
+        3 => Mend::TurnHome {
+            joint: 0,
+            by_rad: 1.0,
+        },
+        _ => Mend::Remove((0..random.random_range(0..6)).collect()),
+    }
+}
+
+/// A change of the document.
+fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
+    let subject = workbench.subject();
+    let region = random.random_range(0..9);
+    match random.random_range(0..40) {
+        0 | 1 => Edit::Divide(random.random_range(0..12)),
+        2..=4 => Edit::MoveBoundary(region, angle(random)),
+        5..=8 => {
+            let mut side = || random.random::<bool>().then(|| random.random_range(0..8));
+            let joint = Joint {
+                below: side(),
+                above: side(),
+            };
+            Edit::PlaceBoundary(joint, angle(random))
+        }
+        9..=11 => Edit::Split(region),
+        12 | 13 => Edit::Join(region),
+        14 | 15 => Edit::Delete(region),
+        16 | 17 => {
+            let name = ["", "1", "2", "Ost", "  x ", "ß·∆"];
+            Edit::Rename(region, pick(random, &name).to_owned())
+        }
+        18 => Edit::RegionsOfSession,
+        19 => Edit::KeepRegions,
+        20 => Edit::Method(pick(random, &[Method::Exact, Method::Regional])),
+        21 | 22 => {
+            let effect = CATALOGUE[random.random_range(0..4)].about().id;
+            Edit::Effect(effect, random.random())
+        }
+        23 | 24 => {
+            let tolerances = [None, Some(0.3), Some(0.0), Some(-1.0), Some(f64::NAN)];
+            Edit::Tolerance(pick(random, &tolerances))
+        }
+        25 | 26 => Edit::Export(ExportChoice {
+            format: pick(random, EXPORTERS).id,
+            step: random
+                .random::<bool>()
+                .then(|| random.random_range(-1.0..10.0)),
+            joint: random.random_range(0..2),
+        }),
+        27 | 28 => Edit::Setup(Box::new(setup(random, subject))),
+        29 => Edit::Mend(vec![mend(random)]),
+        30 => {
+            // Nothing found is added as well: nothing changes then.
+            let found = workbench.diagnosis().into_iter();
+            let terms = found.flat_map(|d| d.found.iter().filter_map(|f| term_of(d, f)));
+            Edit::Add(terms.collect())
+        }
+        31 | 32 => Edit::Switch(random.random_range(0..3), random.random()),
+        33 | 34 => Edit::IdentifyBy(pick(random, &[Method::Exact, Method::Regional])),
+        _ => Edit::Identify,
+    }
+}
+
+fn then(random: &mut ChaCha8Rng, files: &Files) -> Then {
+    match random.random_range(0..6) {
+        0 => Then::Leave,
+        1 | 2 => Then::Open(files.any(random)),
+        3 => Then::Simulate(form(random)),
+        _ => Then::Example(random.random_range(0..5)),
+    }
+}
+
+fn form(random: &mut ChaCha8Rng) -> Form {
+    Form {
+        step_deg: random.random_range(10.0..60.0),
+        both_ways: random.random(),
+        noise_mm: pick(random, &[0.0, 0.03, -1.0]),
+        ..Form::default()
+    }
+}
+
+/// A foreign file as it stands in its sheet, and something that somebody says about it.
+fn foreign(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Box<Foreign> {
+    let foreign = {
+        let nobody = Progress::new(&unwatched);
+        Foreign::of(&files.foreign, nobody.whole()).expect("it is a table")
+    };
+    let mut foreign = foreign.expect("the walk has written it");
+    foreign.said = said(random, files, workbench);
+    Box::new(foreign)
+}
+
+fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Said {
+    let mut said = Said::default();
+    let path = |random: &mut ChaCha8Rng| files.any(random).display().to_string();
+    said.robot = match random.random_range(0..5) {
+        0 => RobotFrom::default().of_file(path(random)),
+        1 => RobotFrom::Here(Box::new(workbench.subject().session.robot.clone())),
+        2 => RobotFrom::Typed(TypedAxis::default()),
+        3 => RobotFrom::Example(random.random_range(0..4)),
+        _ => RobotFrom::Open,
+    };
+    if random.random_range(0..3) == 0 {
+        said.reading.columns = vec!["q1_deg".to_owned(), "x_mm".to_owned(), "y_mm".to_owned()];
+    }
+    if random.random_range(0..6) == 0 {
+        said.commands = path(random);
+        said.clock_offset_s = Some(angle(random));
+    }
+    if random.random_range(0..6) == 0 {
+        said.reference = path(random);
+        said.targets = path(random);
+    }
+    said
+}
+
+fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
+    match random.random_range(0..9) {
+        0 | 1 => (What::Table, "csv"),
+        2..=4 => (What::Model, "json"),
+        5 => (What::Poses, "csv"),
+        6 => (What::Report(About::Model), "html"),
+        7 => (What::Report(About::Model), "pdf"),
+        _ => (What::Picture(pick(random, &Plot::ALL)), "svg"),
+    }
+}
+
+fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Option<Sheet> {
+    let path = || files.folder.join("typed.json").display().to_string();
+    Some(match random.random_range(0..12) {
+        0 => Sheet::SavePath {
+            path: path(),
+            replace: random.random(),
+        },
+        1 => Sheet::ExportPath {
+            what: what(random).0,
+            path: path(),
+            replace: random.random(),
+        },
+        2 => Sheet::Simulate(form(random)),
+        3 => Sheet::Shortcuts,
+        4 => Sheet::Unsaved(then(random, files)),
+        5 => Sheet::Overwrite(files.any(random)),
+        6 => Sheet::Recover,
+        7 => Sheet::Import(foreign(random, files, workbench)),
+        8 => Sheet::Preferences,
+        9 => Sheet::Words,
+        10 => Sheet::About,
+        _ => return None,
+    })
+}
+
+fn preferences(random: &mut ChaCha8Rng) -> Preferences {
+    Preferences {
+        length: pick(
+            random,
+            &[
+                LengthUnit::Millimetre,
+                LengthUnit::Micrometre,
+                LengthUnit::Inch,
+            ],
+        ),
+        angle: pick(random, &[AngleUnit::Degree, AngleUnit::Radian]),
+        decimals: random.random::<bool>().then(|| random.random()),
+        decimal_comma: random.random(),
+        theme: pick(random, &[Theme::System, Theme::Light, Theme::Dark]),
+        zoom: random.random_range(-1.0..9.0),
+    }
+}
+
+/// What is shown of the plots, and how much of them.
+fn look(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..4) {
+        0 => Command::Fit,
+        1 => Command::FitWorkspace,
+        2 => Command::FitChart,
+        _ => Command::Part(pick(random, &[Part::Workspace, Part::Chart])),
+    }
+}
+
+/// A command of any kind but those that ask the system.
+pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
+    let sample = |random: &mut ChaCha8Rng| {
+        let samples = workbench.subject().len();
+        random
+            .random::<bool>()
+            .then(|| random.random_range(0..samples.max(1) + 10))
+    };
+    match random.random_range(0..160) {
+        0..=29 => Command::Edit(edit(random, workbench)),
+        30..=49 => Command::Drag(edit(random, workbench)),
+        50..=55 => Command::EndDrag,
+        56..=63 => Command::Undo,
+        64..=67 => Command::Redo,
+        68 => Command::OpenFile(files.any(random)),
+        69 => Command::Say(Box::new(said(random, files, workbench))),
+        70 if random.random() => Command::ConfirmColumns,
+        70 => Command::Import,
+        71 => Command::OpenExample(random.random_range(0..4)),
+        72 | 73 => Command::Do(then(random, files)),
+        74 => match (workbench.file(), workbench.at_risk().session) {
+            // Otherwise it asks the system.
+            (Some(_), true) => Command::SaveThen(then(random, files)),
+            _ => Command::Sheet(None),
+        },
+        75..=77 if workbench.file().is_some() || workbench.subject().is_empty() => Command::Save,
+        78 => Command::SaveDespite,
+        79 => Command::Reload,
+        80 => Command::KeepMine,
+        81 => Command::Follow(random.random()),
+        82 => Command::Forget(files.any(random)),
+        83 => Command::Restore(random.random_range(0..2)),
+        84 if random.random_range(0..4) == 0 => Command::DiscardLeft(random.random_range(0..2)),
+        84 | 85 => Command::KeepRecovery,
+        86 => Command::LookAtDisk,
+        87..=90 => Command::SaveAs {
+            path: files.to_write(random, "json"),
+            replace: random.random(),
+        },
+        91..=95 => {
+            let (what, ending) = what(random);
+            Command::ExportTo {
+                what,
+                path: files.to_write(random, ending),
+                replace: random.random(),
+            }
+        }
+        96 => Command::Adapt,
+        97 => Command::StopLooking,
+        98..=103 => Command::Type {
+            region: pick(random, &["1", "2", "3", "Ost", "gone"]).to_owned(),
+            end: pick(random, &[End::From, End::To]),
+            text: one_of(random, &["", "-", "NaN", "−12,5", "1e400", "°", "7 rad"])
+                .filter(|_| random.random_range(0..4) > 0)
+                .map(|text| (*text).to_owned()),
+        },
+        // It takes its time.
+        104 if random.random_range(0..5) == 0 && workbench.subject().len() < 60 => Command::Search,
+        104 => Command::StopSearch,
+        105 => Command::Simulate(form(random)),
+        106 => Command::Cancel,
+        107..=112 => Command::GoTo(pick(random, &Step::ALL)),
+        113 | 114 => Command::Look(pick(random, &Plane::ALL)),
+        115 => Command::Magnify(one_of(random, &[0.0, -1.0, f64::NAN, 20.0, 1e300]).copied()),
+        116 => Command::Blend(pick(random, &[-1.0, 0.0, 0.4, 1.0, 2.0, f32::NAN])),
+        117 => Command::Colour(pick(random, &Colouring::ALL)),
+        118 => Command::Heat(random.random()),
+        119 | 120 => Command::Component(pick(random, &Component::ALL)),
+        121 => Command::OnlyAfter(random.random()),
+        122..=125 => Command::Hover(sample(random)),
+        126..=129 => Command::Select(sample(random)),
+        130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
+        132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
+        134 | 135 => Command::Chart(pick(random, &Chart::ALL)),
+        152 => Command::ChartJoint(random.random_range(0..7)),
+        153 => Command::ShowEffect(random.random_range(0..4)),
+        154 => Command::LookAround,
+        155 => Command::Results(random.random()),
+        136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
+        137..=139 => Command::Prefer(preferences(random)),
+        140..=142 => Command::Draft(
+            random
+                .random::<bool>()
+                .then(|| Box::new(setup(random, workbench.subject()))),
+        ),
+        143..=147 => Command::Sheet(sheet(random, files, workbench)),
+        148 if random.random_range(0..4) == 0 => Command::Leave,
+        75..=77 | 148 => Command::Dismiss,
+        149 => Command::DismissLetters,
+        // Private ones: no walk depends on the fonts of the machine.
+        150 => Command::FindLetters(['\u{E000}', '\u{E001}'].into()),
+        151 => look(random),
+        _ => {
+            // A session beside which models and regions make sense again.
+            let files = [Arc::clone(workbench.subject())];
+            let single = files[0].single_revolute() && files[0].len() > 12;
+            if single {
+                Command::EndDrag
+            } else {
+                Command::Do(Then::Simulate(form(random)))
+            }
+        }
+    }
+}

@@ -1,0 +1,397 @@
+//! Thousands of commands at random, of every kind, with a frame drawn now and then: the workbench
+//! stays consistent, undo and redo give the same document back, and what is on the disk is whole.
+
+mod any;
+mod kinds;
+
+use std::collections::{BTreeSet, VecDeque};
+use std::path::Path;
+use std::sync::Arc;
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use any::Files;
+
+use super::{Command, Workbench};
+use crate::compensation::verify;
+use crate::diagnostic::{Place, Severity};
+use crate::gui::App;
+use crate::gui::core::division::Division;
+use crate::gui::core::document::Document;
+use crate::gui::core::simulate::Form;
+use crate::gui::testing::workbench;
+use crate::gui::view::{Then, What};
+use crate::model::format_v1::load_model;
+use crate::sessions;
+
+/// Each seed is a walk of its own.
+const SEEDS: u64 = 6;
+const COMMANDS: usize = 900;
+/// Commands that are told when something is wrong.
+const TAIL: usize = 25;
+
+#[test]
+fn thousands_of_commands_at_random_leave_a_consistent_workbench() {
+    let walks = std::thread::scope(|scope| {
+        let walks: Vec<_> = (0..SEEDS)
+            .map(|seed| scope.spawn(move || walk(seed)))
+            .collect();
+        let ended = walks.into_iter().map(std::thread::ScopedJoinHandle::join);
+        ended.collect::<Vec<_>>()
+    });
+    let mut done: BTreeSet<&str> = BTreeSet::new();
+    let mut edited: BTreeSet<&str> = BTreeSet::new();
+    for walk in walks {
+        let (some, changes) = walk.expect("a walk failed; see above which and where");
+        done.extend(some);
+        edited.extend(changes);
+    }
+    let missed: Vec<&&str> = kinds::COMMANDS
+        .iter()
+        .filter(|k| !done.contains(**k) && !kinds::ASK_THE_SYSTEM.contains(k))
+        .collect();
+    assert!(
+        missed.is_empty(),
+        "commands that no walk has done: {missed:?}"
+    );
+    let missed: Vec<&&str> = kinds::EDITS
+        .iter()
+        .filter(|k| !edited.contains(**k) && !kinds::COME_BACK.contains(k))
+        .collect();
+    assert!(
+        missed.is_empty(),
+        "changes that no walk has made: {missed:?}"
+    );
+}
+
+/// Tells where a walk was when something panics.
+struct Told {
+    seed: u64,
+    tail: VecDeque<String>,
+}
+
+impl Drop for Told {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("seed {}, the last commands:", self.seed);
+            self.tail.iter().for_each(|one| eprintln!("  {one}"));
+        }
+    }
+}
+
+/// The kinds of commands and of changes that it did.
+fn walk(seed: u64) -> (BTreeSet<&'static str>, BTreeSet<&'static str>) {
+    let (mut done, mut edited) = (BTreeSet::new(), BTreeSet::new());
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut files = prepared(folder.path());
+    let mut app = App::on(workbench_at_home(folder.path()));
+    let ctx = egui::Context::default();
+    let mut told = Told {
+        seed,
+        tail: VecDeque::new(),
+    };
+    for step in 0..COMMANDS {
+        let command = any::command(&mut random, app.bench(), &files);
+        done.insert(kinds::command(&command));
+        if let Command::Edit(edit) | Command::Drag(edit) = &command {
+            edited.insert(kinds::edit(edit));
+        }
+        let mut says = format!("{command:?}");
+        // A session in full is too much to be read.
+        says.truncate(says.floor_char_boundary(160));
+        told.tail.push_back(says);
+        if told.tail.len() > TAIL {
+            told.tail.pop_front();
+        }
+        if let Command::SaveAs { path, .. }
+        | Command::ExportTo {
+            what: What::Model,
+            path,
+            ..
+        } = &command
+            && !files.written.contains(path)
+        {
+            files.written.push(path.clone());
+        }
+        let bench = app.bench();
+        bench.execute(command);
+        bench.receive();
+        consistent(bench);
+        if random.random_range(0..6) == 0 {
+            back_and_forth(bench);
+        }
+        if random.random_range(0..60) == 0 {
+            told.tail.push_back("save, read again, compare".to_owned());
+            saved_is_read_again(bench, folder.path(), step);
+        }
+        if random.random_range(0..9) == 0 {
+            told.tail.push_back("a frame".to_owned());
+            frame(&ctx, &mut app, &mut random);
+            consistent(app.bench());
+        }
+        if step % 100 == 0 {
+            nothing_is_half_written(folder.path());
+        }
+    }
+    all_the_way(app.bench());
+    nothing_is_half_written(folder.path());
+    (done, edited)
+}
+
+/// Files to open: an instrument's, and one that is damaged.
+fn prepared(folder: &Path) -> Files {
+    let foreign = folder.join("messung 1.csv");
+    let mut text = "winkel;x mm;y mm;z mm\n".to_owned();
+    for k in -6..=6 {
+        let angle = f64::from(k) * 12.0;
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let row = format!("{angle};{};{};300\n", 245.0 * cos, 245.0 * sin);
+        text.push_str(&row.replace('.', ","));
+    }
+    std::fs::write(&foreign, text).expect("it can be written");
+    std::fs::write(
+        folder.join("damaged.json"),
+        "{\"format\": \"truepose-session/1\", ",
+    )
+    .expect("it can be written");
+    Files {
+        written: Vec::new(),
+        foreign,
+        folder: folder.to_path_buf(),
+    }
+}
+
+/// A workbench with a home in which another window was killed.
+fn workbench_at_home(folder: &Path) -> Workbench {
+    let home = folder.join("home");
+    let mut killed = workbench();
+    killed.at_home(home.clone());
+    killed.execute(Command::Do(Then::Simulate(Form {
+        step_deg: 30.0,
+        ..Form::default()
+    })));
+    killed.receive();
+    killed.execute(Command::KeepRecovery);
+    killed.receive();
+    drop(killed);
+    let mut bench = workbench();
+    bench.at_home(home);
+    bench.receive();
+    assert_eq!(bench.left_behind().len(), 1, "what was killed is offered");
+    bench.execute(Command::Do(Then::Simulate(Form {
+        step_deg: 15.0,
+        ..Form::default()
+    })));
+    bench.receive();
+    bench
+}
+
+/// What holds after every command.
+fn consistent(bench: &Workbench) {
+    let document = bench.document();
+    let samples = bench.subject().len();
+    let view = bench.view();
+    let shown = [view.hovered, view.selected].into_iter().flatten();
+    for sample in shown.chain(view.marked.iter().copied()) {
+        assert!(sample < samples, "sample {sample} of {samples}");
+    }
+    divided(document);
+    for typed in &view.typed {
+        let there = document.regions.iter().any(|r| r.name == typed.region);
+        assert!(there, "typed for a region that is gone: {typed:?}");
+    }
+    if let Some(answer) = bench.answer() {
+        assert_eq!(answer.lengths_mm.len(), samples);
+    }
+    assert!((0.0..=1.0).contains(&view.blend));
+    assert!(view.magnification.is_none_or(|m| m.is_finite() && m > 0.0));
+    assert!(view.preferences == view.preferences.sound());
+    let robot = &bench.subject().session.robot;
+    let problems = robot.problems(&Place::default());
+    assert!(
+        problems.iter().all(|d| d.severity != Severity::Error),
+        "{problems:?}"
+    );
+    assert!(document.export.joint < robot.joints.len());
+    assert!(
+        document
+            .tolerance_mm
+            .is_none_or(|t| t.is_finite() && t > 0.0)
+    );
+    assert!(bench.settled() || bench.is_declined(), "nobody asked");
+    if let Some(message) = &view.message {
+        let inside = "Something went wrong inside the program";
+        assert_ne!(message.title, inside, "{message:?}");
+        let nan = |text: &String| text.contains("NaN") && !text.contains("'NaN'");
+        assert!(!message.details.iter().any(nan), "{message:?}");
+    }
+}
+
+/// Regions are finite, begin before they end, do not overlap, and each has a name of its own.
+fn divided(document: &Document) {
+    let mut sorted: Vec<_> = document.regions.iter().collect();
+    for region in &sorted {
+        assert!(region.from_rad.is_finite() && region.to_rad.is_finite());
+        assert!(region.from_rad < region.to_rad, "{region:?}");
+    }
+    sorted.sort_by(|a, b| a.from_rad.total_cmp(&b.from_rad));
+    for pair in sorted.windows(2) {
+        assert!(pair[0].to_rad <= pair[1].from_rad + 1e-9, "{pair:?}");
+    }
+    let names: BTreeSet<&str> = sorted.iter().map(|r| r.name.as_str()).collect();
+    assert_eq!(names.len(), sorted.len(), "two regions of one name");
+    assert!(!names.contains(""), "a region without a name");
+    if let Division::Adaptive(decision) = &document.division {
+        assert_eq!(decision.regions, sorted.len());
+    }
+    assert!(document.regions.is_empty() || document.subject.single_revolute());
+}
+
+/// Undo and redo give the identical document back.
+fn back_and_forth(bench: &mut Workbench) {
+    bench.execute(Command::EndDrag);
+    bench.receive();
+    let Some(what) = bench.undoes() else {
+        return;
+    };
+    let before = bench.document().clone();
+    bench.execute(Command::Undo);
+    bench.receive();
+    assert_ne!(
+        *bench.document(),
+        before,
+        "undo of “{what}” changed nothing"
+    );
+    consistent(bench);
+    bench.execute(Command::Redo);
+    bench.receive();
+    assert_eq!(*bench.document(), before, "redo of “{what}”");
+    assert_eq!(bench.undoes(), Some(what));
+}
+
+/// All the way back and forth: the same document, and the answer that belongs to it.
+fn all_the_way(bench: &mut Workbench) {
+    bench.execute(Command::EndDrag);
+    bench.receive();
+    let last = bench.document().clone();
+    let mut steps = 0;
+    while bench.undoes().is_some() {
+        bench.execute(Command::Undo);
+        bench.receive();
+        consistent(bench);
+        steps += 1;
+    }
+    for _ in 0..steps {
+        bench.execute(Command::Redo);
+        bench.receive();
+    }
+    assert_eq!(*bench.document(), last);
+}
+
+/// What is saved is read as it was, and a saved model predicts the same to the last bit.
+fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
+    let document = bench.document().clone();
+    let session = &document.subject.session;
+    if !document.subject.is_empty() {
+        let path = folder.join(format!("read again {step}.json"));
+        let replacing = sessions::Replacing {
+            force: false,
+            inputs: &[],
+        };
+        let wanted = document.session_to_save();
+        sessions::save(&wanted, &path, replacing).expect("it can be saved");
+        let read = sessions::load(&path).expect("what was saved can be read");
+        let opened = Document::new(Arc::new(crate::gui::core::subject::Subject::new(
+            read.session,
+            Vec::new(),
+            crate::gui::core::subject::Origin::Simulated,
+        )));
+        if !document.regions.is_empty() {
+            assert_eq!(opened.regions, document.regions, "regions");
+        }
+        assert_eq!(opened.tolerance_mm, document.tolerance_mm);
+        let again = &opened.subject.session;
+        assert_eq!(again.robot, session.robot);
+        assert_eq!(again.targets, session.targets);
+        let bits = |column: &[f64]| column.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&again.samples.x_mm), bits(&session.samples.x_mm));
+        assert_eq!(bits(&again.samples.q[0]), bits(&session.samples.q[0]));
+    }
+    if bench.answer().is_none() {
+        return;
+    }
+    let path = folder.join(format!("model {step}.json"));
+    bench.execute(Command::ExportTo {
+        what: What::Model,
+        path: path.clone(),
+        replace: false,
+    });
+    bench.receive();
+    assert!(path.exists(), "{:?}", bench.view().message);
+    let read = load_model(&path).expect("a model that was saved can be read");
+    let answer = bench.answer().expect("it is there still");
+    if document.subject.is_empty() {
+        assert_eq!(
+            read.model.terms().len(),
+            answer.calibration.model.terms().len()
+        );
+        return;
+    }
+    let (here, again) = (verify(&answer.calibration, session), verify(&read, session));
+    match (here, again) {
+        (Ok(here), Ok(again)) => {
+            let same = here.after.length_mm.iter().zip(&again.after.length_mm);
+            for (sample, (a, b)) in same.enumerate() {
+                assert_eq!(a.to_bits(), b.to_bits(), "sample {sample}: {a} and {b}");
+            }
+        }
+        (here, again) => assert_eq!(here.is_ok(), again.is_ok()),
+    }
+}
+
+/// Draws a frame of some size, in which the pointer rests somewhere.
+fn frame(ctx: &egui::Context, app: &mut App, random: &mut ChaCha8Rng) {
+    let size = [
+        (1280.0, 800.0),
+        (1024.0, 700.0),
+        (1120.0, 640.0),
+        (3840.0, 2160.0),
+    ];
+    let (width, height): (f32, f32) = size[random.random_range(0..size.len())];
+    let at = egui::pos2(
+        random.random_range(0.0..width),
+        random.random_range(0.0..height),
+    );
+    let input = egui::RawInput {
+        screen_rect: Some(egui::Rect::from_min_size(
+            egui::Pos2::ZERO,
+            egui::vec2(width, height),
+        )),
+        events: vec![egui::Event::PointerMoved(at)],
+        ..egui::RawInput::default()
+    };
+    for _ in 0..2 {
+        let mut output = ctx.run_ui(input.clone(), |ui| app.show(ui));
+        output.textures_delta.clear();
+    }
+}
+
+/// Every file is whole: nothing of an unfinished one is there, and each document can be read.
+fn nothing_is_half_written(folder: &Path) {
+    for entry in std::fs::read_dir(folder)
+        .expect("it can be listed")
+        .flatten()
+    {
+        let path = entry.path();
+        let name = entry.file_name().to_string_lossy().into_owned();
+        assert!(!name.starts_with(".truepose-"), "{name} was left behind");
+        let is_document = path.extension().is_some_and(|e| e == "json") && path.is_file();
+        if is_document && name != "damaged.json" {
+            let bytes = std::fs::read(&path).expect("it can be read");
+            let read = serde_json::from_slice::<serde_json::Value>(&bytes);
+            assert!(read.is_ok(), "{name}: {read:?}");
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! What is said about a sample: all of it, or what matters most.
+
+use crate::gui::core::subject::Component;
+use crate::gui::units::trimmed;
+use crate::gui::workbench::Workbench;
+
+/// One line of what is said about a sample: what, and how much.
+pub(crate) type Line = (String, String);
+
+/// What matters most of a sample.
+pub(crate) fn brief(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
+    const MOST: usize = 3;
+    let subject = &**workbench.subject();
+    let (title, all) = about(workbench, sample);
+    let joints = subject.session.robot.joints.len();
+    let mut lines: Vec<Line> = Vec::new();
+    if joints > MOST {
+        let values = all.iter().take(joints).map(|(_, value)| value.as_str());
+        let mut values: Vec<&str> = values.take(6).collect();
+        if joints > values.len() {
+            values.push("…");
+        }
+        lines.push(("joints".to_owned(), values.join(", ")));
+    } else {
+        lines.extend(all.iter().take(joints).cloned());
+    }
+    let colour = workbench.view().colouring;
+    let component = workbench.view().component;
+    let matters = |name: &str| {
+        ["excluded", "deviation", "before", "after", "tolerance"].contains(&name)
+            || name == colour.name()
+            || name == component.name()
+    };
+    let rest = all.into_iter().skip(joints);
+    lines.extend(rest.filter(|(name, _)| matters(name)));
+    // Before and after are one line where both are there.
+    if let Some(k) = lines.iter().position(|(name, _)| name == "before")
+        && lines.get(k + 1).is_some_and(|(name, _)| name == "after")
+    {
+        let after = lines.remove(k + 1).1;
+        let before = lines[k].1.trim_end_matches(char::is_alphabetic).trim_end();
+        lines[k] = ("before → after".to_owned(), format!("{before} → {after}"));
+    }
+    (title, lines)
+}
+
+/// What is said about a sample.
+pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>) {
+    let subject = &**workbench.subject();
+    let units = workbench.units();
+    let title = format!("sample {}", sample + 1);
+    let mut lines = Vec::new();
+    let joints = &subject.session.robot.joints;
+    for (joint, q) in joints.iter().zip(&subject.session.samples.q) {
+        let value = match joint.kind {
+            crate::kinematics::JointKind::Revolute => units.angle(q[sample]),
+            crate::kinematics::JointKind::Prismatic => units.length(q[sample]),
+        };
+        lines.push((joint.name.clone(), value));
+    }
+    let came = match subject.side(sample) {
+        s if s > 0.0 => "moving positive",
+        s if s < 0.0 => "moving negative",
+        _ => "not known",
+    };
+    lines.push(("approached".to_owned(), came.to_owned()));
+    if !subject.usable[sample] {
+        lines.push(("excluded".to_owned(), "a value is missing".to_owned()));
+        return (title, lines);
+    }
+    let before = subject.deviation_before(sample);
+    let length = |e: [f64; 3]| units.length(subject.component(e, sample, Component::Length));
+    let mut shown = before;
+    match workbench.answer() {
+        None => lines.push(("deviation".to_owned(), length(before))),
+        Some(answer) => {
+            shown = answer.deviation_after(sample);
+            lines.push(("before".to_owned(), length(before)));
+            lines.push(("after".to_owned(), length(shown)));
+        }
+    }
+    for component in [Component::Tangential, Component::Radial, Component::Axial] {
+        if component.out_of_plane() && subject.session.samples.z_mm.is_none() {
+            continue;
+        }
+        let value = subject.component(shown, sample, component);
+        lines.push((component.name().to_owned(), units.length(value)));
+    }
+    let samples = &subject.session.samples;
+    let conditions = [
+        ("load", &samples.load_kg, "kg"),
+        ("temperature", &samples.temperature_c, "°C"),
+        ("time", &samples.time_s, "s"),
+    ];
+    for (name, column, unit) in conditions {
+        if let Some(value) = column.as_ref().map(|c| c[sample]).filter(|v| v.is_finite()) {
+            lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
+        }
+    }
+    let [right, up] = workbench.view().plane.axes();
+    let direction = shown[up].atan2(shown[right]).to_degrees();
+    lines.push((
+        "direction".to_owned(),
+        format!("{}°", trimmed(direction, 0)),
+    ));
+    if let Some(tolerance_mm) = workbench.document().tolerance_mm {
+        let within = subject.component(shown, sample, Component::Length) <= tolerance_mm;
+        let says = if within { "within" } else { "outside" };
+        lines.push(("tolerance".to_owned(), says.to_owned()));
+    }
+    (title, lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn the_hover_names_the_sample_its_angle_and_its_deviation() {
+        let workbench = workbench();
+        let (title, lines) = about(&workbench, 0);
+        assert_eq!(title, "sample 1");
+        let says = |what: &str| lines.iter().any(|(name, _)| name == what);
+        assert!(says("pan") && says("deviation") && says("direction") && says("tolerance"));
+    }
+}

@@ -1,0 +1,216 @@
+//! Region boundaries that the hand moves: real widgets on top of the plot. They can be dragged,
+//! focused with the tabulator and moved with the arrow keys; a screen reader sees sliders.
+
+use egui::accesskit::{Action, ActionData};
+use egui::{
+    Color32, CursorIcon, EventFilter, Key, Rect, Response, Role, Sense, Stroke, Ui, Vec2,
+    WidgetInfo, pos2,
+};
+use egui_plot::{PlotPoint, PlotTransform};
+
+use crate::gui::core::boundaries::{self, SNAP_DEG};
+use crate::gui::core::edit::Edit;
+use crate::gui::core::tally::Held;
+use crate::gui::style::tokens::Palette;
+use crate::gui::units::{Units, number_of, trimmed};
+use crate::gui::workbench::{Command, Workbench};
+use crate::units::{deg_from_rad, rad_from_deg};
+
+use super::layout::HANDLE;
+use super::model::Dial;
+use super::room;
+
+/// Size of a handle, points: large enough for a finger.
+const SIZE: f32 = 22.0;
+/// Steps of the keyboard: with and without shift.
+const STEPS_DEG: (f64, f64) = (5.0, SNAP_DEG);
+
+/// Shows a handle for every boundary and sends what the hand does with it.
+pub(crate) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    dial: &Dial,
+    transform: &PlotTransform,
+    commands: &mut Vec<Command>,
+) {
+    let document = workbench.document();
+    let within = document.subject.travel();
+    for (index, boundary) in boundaries::boundaries(&document.regions).iter().enumerate() {
+        let [x, y] = dial.at(boundary.at_rad, HANDLE * dial.radius_mm);
+        let centre = transform.position_from_point(&PlotPoint::new(x, y));
+        if !transform.frame().contains(centre) {
+            continue;
+        }
+        let rect = Rect::from_center_size(centre, Vec2::splat(SIZE));
+        let id = ui.scope_id().with(("boundary", index));
+        let response = ui
+            .interact(rect, id, Sense::click_and_drag())
+            .on_hover_cursor(CursorIcon::Grab);
+        let at_deg = deg_from_rad(boundary.at_rad);
+        response.widget_info(|| {
+            let label = format!("boundary at {}°", trimmed(at_deg, 2));
+            let mut info = WidgetInfo::slider(ui.is_enabled(), at_deg, label);
+            info.role = Role::Slider;
+            info
+        });
+        let room = boundaries::room(&document.regions, index, within);
+        if let Some((low, high)) = room {
+            ui.ctx().accesskit_node_builder(id, |node| {
+                node.set_min_numeric_value(deg_from_rad(low));
+                node.set_max_numeric_value(deg_from_rad(high));
+                node.set_numeric_value_step(SNAP_DEG);
+                node.add_action(Action::SetValue);
+                node.add_action(Action::Increment);
+                node.add_action(Action::Decrement);
+            });
+        }
+        if response.drag_started() || response.clicked() {
+            response.request_focus();
+        }
+        if response.dragged()
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let point = transform.value_from_position(pos2(pointer.x, pointer.y));
+            let angle = dial.angle_of([point.x, point.y], boundary.at_rad);
+            let to = boundaries::snapped_rad(angle);
+            commands.push(Command::Drag(Edit::MoveBoundary(index, to)));
+        }
+        if response.drag_stopped() {
+            commands.push(Command::EndDrag);
+        }
+        if let Some(to_deg) = moved_by_keys(ui, &response, at_deg) {
+            let to = rad_from_deg(to_deg);
+            commands.push(Command::Edit(Edit::MoveBoundary(index, to)));
+        }
+        paint(ui, &response, at_deg);
+        if response.dragged() || response.has_focus() {
+            let sides = [boundary.below, boundary.above];
+            follows(ui, workbench, sides, centre, *transform.frame());
+        }
+        response.on_hover_text("drag, or press the arrow keys; shift takes larger steps");
+    }
+}
+
+fn moved_by_keys(ui: &Ui, response: &Response, at_deg: f64) -> Option<f64> {
+    let mut steps = 0.0;
+    let mut step_deg = STEPS_DEG.1;
+    if response.has_focus() {
+        ui.memory_mut(|memory| {
+            let filter = EventFilter {
+                horizontal_arrows: true,
+                vertical_arrows: true,
+                ..EventFilter::default()
+            };
+            memory.set_focus_lock_filter(response.id, filter);
+        });
+        ui.input(|input| {
+            let presses = |key: Key| input.num_presses(key) as f64;
+            steps += presses(Key::ArrowUp) + presses(Key::ArrowRight);
+            steps -= presses(Key::ArrowDown) + presses(Key::ArrowLeft);
+            if input.modifiers.shift {
+                step_deg = STEPS_DEG.0;
+            }
+        });
+    }
+    let asked = ui.input(|input| {
+        steps += input.num_accesskit_action_requests(response.id, Action::Increment) as f64;
+        steps -= input.num_accesskit_action_requests(response.id, Action::Decrement) as f64;
+        let values = input.accesskit_action_requests(response.id, Action::SetValue);
+        values
+            .filter_map(|request| match request.data {
+                Some(ActionData::NumericValue(value)) => Some(value),
+                _ => None,
+            })
+            .last()
+    });
+    asked.or_else(|| (steps != 0.0).then_some(at_deg + steps * step_deg))
+}
+
+fn paint(ui: &Ui, response: &Response, at_deg: f64) {
+    let palette = Palette::of(ui);
+    let busy = response.hovered() || response.dragged() || response.has_focus();
+    let (fill, text) = if busy {
+        (palette.accent, palette.on_accent)
+    } else {
+        (palette.surface, palette.accent)
+    };
+    let painter = ui.painter();
+    let radius = if busy { 7.5 } else { 6.0 };
+    let edge = Stroke::new(2.0, palette.accent);
+    painter.circle(response.rect.center(), radius, fill, edge);
+    if response.has_focus() {
+        let ring = Stroke::new(1.5, palette.accent);
+        painter.circle_stroke(response.rect.center(), radius + 3.5, ring);
+    }
+    if response.dragged() || response.has_focus() {
+        let label = format!("{}°", trimmed(at_deg, 2));
+        let font = egui::FontId::proportional(crate::gui::style::tokens::size::SMALL);
+        let galley = painter.layout_no_wrap(label, font, text);
+        let at = response.rect.center() - Vec2::new(0.5 * galley.size().x, 34.0);
+        let back = Rect::from_min_size(at, galley.size()).expand2(Vec2::new(6.0, 3.0));
+        painter.rect_filled(back, 4.0, palette.accent);
+        painter.galley(at, galley, Color32::PLACEHOLDER);
+    }
+}
+
+/// What follows for the regions beside a boundary, at once: the whole answer takes its time with
+/// many samples, the sums of a region do not.
+fn follows(
+    ui: &Ui,
+    workbench: &Workbench,
+    sides: [Option<usize>; 2],
+    handle: egui::Pos2,
+    frame: Rect,
+) {
+    let subject = workbench.subject();
+    let few = subject.len() <= crate::gui::core::scale::FEW;
+    let tally = subject.tally_if_made();
+    let Some(tally) = tally.or_else(|| few.then(|| subject.tally())) else {
+        return;
+    };
+    let palette = Palette::of(ui);
+    let regions = &workbench.document().regions;
+    let held = tally.held(regions);
+    let font = egui::FontId::proportional(crate::gui::style::tokens::size::SMALL);
+    let line = |region: usize| {
+        let name = regions.get(region).map_or("", |r| r.name.as_str());
+        let says = says(name, held.get(region)?, workbench.units());
+        Some(
+            ui.painter()
+                .layout_no_wrap(says, font.clone(), palette.text),
+        )
+    };
+    let lines: Vec<_> = sides.into_iter().flatten().filter_map(line).collect();
+    let wide = lines.iter().map(|l| l.size().x).fold(0.0, f32::max);
+    let high: f32 = lines.iter().map(|l| l.size().y).sum();
+    let size = Vec2::new(wide + 14.0, high + 8.0);
+    let places = room::around(handle, size, 22.0);
+    // The angle itself stands above the handle.
+    let chip = [handle - Vec2::new(0.0, 30.0)];
+    let Some(place) = room::freest(&places, frame, &[&chip]) else {
+        return;
+    };
+    let painter = ui.painter();
+    let edge = Stroke::new(1.0, palette.line);
+    painter.rect(place, 4.0, palette.surface, edge, egui::StrokeKind::Inside);
+    let mut at = place.min + Vec2::new(7.0, 4.0);
+    for line in lines {
+        let next = at.y + line.size().y;
+        painter.galley(at, line, palette.text);
+        at.y = next;
+    }
+}
+
+/// A region in a line.
+fn says(name: &str, held: &Held, units: Units) -> String {
+    match held.correction() {
+        None => format!("{name}: no samples"),
+        Some((theta_rad, l1_mm, left_mm)) => format!(
+            "{name}: {}, Δθ {}, Δl1 {}, left {}",
+            number_of(held.samples, "sample"),
+            units.angle(theta_rad),
+            units.length(l1_mm),
+            units.length(left_mm)
+        ),
+    }
+}

@@ -1,0 +1,233 @@
+//! Where the parts of the workspace plot go: bounds, sectors, the scale, what is under the
+//! pointer.
+
+use egui::Pos2;
+use egui_plot::{PlotPoint, PlotTransform};
+
+use crate::gui::core::scale::{FEW, round_down};
+use crate::gui::view::Canvas;
+use crate::gui::workbench::Workbench;
+
+use super::model::{Dial, Scene};
+
+/// Sectors reach from the path's inside to its outside, in parts of the radius.
+pub(crate) const SECTOR: (f64, f64) = (0.0, 1.10);
+/// Boundaries' handles and region names stand outside it.
+pub(crate) const HANDLE: f64 = 1.17;
+/// Room for the handles.
+const ROOM: f64 = 1.22;
+/// Chords of a sector are no longer than this, rad.
+const CHORD_RAD: f64 = 0.05;
+
+/// Smallest and largest corner of everything, mm, with room for handles.
+pub(crate) fn bounds(scene: &Scene) -> [[f64; 2]; 2] {
+    let mut low = [f64::INFINITY; 2];
+    let mut high = [f64::NEG_INFINITY; 2];
+    let mut take = |p: [f64; 2]| {
+        for k in 0..2 {
+            if p[k].is_finite() {
+                low[k] = low[k].min(p[k]);
+                high[k] = high[k].max(p[k]);
+            }
+        }
+    };
+    scene.measured_mm.into_iter().for_each(&mut take);
+    scene.robot_mm.into_iter().for_each(&mut take);
+    for p in scene.paths_mm.iter().flatten() {
+        take(*p);
+    }
+    if let Some(dial) = &scene.dial {
+        take(dial.centre_mm);
+        for p in scene.paths_mm.iter().flatten() {
+            let arm = [p[0] - dial.centre_mm[0], p[1] - dial.centre_mm[1]];
+            let out = ROOM * dial.radius_mm / arm[0].hypot(arm[1]).max(1e-9);
+            take([
+                dial.centre_mm[0] + out * arm[0],
+                dial.centre_mm[1] + out * arm[1],
+            ]);
+        }
+    }
+    if !low[0].is_finite() || !low[1].is_finite() {
+        return [[-1.0, -1.0], [1.0, 1.0]];
+    }
+    let margin = 0.03 * scene.reach_mm;
+    [low.map(|v| v - margin), high.map(|v| v + margin)]
+}
+
+/// The corners of a sector as quadrilaterals, mm.
+pub(crate) fn sector(dial: &Dial, from_rad: f64, to_rad: f64) -> Vec<[[f64; 2]; 4]> {
+    let pieces = ((to_rad - from_rad).abs() / CHORD_RAD)
+        .ceil()
+        .clamp(1.0, 400.0);
+    let at = |k: f64| from_rad + (to_rad - from_rad) * k / pieces;
+    let (inner, outer) = (SECTOR.0 * dial.radius_mm, SECTOR.1 * dial.radius_mm);
+    (0..crate::gui::units::whole(pieces))
+        .map(|k| {
+            let (a, b) = (at(k as f64), at(k as f64 + 1.0));
+            [
+                dial.at(a, inner),
+                dial.at(a, outer),
+                dial.at(b, outer),
+                dial.at(b, inner),
+            ]
+        })
+        .collect()
+}
+
+/// The scale's arrow: the deviation that it stands for, mm, such that it is drawn at most
+/// `most_points` long where one mm takes `points_per_mm`.
+pub(crate) fn scale_mm(magnification: f64, points_per_mm: f64, most_points: f64) -> f64 {
+    round_down(most_points / (magnification * points_per_mm))
+}
+
+/// The sample nearest to the pointer, of those within `reach` points of it.
+pub(crate) fn nearest(
+    candidates: impl Iterator<Item = (usize, [f32; 2])>,
+    pointer: [f32; 2],
+    reach: f32,
+) -> Option<usize> {
+    let distance = |p: [f32; 2]| (p[0] - pointer[0]).hypot(p[1] - pointer[1]);
+    candidates
+        .map(|(sample, at)| (sample, distance(at)))
+        .filter(|(_, d)| *d <= reach)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(sample, _)| sample)
+}
+
+/// So many vectors and points can be told apart where all of the workspace is in sight.
+const APART: [f64; 2] = [1_500.0, 7_500.0];
+
+/// How many points and how many vectors a layer draws: the nearer one looks the more. Points move
+/// apart along both axes; vectors become longer as well, and so fewer of them fit.
+pub(crate) fn counts(scene: &Scene, transform: &PlotTransform) -> [usize; 2] {
+    let Canvas::Layers(most) = scene.canvas else {
+        return [0; 2];
+    };
+    let [low, high] = scene.measured_mm;
+    let side = |k: usize, points_per_mm: f64, frame: f32| {
+        let drawn = (high[k] - low[k]) * points_per_mm.abs();
+        (drawn / f64::from(frame.max(1.0))).max(1.0)
+    };
+    let frame = transform.frame();
+    let wide = side(0, transform.dpos_dvalue_x(), frame.width());
+    let tall = side(1, transform.dpos_dvalue_y(), frame.height());
+    let most = scene.samples.min(most);
+    let at_most = |apart: f64| {
+        if apart < most as f64 {
+            crate::gui::units::whole(apart)
+        } else {
+            most
+        }
+    };
+    let [vectors, points] = APART;
+    [points * wide * tall, vectors * (wide * tall).sqrt()].map(at_most)
+}
+
+/// What a layer says when it does not draw everything.
+pub(crate) fn drawn(scene: &Scene, [points, vectors]: [usize; 2]) -> Vec<String> {
+    let one_of = |count: usize| scene.samples.div_ceil(count.max(1));
+    let note = |(count, what): (usize, &str)| {
+        let why = if scene.canvas == Canvas::Layers(count) {
+            "this computer draws in software"
+        } else {
+            "zoom in for more"
+        };
+        (count < scene.samples).then(|| format!("1 of {} {what}: {why}", one_of(count)))
+    };
+    let layers = [(points, "points"), (vectors, "vectors")];
+    layers.into_iter().filter_map(note).collect()
+}
+
+/// The sample under the pointer, of those within `reach` points of it.
+pub(crate) fn under(
+    workbench: &Workbench,
+    transform: &PlotTransform,
+    pointer: Pos2,
+    reach: f32,
+) -> Option<usize> {
+    let usable = &workbench.subject().overview.usable;
+    if usable.len() > FEW {
+        let at = transform.value_from_position(pointer);
+        let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
+        return workbench.nearest()?.find([at.x, at.y], reach_mm);
+    }
+    let axes = workbench.view().plane.axes();
+    let candidates = usable.iter().map(|sample| {
+        let sample = *sample as usize;
+        let measured = workbench.subject().measured(sample);
+        let [x, y] = axes.map(|k| measured[k]);
+        let at = transform.position_from_point(&PlotPoint::new(x, y));
+        (sample, [at.x, at.y])
+    });
+    nearest(candidates, [pointer.x, pointer.y], reach)
+}
+
+#[cfg(test)]
+mod tests {
+    use egui_plot::PlotBounds;
+
+    use super::*;
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn everything_that_is_drawn_is_within_the_bounds() {
+        let scene = Scene::of(&workbench());
+        let [low, high] = bounds(&scene);
+        let dial = scene.dial.expect("it turns");
+        let handle = dial.at(0.0, HANDLE * dial.radius_mm);
+        for p in scene.points.iter().map(|p| p.at_mm).chain([handle]) {
+            assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
+        }
+    }
+
+    #[test]
+    fn the_scale_is_round_and_fits() {
+        for magnification in [1.0, 20.0, 500.0] {
+            let mm = scale_mm(magnification, 1.7, 80.0);
+            let drawn = mm * magnification * 1.7;
+            assert!(drawn <= 80.0 + 1e-9 && drawn > 80.0 / 2.6, "{drawn}");
+        }
+    }
+
+    #[test]
+    fn the_nearer_one_looks_the_more_vectors_are_drawn() {
+        let mut scene = Scene::of(&workbench());
+        scene.samples = 1_000_000;
+        scene.canvas = Canvas::Layers(usize::MAX);
+        let at = |scale: f64| {
+            let frame = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(500.0, 400.0));
+            let bounds = PlotBounds::from_min_max(
+                [-300.0 * scale, -240.0 * scale],
+                [300.0 * scale, 240.0 * scale],
+            );
+            counts(&scene, &PlotTransform::new(frame, bounds, false))
+        };
+        assert_eq!(at(1.5), [7_500, 1_500]);
+        let [points, vectors] = at(0.1);
+        assert!(points > 100_000 && vectors > 7_000, "{points} {vectors}");
+        assert!(at(0.02) > at(0.1));
+        assert_eq!(at(0.0001), [1_000_000, 1_000_000]);
+        let says = drawn(&scene, at(1.5));
+        assert_eq!(says[1], "1 of 667 vectors: zoom in for more");
+        assert!(drawn(&scene, [1_000_000; 2]).is_empty());
+    }
+
+    #[test]
+    fn the_nearest_sample_is_found_within_reach_only() {
+        let at = [(7, [0.0, 0.0]), (8, [10.0, 0.0])];
+        assert_eq!(nearest(at.into_iter(), [8.0, 1.0], 12.0), Some(8));
+        assert_eq!(nearest(at.into_iter(), [50.0, 50.0], 12.0), None);
+    }
+
+    #[test]
+    fn a_sector_is_cut_into_pieces_that_cover_it() {
+        let scene = Scene::of(&workbench());
+        let dial = scene.dial.expect("it turns");
+        let pieces = sector(&dial, -0.4, 0.6);
+        let first = pieces.first().expect("at least one");
+        let last = pieces.last().expect("at least one");
+        assert_eq!(first[1], dial.at(-0.4, SECTOR.1 * dial.radius_mm));
+        let end = dial.at(0.6, SECTOR.1 * dial.radius_mm);
+        assert!((last[2][0] - end[0]).abs() < 1e-9);
+    }
+}

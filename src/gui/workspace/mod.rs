@@ -1,0 +1,25 @@
+//! The workspace: sectors, nominal path, the robot, measured points, error vectors; or the
+//! deviation around the joint's angle.
+
+mod about;
+mod card;
+mod crowd;
+mod drawn;
+mod handles;
+mod layers;
+mod layout;
+mod legend;
+mod model;
+mod paint;
+mod pointer;
+mod polar;
+mod robot;
+mod room;
+mod scales;
+mod toolbar;
+
+pub(crate) use layout::nearest;
+pub(crate) use paint::show;
+pub(crate) use pointer::{hover, marked};
+pub(crate) use polar::sheet::sheet as polar_sheet;
+pub(crate) use toolbar::show as bar;

@@ -1,0 +1,380 @@
+//! What the workspace plot shows, in mm of the measuring frame, projected on a plane.
+
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::cache::thinning::MOST;
+use crate::gui::core::overview::long_mm;
+use crate::gui::core::subject::Subject;
+use crate::gui::layers::Look;
+use crate::gui::view::{Canvas, Colouring, Plane, ViewState};
+use crate::gui::workbench::Workbench;
+
+/// An error vector of a sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Arrow {
+    pub(crate) sample: usize,
+    /// Where the simulation is, mm.
+    pub(crate) from_mm: [f64; 2],
+    /// The deviation that is shown, mm, as long as it really is.
+    pub(crate) vector_mm: [f64; 2],
+    /// The deviation before, where another is shown.
+    pub(crate) before_mm: Option<[f64; 2]>,
+    /// What its colour says, from 0 to 1; `None`: before or after, or nothing is known.
+    pub(crate) says: Option<f32>,
+}
+
+/// A measured point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Point {
+    pub(crate) sample: usize,
+    /// Where it was measured, mm.
+    pub(crate) at_mm: [f64; 2],
+    /// Whether the deviation that is shown is within the tolerance; `None` without one.
+    pub(crate) within: Option<bool>,
+    /// Whether it is a suspected outlier.
+    pub(crate) suspected: bool,
+    /// What its colour says, as its vector's does.
+    pub(crate) says: Option<f32>,
+}
+
+/// How angles of joint 1 lie in the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Dial {
+    /// The axis, mm.
+    pub(crate) centre_mm: [f64; 2],
+    /// Direction of the tool at home.
+    pub(crate) radial: [f64; 2],
+    /// A quarter turn further.
+    pub(crate) tangential: [f64; 2],
+    /// The distance of the farthest reflector from the axis, mm.
+    pub(crate) radius_mm: f64,
+}
+
+impl Dial {
+    /// The point at this angle and this distance from the axis, mm.
+    pub(crate) fn at(&self, q_rad: f64, radius_mm: f64) -> [f64; 2] {
+        let (sin, cos) = q_rad.sin_cos();
+        std::array::from_fn(|k| {
+            self.centre_mm[k] + radius_mm * (cos * self.radial[k] + sin * self.tangential[k])
+        })
+    }
+
+    /// The angle of a point, rad, the turn nearest to `near_rad`.
+    pub(crate) fn angle_of(&self, point_mm: [f64; 2], near_rad: f64) -> f64 {
+        let arm: [f64; 2] = std::array::from_fn(|k| point_mm[k] - self.centre_mm[k]);
+        let along = |d: [f64; 2]| arm[0] * d[0] + arm[1] * d[1];
+        let angle = along(self.tangential).atan2(along(self.radial));
+        let turn = 2.0 * std::f64::consts::PI;
+        angle + turn * ((near_rad - angle) / turn).round()
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scene {
+    /// Error vectors, perhaps thinned; none where a layer draws them.
+    pub(crate) arrows: Vec<Arrow>,
+    /// Measured points of the same samples; none where a layer draws them.
+    pub(crate) points: Vec<Point>,
+    /// The way of each reflector on the nominal robot, mm; for a single joint that turns.
+    pub(crate) paths_mm: Vec<Vec<[f64; 2]>>,
+    /// Where joint 1 turns in this plane.
+    pub(crate) dial: Option<Dial>,
+    /// How much longer than real the vectors are drawn.
+    pub(crate) magnification: f64,
+    /// Size of the workspace, mm.
+    pub(crate) reach_mm: f64,
+    /// Smallest and largest corner of what was measured, mm.
+    pub(crate) measured_mm: [[f64; 2]; 2],
+    /// Smallest and largest corner of the robot at some of the poses, mm.
+    pub(crate) robot_mm: [[f64; 2]; 2],
+    /// What is shown of each sample, and how.
+    pub(crate) look: Look,
+    /// How many samples can be used.
+    pub(crate) samples: usize,
+    /// Whether the largest deviations are among those that are drawn.
+    pub(crate) with_largest: bool,
+    /// What draws them.
+    pub(crate) canvas: Canvas,
+}
+
+impl Scene {
+    /// The workspace as the workbench has it.
+    pub(crate) fn of(workbench: &Workbench) -> Self {
+        let subject = &**workbench.subject();
+        let view = workbench.view();
+        let [right, up] = view.plane.axes();
+        let flat = |p: [f64; 3]| [p[right], p[up]];
+        let answer = workbench.answer();
+        let look = look(workbench);
+        let shown = |sample: usize| shown(workbench, sample);
+        let length = |e: [f64; 3]| (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]).sqrt();
+        let tolerance_mm = workbench.document().tolerance_mm;
+        let usable = &subject.overview.usable;
+        let cloud = Cloud::of(subject);
+        let spread = &cloud.samples;
+        let shown_here: &[u32] = match (view.canvas, workbench.thinned()) {
+            (Canvas::Layers(_), _) => &[],
+            (Canvas::Shapes, _) if usable.len() <= MOST => usable,
+            (Canvas::Shapes, Some(thinned)) => thinned,
+            // Until they are chosen: some.
+            (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
+        };
+        let samples = || shown_here.iter().map(|sample| *sample as usize);
+        let arrows = samples().map(|sample| {
+            let e = shown(sample);
+            let measured = subject.measured(sample);
+            Arrow {
+                sample,
+                from_mm: flat(std::array::from_fn(|k| measured[k] - e[k])),
+                vector_mm: flat(e),
+                before_mm: look
+                    .ghosts()
+                    .then(|| flat(subject.deviation_before(sample))),
+                says: says(subject, &look, sample, e),
+            }
+        });
+        let points = samples().map(|sample| Point {
+            sample,
+            at_mm: flat(subject.measured(sample)),
+            within: tolerance_mm.map(|t| length(shown(sample)) <= t),
+            suspected: answer.is_some_and(|a| a.suspected[sample]),
+            says: says(subject, &look, sample, shown(sample)),
+        });
+        let measured_mm = subject.overview.measured_mm.map(flat);
+        Self {
+            arrows: arrows.collect(),
+            points: points.collect(),
+            paths_mm: paths(subject, view.plane),
+            dial: dial(subject, view.plane),
+            magnification: look.magnification,
+            reach_mm: subject.overview.reach_mm,
+            measured_mm,
+            robot_mm: subject.overview.robot_mm.map(flat),
+            look,
+            samples: usable.len(),
+            with_largest: workbench.thinned().is_some(),
+            canvas: view.canvas,
+        }
+    }
+
+    /// What it says when it does not show everything.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let drawn = self.points.len();
+        if drawn >= self.samples {
+            return Vec::new();
+        }
+        let largest = if self.with_largest {
+            ", the largest deviations among them"
+        } else {
+            ""
+        };
+        vec![format!("{drawn} of {} samples{largest}", self.samples)]
+    }
+}
+
+/// The magnification that is chosen, or at which the deviations before can be read.
+pub(crate) fn magnification(view: &ViewState, subject: &Subject) -> f64 {
+    view.magnification.unwrap_or(subject.overview.readable)
+}
+
+/// The deviation that is shown of a sample, mm: e = before + t (after − before).
+pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
+    let before = workbench.subject().deviation_before(sample);
+    let Some(answer) = workbench.answer() else {
+        return before;
+    };
+    let after = answer.deviation_after(sample);
+    let blend = f64::from(workbench.view().blend);
+    std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
+}
+
+fn look(workbench: &Workbench) -> Look {
+    let (view, subject) = (workbench.view(), workbench.subject());
+    let answered = workbench.answer().is_some();
+    let magnification = magnification(view, subject);
+    let colouring = offered(subject, view.colouring);
+    Look {
+        plane: view.plane,
+        centre_mm: Cloud::of(subject).centre_mm,
+        blend: if answered { view.blend } else { 0.0 },
+        answered,
+        magnification,
+        long_mm: long_mm(subject.overview.reach_mm, magnification),
+        tolerance_mm: workbench.document().tolerance_mm,
+        colouring,
+        // Many points stand close together, and small ones apart. A colour needs room to be seen.
+        mark: match (subject.overview.usable.len(), colouring) {
+            (0..=80, Colouring::State) => 1.0,
+            (0..=80, _) => 1.5,
+            (81..=5_000, Colouring::State) => 0.75,
+            (81..=5_000, _) => 1.25,
+            (_, Colouring::State) => 0.5,
+            (_, _) => 0.75,
+        },
+    }
+}
+
+/// What colour can say of a session: a condition only where it changes.
+pub(crate) fn offers(subject: &Subject, colouring: Colouring) -> bool {
+    let cloud = Cloud::of(subject);
+    let known = |k: usize| cloud.conditions[k].is_some();
+    colouring.condition().is_none_or(known)
+}
+
+fn offered(subject: &Subject, colouring: Colouring) -> Colouring {
+    if offers(subject, colouring) {
+        colouring
+    } else {
+        Colouring::State
+    }
+}
+
+/// What the colour of a sample says, of which `e` is shown, as the layers have it.
+#[allow(
+    clippy::cast_possible_truncation,
+    reason = "a part of a scale needs no more"
+)]
+fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f32> {
+    let part = match look.colouring {
+        Colouring::State => return None,
+        Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
+        Colouring::Direction => {
+            let [right, up] = look.plane.axes();
+            e[up].atan2(e[right]) / (2.0 * std::f64::consts::PI)
+        }
+        Colouring::Load | Colouring::Temperature | Colouring::Time => {
+            let condition = look.colouring.condition()?;
+            let samples = &subject.session.samples;
+            let columns = [&samples.load_kg, &samples.temperature_c, &samples.time_s];
+            let [low, high] = Cloud::of(subject).conditions[condition]?;
+            (columns[condition].as_ref()?[sample] - low) / (high - low)
+        }
+    };
+    part.is_finite().then_some(part as f32)
+}
+
+pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
+    let joint = &subject.joint;
+    let facing = joint.along[plane.normal()].abs() > 0.999;
+    (subject.turns() && facing && joint.radius_mm > 0.0).then(|| {
+        let [right, up] = plane.axes();
+        let flat = |p: [f64; 3]| [p[right], p[up]];
+        Dial {
+            centre_mm: flat(joint.foot_mm),
+            radial: flat(joint.radial),
+            tangential: flat(joint.tangential),
+            radius_mm: subject.arm_mm,
+        }
+    })
+}
+
+/// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
+fn paths(subject: &Subject, plane: Plane) -> Vec<Vec<[f64; 2]>> {
+    const POINTS: usize = 181;
+    let [right, up] = plane.axes();
+    if subject.single_revolute() {
+        let (from, to) = subject.travel();
+        let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
+        let robot = &subject.session.robot;
+        let arcs = subject.session.targets.iter().map(|target| {
+            let points = (0..POINTS).map(|k| {
+                let p = robot.point_in_base(&[at(k)], &target.position_mm);
+                [p[right], p[up]]
+            });
+            points.collect()
+        });
+        return arcs.collect();
+    }
+    // Poses of an arm may stand in any order: a line through them would be no way.
+    Vec::new()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::gui::core::edit::Edit;
+    use crate::gui::testing::workbench;
+    use crate::gui::workbench::Command;
+
+    #[test]
+    fn an_error_vector_runs_from_the_simulation_to_the_measurement() {
+        let workbench = workbench();
+        let scene = Scene::of(&workbench);
+        let subject = workbench.subject();
+        for arrow in &scene.arrows {
+            let measured = subject.measured(arrow.sample);
+            for (k, axis) in [0, 1].into_iter().enumerate() {
+                let tip = arrow.from_mm[k] + arrow.vector_mm[k];
+                assert!((tip - measured[axis]).abs() < 1e-9);
+            }
+        }
+        assert_eq!(scene.arrows.len(), subject.len());
+    }
+
+    #[test]
+    fn blending_takes_the_vectors_from_before_to_after() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        let longest = |workbench: &Workbench| {
+            let lengths = Scene::of(workbench).arrows;
+            let lengths = lengths.iter().map(|a| a.vector_mm[0].hypot(a.vector_mm[1]));
+            lengths.fold(0.0, f64::max)
+        };
+        workbench.execute(Command::Blend(0.0));
+        let before = longest(&workbench);
+        workbench.execute(Command::Blend(0.5));
+        let between = longest(&workbench);
+        workbench.execute(Command::Blend(1.0));
+        let after = longest(&workbench);
+        assert!(
+            before > between && between > after,
+            "{before} {between} {after}"
+        );
+        assert!(after < 1.0);
+    }
+
+    #[test]
+    fn an_angle_on_the_dial_is_found_again_on_any_turn() {
+        let scene = Scene::of(&workbench());
+        let dial = scene.dial.expect("the joint turns in this plane");
+        for q in [-3.5, -1.0, 0.0, 0.5, 4.0] {
+            let found = dial.angle_of(dial.at(q, 100.0), q + 0.3);
+            assert!((found - q).abs() < 1e-12, "{q} {found}");
+        }
+    }
+
+    #[test]
+    fn there_is_no_dial_where_the_joint_is_seen_from_the_side() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Look(Plane::Xz));
+        assert_eq!(Scene::of(&workbench).dial, None);
+    }
+
+    #[test]
+    fn more_samples_than_can_be_drawn_are_thinned_and_the_plot_says_so() {
+        let mut workbench = workbench();
+        assert!(Scene::of(&workbench).notes().is_empty());
+        workbench.execute(Command::Simulate(crate::gui::core::simulate::Form {
+            step_deg: 0.01,
+            ..crate::gui::core::simulate::Form::default()
+        }));
+        workbench.receive();
+        let subject = Arc::clone(workbench.subject());
+        assert_eq!(subject.len(), 36_002);
+        let scene = Scene::of(&workbench);
+        assert_eq!(scene.arrows.len(), scene.points.len());
+        assert!(scene.points.len() <= MOST && scene.points.len() > MOST / 2);
+        let says = format!(
+            "{} of 36002 samples, the largest deviations among them",
+            scene.points.len()
+        );
+        assert_eq!(scene.notes(), [says]);
+        let length = |sample: u32| subject.before.length_mm[sample as usize];
+        let largest = subject.overview.usable.iter().copied();
+        let largest = largest.max_by(|a, b| length(*a).total_cmp(&length(*b)));
+        let drawn = |sample: u32| scene.arrows.iter().any(|a| a.sample == sample as usize);
+        assert!(largest.is_some_and(drawn));
+    }
+}

@@ -1,0 +1,48 @@
+//! The sample under the pointer, in every plot of samples.
+
+use egui::CursorIcon;
+
+use crate::gui::view::ViewState;
+use crate::gui::workbench::{Command, Workbench};
+
+use super::card;
+
+/// Sends what is under the pointer, and says what it is.
+pub(crate) fn hover(
+    response: &egui::Response,
+    workbench: &Workbench,
+    under: Option<usize>,
+    commands: &mut Vec<Command>,
+) {
+    let left = left(response, &response.ctx);
+    if (response.hovered() || left) && under != workbench.view().hovered {
+        commands.push(Command::Hover(under));
+    }
+    if response.clicked() {
+        commands.push(Command::Select(under));
+    }
+    if let Some(sample) = under
+        && let Some(pointer) = response.hover_pos()
+    {
+        response.ctx.set_cursor_icon(CursorIcon::PointingHand);
+        card::show(&response.ctx, workbench, sample, pointer, response.rect);
+    }
+}
+
+/// The samples that a finding is about, no more than can be told apart.
+pub(crate) fn marked(view: &ViewState, samples: usize) -> impl Iterator<Item = usize> + '_ {
+    const MOST: usize = 2000;
+    let there = view.marked.iter().copied().filter(move |s| *s < samples);
+    there.take(MOST)
+}
+
+/// Whether the pointer has just left this widget.
+pub(crate) fn left(response: &egui::Response, ctx: &egui::Context) -> bool {
+    let id = response.id.with("was hovered");
+    let now = response.hovered();
+    ctx.data_mut(|data| {
+        let before: bool = data.get_temp(id).unwrap_or_default();
+        data.insert_temp(id, now);
+        before && !now
+    })
+}

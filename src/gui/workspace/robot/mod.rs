@@ -1,0 +1,7 @@
+//! The robot at one pose: the nominal one in outline, the real one beside it.
+
+mod model;
+mod paint;
+
+pub(super) use model::Drawn;
+pub(super) use paint::{beneath, values};

@@ -1,0 +1,257 @@
+//! Which robot is drawn, at which pose, and how far from the nominal one.
+//!
+//! The real robot is the nominal chain with its tool displaced by the deviation, magnified as
+//! vectors are. What its joints between do the tool alone cannot tell: the displacement grows
+//! evenly along the chain from where the first axis lets go of it, which for a column is exact.
+
+use nalgebra::{Point3, Vector3};
+
+use crate::gui::core::scale::round_down;
+use crate::gui::view::Plane;
+use crate::gui::workbench::Workbench;
+use crate::kinematics::{JointKind, Robot};
+
+use super::super::model::magnification;
+use crate::gui::core::skeleton::Skeleton;
+
+/// The real robot is displaced by no more than this part of the workspace.
+const MOST_DISPLACED: f64 = 0.3;
+
+/// The corners with the last displaced by `tip_mm`, the others as far along as they are.
+fn displaced(corners: &[Point3<f64>], tip_mm: Vector3<f64>) -> Vec<Point3<f64>> {
+    // Base and the first axis stand where they stand.
+    const FIXED: usize = 3;
+    let step = |k: usize| (corners[k] - corners[k - 1]).norm();
+    let length: f64 = (FIXED..corners.len()).map(step).sum();
+    let mut gone = 0.0;
+    let mut moved = corners.to_vec();
+    for k in FIXED..corners.len() {
+        gone += step(k);
+        let part = if k + 1 == corners.len() || length <= 0.0 {
+            1.0
+        } else {
+            gone / length
+        };
+        moved[k] += tip_mm * part;
+    }
+    moved
+}
+
+/// How a joint is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sign {
+    pub(crate) at_mm: [f64; 2],
+    /// Its axis as it is seen: 1 long where it lies in the plane, 0 where one looks along it.
+    pub(crate) along: [f64; 2],
+    /// Whether it turns (else it slides).
+    pub(crate) turns: bool,
+}
+
+/// The robot beside the nominal one.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Real {
+    /// From base to tool, mm.
+    pub(crate) corners_mm: Vec<[f64; 2]>,
+    /// How many times its deviation is drawn.
+    pub(crate) times: f64,
+    /// Whether that is the identified robot (else it is as it was measured).
+    pub(crate) identified: bool,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Drawn {
+    /// The sample; `None`: nobody measured this pose.
+    pub(crate) sample: Option<usize>,
+    /// Whether somebody points at that sample, or chose it.
+    pub(crate) asked_for: bool,
+    /// The nominal robot from base to tool, mm.
+    pub(crate) nominal_mm: Vec<[f64; 2]>,
+    pub(crate) real: Option<Real>,
+    /// Its joints.
+    pub(crate) signs: Vec<Sign>,
+    /// The joints' names and values.
+    pub(crate) values: Vec<(String, String)>,
+    /// Whether the plane shows what is up and what is down.
+    pub(crate) upright: bool,
+}
+
+impl Drawn {
+    /// The robot at the sample that is pointed at or chosen, or else at one in the middle.
+    pub(crate) fn of(workbench: &Workbench) -> Option<Self> {
+        let (subject, view) = (&**workbench.subject(), workbench.view());
+        let robot = &subject.session.robot;
+        let asked = view
+            .hovered
+            .or(view.selected)
+            .filter(|s| *s < subject.len());
+        let usable = &subject.overview.usable;
+        let middle = usable.get(usable.len() / 2).map(|sample| *sample as usize);
+        let pose = |sample: usize| -> Vec<f64> {
+            let columns = subject.session.samples.q.iter();
+            columns.map(|q| q[sample]).collect()
+        };
+        let sample = asked.or(middle);
+        let q = sample.map_or_else(|| home(robot), pose);
+        let targets = &subject.session.targets;
+        let target = sample.and_then(|s| Some(subject.session.samples.target.as_ref()?[s]));
+        let target = targets.get(target.map_or(0, |t| t as usize));
+        let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
+        let corners = Skeleton::new(robot, &target_mm).at(&q)?;
+        let axes = view.plane.axes();
+        let flat = |p: &Point3<f64>| axes.map(|k| p[k]);
+        let motions = robot.motions_from_home(&q);
+        let signs = robot.joints.iter().enumerate().map(|(k, joint)| {
+            let along = motions[k].rotation * joint.axis.direction;
+            Sign {
+                at_mm: flat(&corners[2 * k + 1]),
+                along: axes.map(|a| along[a]),
+                turns: joint.kind == JointKind::Revolute,
+            }
+        });
+        let units = workbench.units();
+        let values = robot.joints.iter().zip(&q).map(|(joint, q)| {
+            let value = match joint.kind {
+                JointKind::Revolute => units.angle(*q),
+                JointKind::Prismatic => units.length(*q),
+            };
+            (joint.name.clone(), value)
+        });
+        Some(Self {
+            sample,
+            asked_for: asked.is_some(),
+            nominal_mm: corners.iter().map(flat).collect(),
+            real: sample.and_then(|sample| real(workbench, sample, &corners, view.plane)),
+            signs: signs.collect(),
+            values: values.collect(),
+            upright: axes[1] == 2,
+        })
+    }
+
+    /// In words: which sample, at which joint values.
+    pub(crate) fn says(&self) -> String {
+        let mut says = match (self.sample, self.asked_for) {
+            (Some(sample), true) => format!("robot at sample {}", sample + 1),
+            (Some(sample), false) => format!("robot at sample {}, as an example", sample + 1),
+            (None, _) => "robot at home".to_owned(),
+        };
+        for (k, (name, value)) in self.values.iter().enumerate() {
+            says += if k == 0 { ": " } else { ", " };
+            says += &format!("{name} {value}");
+        }
+        says
+    }
+}
+
+/// Every joint at zero, or as near to it as it gets.
+fn home(robot: &Robot) -> Vec<f64> {
+    let value = |joint: &crate::kinematics::Joint| match joint.limits {
+        Some(range) if range.from <= range.to => 0.0_f64.clamp(range.from, range.to),
+        _ => 0.0,
+    };
+    robot.joints.iter().map(value).collect()
+}
+
+fn real(
+    workbench: &Workbench,
+    sample: usize,
+    corners: &[Point3<f64>],
+    plane: Plane,
+) -> Option<Real> {
+    let subject = &**workbench.subject();
+    if !subject.usable[sample] {
+        return None;
+    }
+    let before = Vector3::from(subject.deviation_before(sample));
+    let answer = workbench.answer();
+    // What the model says is what was measured without what is left.
+    let deviation = match answer {
+        Some(answer) => before - Vector3::from(answer.deviation_after(sample)),
+        None => before,
+    };
+    let length = deviation.norm();
+    if !length.is_finite() {
+        return None;
+    }
+    let wanted = magnification(workbench.view(), subject);
+    let most = MOST_DISPLACED * subject.overview.reach_mm / length.max(1e-9);
+    let times = if wanted <= most {
+        wanted
+    } else {
+        round_down(most).max(1.0)
+    };
+    let axes = plane.axes();
+    let moved = displaced(corners, deviation * times);
+    Some(Real {
+        corners_mm: moved.iter().map(|p| axes.map(|k| p[k])).collect(),
+        times,
+        identified: answer.is_some(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::gui::core::edit::Edit;
+    use crate::gui::testing::workbench;
+    use crate::gui::workbench::Command;
+
+    #[test]
+    fn the_robot_stands_at_the_chosen_sample_and_else_at_one_as_an_example() {
+        let mut workbench = workbench();
+        let faint = Drawn::of(&workbench).expect("there are samples");
+        assert!(!faint.asked_for && faint.says().contains("as an example"));
+        workbench.execute(Command::Select(Some(30)));
+        let chosen = Drawn::of(&workbench).expect("there are samples");
+        assert!(chosen.asked_for);
+        assert_eq!(chosen.says(), "robot at sample 31: pan 0°");
+        workbench.execute(Command::Hover(Some(0)));
+        let hovered = Drawn::of(&workbench).expect("there are samples");
+        assert_eq!(hovered.says(), "robot at sample 1: pan −90°");
+    }
+
+    #[test]
+    fn the_real_robot_is_displaced_by_the_magnified_deviation_and_never_off_the_plot() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Select(Some(30)));
+        let displacement = |workbench: &Workbench| {
+            let drawn = Drawn::of(workbench).expect("there are samples");
+            let real = drawn.real.expect("it was measured");
+            let (a, b) = (drawn.nominal_mm[3], real.corners_mm[3]);
+            assert_eq!(drawn.nominal_mm[2], real.corners_mm[2], "the mast stays");
+            (
+                (b[0] - a[0]).hypot(b[1] - a[1]),
+                real.times,
+                real.identified,
+            )
+        };
+        let e = workbench.subject().deviation_before(30);
+        workbench.execute(Command::Magnify(Some(2.0)));
+        let (moved, times, identified) = displacement(&workbench);
+        assert!((moved - 2.0 * e[0].hypot(e[1])).abs() < 1e-9);
+        assert!(times == 2.0 && !identified);
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        workbench.execute(Command::Magnify(Some(5000.0)));
+        let (moved, times, identified) = displacement(&workbench);
+        assert!(identified && times < 5000.0);
+        assert!(moved <= MOST_DISPLACED * workbench.subject().overview.reach_mm + 1e-9);
+    }
+
+    #[test]
+    fn everything_of_the_robot_is_within_the_plots_bounds() {
+        let mut workbench = workbench();
+        for plane in Plane::ALL {
+            workbench.execute(Command::Look(plane));
+            let scene = super::super::super::model::Scene::of(&workbench);
+            let [low, high] = super::super::super::layout::bounds(&scene);
+            let drawn = Drawn::of(&workbench).expect("there are samples");
+            for p in &drawn.nominal_mm {
+                assert!((0..2).all(|k| low[k] <= p[k] && p[k] <= high[k]), "{p:?}");
+            }
+        }
+        let subject = Arc::clone(workbench.subject());
+        assert_eq!(subject.overview.robot_mm[0][2], 0.0);
+    }
+}

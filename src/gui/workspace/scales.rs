@@ -1,0 +1,283 @@
+//! The legend of colours. What colour says is said a second time: a deviation by the vector's
+//! length, a direction by its direction, a condition by its width.
+
+use egui::epaint::Mesh;
+use egui::{Align2, FontId, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+
+use crate::gui::cache::cloud::Cloud;
+use crate::gui::layers::{WEDGE, scale_at};
+use crate::gui::plots::marks;
+use crate::gui::style::tokens::{Palette, size};
+use crate::gui::units::{significant, trimmed};
+use crate::gui::view::Colouring;
+use crate::gui::workbench::Workbench;
+
+use super::model::Scene;
+
+/// Length of a scale, points; and in a low plot.
+const LONG: f32 = 96.0;
+const SHORT: f32 = 64.0;
+/// Length of a row of directions, points.
+const DIRECTIONS: f32 = 136.0;
+/// Thickness of a scale that says nothing by it, points.
+const THICK: f32 = 7.0;
+/// How much thicker than the vectors a wedge is drawn.
+const WEDGE_BY: f32 = 3.0;
+/// Pieces of a scale.
+const PIECES: u16 = 48;
+
+/// A scale: what it is of, its ends in words, and what colour it has.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scale {
+    pub(crate) name: String,
+    /// Its ends; none for directions.
+    pub(crate) ends: Option<[String; 2]>,
+    /// What its colour says.
+    pub(crate) colouring: Colouring,
+}
+
+/// The scales that are in use.
+pub(crate) fn scales(workbench: &Workbench, scene: &Scene) -> Vec<Scale> {
+    let units = workbench.units();
+    let colouring = scene.look.colouring;
+    let heat = workbench.heat().is_some();
+    let long = significant(units.length_value(scene.look.long_mm), 2);
+    let lengths = |name: &str| Scale {
+        name: format!("{name}, {}", units.length_name()),
+        ends: Some(["0".to_owned(), format!("≥ {long}")]),
+        colouring: Colouring::Deviation,
+    };
+    let mut scales = Vec::new();
+    match colouring {
+        Colouring::State => {}
+        Colouring::Deviation => scales.push(lengths("deviation")),
+        Colouring::Direction => scales.push(Scale {
+            name: "direction".to_owned(),
+            ends: None,
+            colouring,
+        }),
+        Colouring::Load | Colouring::Temperature | Colouring::Time => {
+            let unit = match colouring {
+                Colouring::Load => "kg",
+                Colouring::Temperature => "°C",
+                _ => "s",
+            };
+            let conditions = Cloud::of(workbench.subject()).conditions;
+            let range = colouring.condition().and_then(|k| conditions[k]);
+            scales.push(Scale {
+                name: format!("{}, {unit}", colouring.name()),
+                ends: range.map(|ends| ends.map(|end| trimmed(end, 2))),
+                colouring,
+            });
+        }
+    }
+    if heat && colouring != Colouring::Deviation {
+        scales.push(lengths("heat map"));
+    }
+    scales
+}
+
+pub(super) fn show(
+    ui: &mut Ui,
+    scene: &Scene,
+    workbench: &Workbench,
+    low: bool,
+    palette: &Palette,
+) {
+    let long = if low { SHORT } else { LONG };
+    for scale in scales(workbench, scene) {
+        let Some([low, high]) = &scale.ends else {
+            let name = &scale.name;
+            let room = entry(ui, DIRECTIONS, name, palette);
+            ui.painter().extend(arrows(room, palette));
+            continue;
+        };
+        let font = FontId::proportional(size::SMALL);
+        let number = |text: &str| {
+            ui.painter()
+                .layout_no_wrap(text.to_owned(), font.clone(), palette.muted)
+        };
+        let ends = [number(low), number(high)];
+        let wide: f32 = ends.iter().map(|end| end.size().x + 4.0).sum();
+        let room = entry(ui, wide + long, &scale.name, palette);
+        let [low, high] = ends;
+        let left = room.left() + low.size().x + 4.0;
+        let y = |galley: &egui::Galley| room.center().y - 0.5 * galley.size().y;
+        let at = [
+            pos2(room.left(), y(&low)),
+            pos2(left + long + 4.0, y(&high)),
+        ];
+        ui.painter().galley(at[0], low, palette.muted);
+        ui.painter().galley(at[1], high, palette.muted);
+        let middle = pos2(left, room.center().y);
+        ui.painter().add(strip(middle, long, &scale, palette));
+    }
+}
+
+/// From little to much; a wedge where the width of vectors says the same.
+fn strip(middle: Pos2, long: f32, scale: &Scale, palette: &Palette) -> Shape {
+    let wedge = scale.colouring.condition().is_some();
+    let half = |part: f32| {
+        let wide = WEDGE_BY * (WEDGE[0] + part * (WEDGE[1] - WEDGE[0]));
+        0.5 * if wedge { wide } else { THICK }
+    };
+    let mut mesh = Mesh::default();
+    for k in 0..=PIECES {
+        let part = f32::from(k) / f32::from(PIECES);
+        let color = scale_at(scale.colouring, palette, part);
+        let x = middle.x + part * long;
+        mesh.colored_vertex(pos2(x, middle.y - half(part)), color);
+        mesh.colored_vertex(pos2(x, middle.y + half(part)), color);
+        if k > 0 {
+            let here = 2 * u32::from(k);
+            mesh.add_triangle(here - 2, here - 1, here);
+            mesh.add_triangle(here - 1, here, here + 1);
+        }
+    }
+    Shape::mesh(mesh)
+}
+
+/// Every direction in its colour, from the right around over up.
+fn arrows(room: Rect, palette: &Palette) -> Vec<Shape> {
+    const NUMBER: u8 = 8;
+    let mut shapes = Vec::new();
+    let step = room.width() / f32::from(NUMBER);
+    for k in 0..NUMBER {
+        let part = f32::from(k) / f32::from(NUMBER);
+        let (sin, cos) = (part * std::f32::consts::TAU).sin_cos();
+        let half = 6.5 * vec2(cos, -sin);
+        let middle = pos2(room.left() + step * (f32::from(k) + 0.5), room.center().y);
+        let stroke = Stroke::new(2.0, scale_at(Colouring::Direction, palette, part));
+        marks::arrow(&mut shapes, middle - half, middle + half, stroke);
+    }
+    shapes
+}
+
+/// Height of a row, points.
+pub(super) const HIGH: f32 = 18.0;
+
+/// An entry of the legend: so much room for what is drawn, and its name behind it. Where the room
+/// is.
+pub(super) fn entry(ui: &mut Ui, room: f32, name: &str, palette: &Palette) -> Rect {
+    let font = FontId::proportional(size::SMALL);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, palette.muted);
+    let between = if name.is_empty() { 0.0 } else { 5.0 };
+    let wide = room + between + galley.size().x;
+    let (rect, response) = ui.allocate_exact_size(vec2(wide, HIGH), Sense::hover());
+    let label = format!("legend: {name}");
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, label.clone()));
+    let at = pos2(rect.right(), rect.center().y);
+    let place = Align2::RIGHT_CENTER.anchor_size(at, galley.size());
+    ui.painter().galley(place.min, galley, palette.muted);
+    rect.with_max_x(rect.left() + room)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::style::tokens::{DARK, LIGHT, STOPS};
+    use crate::gui::style::vision::{Sight, apart, lightness};
+    use crate::gui::testing::workbench;
+    use crate::gui::workbench::Command;
+
+    #[test]
+    fn every_colour_that_says_something_has_a_scale() {
+        let mut workbench = workbench();
+        let named = |workbench: &Workbench| {
+            let scene = Scene::of(workbench);
+            let names = scales(workbench, &scene).into_iter().map(|s| s.name);
+            names.collect::<Vec<_>>()
+        };
+        assert!(named(&workbench).is_empty());
+        workbench.execute(Command::Colour(Colouring::Deviation));
+        assert_eq!(named(&workbench), ["deviation, mm"]);
+        workbench.execute(Command::Heat(true));
+        workbench.receive();
+        // The same scale for both.
+        assert_eq!(named(&workbench), ["deviation, mm"]);
+        workbench.execute(Command::Colour(Colouring::Direction));
+        assert_eq!(named(&workbench), ["direction", "heat map, mm"]);
+    }
+
+    #[test]
+    fn a_condition_that_was_not_recorded_is_not_offered() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Colour(Colouring::Temperature));
+        let scene = Scene::of(&workbench);
+        assert_eq!(scene.look.colouring, Colouring::State);
+        assert!(scales(&workbench, &scene).is_empty());
+    }
+
+    const THEMES: [(&str, Palette); 2] = [("light", LIGHT), ("dark", DARK)];
+
+    #[test]
+    fn a_sequential_scale_gets_steadily_darker_or_lighter_for_everybody() {
+        for (theme, palette) in THEMES {
+            for sight in Sight::ALL {
+                let lightness: Vec<f64> = (0..=20_u8)
+                    .map(|k| scale_at(Colouring::Deviation, &palette, f32::from(k) / 20.0))
+                    .map(|color| lightness(color, sight))
+                    .collect();
+                let way = (lightness[20] - lightness[0]).signum();
+                for pair in lightness.windows(2) {
+                    let step = way * (pair[1] - pair[0]);
+                    assert!(step > 0.4, "{theme}, {sight:?}: {lightness:?}");
+                }
+                let all = (lightness[20] - lightness[0]).abs();
+                assert!(all > 35.0, "{theme}, {sight:?}: {all}");
+            }
+        }
+    }
+
+    #[test]
+    fn neighbouring_steps_of_every_scale_can_be_told_apart_by_everybody() {
+        // About 2.3 is just noticeable (Mahy et al. 1994).
+        const NOTICEABLE: f64 = 4.6;
+        for (theme, palette) in THEMES {
+            for sight in Sight::ALL {
+                for (colouring, around) in
+                    [(Colouring::Deviation, false), (Colouring::Direction, true)]
+                {
+                    let steps = if around { STOPS } else { STOPS - 1 };
+                    for k in 0..steps {
+                        let at = |k: usize| {
+                            let part = k as f32 / steps as f32;
+                            scale_at(colouring, &palette, part)
+                        };
+                        let found = apart(at(k), at(k + 1), sight);
+                        assert!(
+                            found > NOTICEABLE,
+                            "{theme}, {sight:?}, {colouring:?} {k}: {found}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn opposite_directions_can_be_told_apart_by_everybody() {
+        for (theme, palette) in THEMES {
+            for sight in Sight::ALL {
+                for k in 0..STOPS / 2 {
+                    let at = |k: usize| {
+                        let part = k as f32 / STOPS as f32;
+                        scale_at(Colouring::Direction, &palette, part)
+                    };
+                    let found = apart(at(k), at(k + STOPS / 2), sight);
+                    assert!(found > 20.0, "{theme}, {sight:?}, {k}: {found}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_circle_of_directions_closes() {
+        for (_, palette) in THEMES {
+            let at = |part: f32| scale_at(Colouring::Direction, &palette, part);
+            assert_eq!(at(0.0), at(1.0));
+        }
+    }
+}

@@ -1,0 +1,327 @@
+//! The bar over the workspace plot: from where it is looked at, what is shown, and how.
+
+use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
+
+use crate::gui::core::subject::Component;
+use crate::gui::plots::{gestures, picture};
+use crate::gui::style::tokens::{Palette, size, space};
+use crate::gui::units::{significant, trimmed};
+use crate::gui::view::{Colouring, Plane, Plot};
+use crate::gui::widgets::{self, caption, fine, title};
+use crate::gui::workbench::{Command, Workbench};
+
+use super::model::{magnification as magnification_of, offers};
+
+/// Something else that stands in the bar.
+pub(crate) type Beside = fn(&mut Ui, &Workbench, &mut Vec<Command>);
+
+/// How much of the bar there is room for.
+#[derive(Clone, Copy, PartialEq)]
+enum Fold {
+    /// All of it side by side.
+    Open,
+    /// The length of vectors is behind a button.
+    Narrow,
+    /// So is how anything is drawn.
+    Tight,
+}
+
+/// Shows the bar; `beside` stands at its beginning.
+pub(crate) fn show(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    beside: Option<Beside>,
+    commands: &mut Vec<Command>,
+) {
+    let view = workbench.view();
+    let measured = !workbench.subject().is_empty();
+    let drawn = measured && !view.polar();
+    let around = measured && view.polar();
+    let blends = drawn && workbench.answer().is_some();
+    let room = ui.available_size();
+    let roomy = room.x > ROOMY && beside.is_none();
+    let fold = match room {
+        _ if room.y < TIGHT => Fold::Tight,
+        _ if room.x < WIDE => Fold::Narrow,
+        _ => Fold::Open,
+    };
+    if let Some(beside) = beside {
+        widgets::row(ui, |ui| {
+            beside(ui, workbench, commands);
+            if blends {
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    blend(ui, workbench, commands);
+                });
+            }
+        });
+    }
+    widgets::row(ui, |ui| {
+        let least = if blends { WITH_BLEND } else { TITLED };
+        if ui.available_width() > least && beside.is_none() {
+            title(ui, "Workspace");
+        }
+        let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
+        let views = [planes[0], planes[1], planes[2], (None, "polar")];
+        let shown = (!view.polar()).then_some(view.plane);
+        match widgets::segmented(ui, &views, shown) {
+            Some(Some(plane)) => commands.push(Command::Look(plane)),
+            Some(None) => commands.push(Command::LookAround),
+            None => {}
+        }
+        if around && fold == Fold::Open {
+            component(ui, workbench, commands);
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if measured {
+                let plot = if view.polar() {
+                    Plot::Polar
+                } else {
+                    Plot::Workspace
+                };
+                picture(ui, plot, commands);
+            }
+            gestures::fit(ui, "Fit to view", Command::FitWorkspace, commands);
+            if around && fold == Fold::Open {
+                which(ui, workbench, commands);
+            }
+            if drawn && fold == Fold::Tight {
+                folded(ui, "drawn", "How it is drawn", |ui| {
+                    everything(ui, workbench, commands);
+                });
+            }
+            if blends && roomy {
+                ui.add_space(space::TIGHT);
+                blend(ui, workbench, commands);
+            }
+        });
+    });
+    if around && fold != Fold::Open {
+        widgets::row(ui, |ui| {
+            component(ui, workbench, commands);
+            which(ui, workbench, commands);
+        });
+    }
+    if !drawn {
+        return;
+    }
+    match fold {
+        Fold::Tight => {}
+        Fold::Narrow => {
+            widgets::row(ui, |ui| {
+                let now = significant(magnification_of(view, workbench.subject()), 2);
+                folded(ui, &format!("vectors × {now}"), "Length of vectors", |ui| {
+                    widgets::row(ui, |ui| magnification(ui, workbench, commands));
+                    widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+                });
+                heat(ui, workbench, commands);
+                colouring(ui, workbench, commands);
+            });
+        }
+        Fold::Open => {
+            widgets::row(ui, |ui| {
+                magnification(ui, workbench, commands);
+                scale_for(ui, workbench, commands);
+                heat(ui, workbench, commands);
+                colouring(ui, workbench, commands);
+            });
+        }
+    }
+    if blends && !roomy && beside.is_none() {
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                blend(ui, workbench, commands);
+            });
+        });
+    }
+}
+
+/// With less room the plot has no title, and before and after stand in a row of their own, points.
+const TITLED: f32 = 400.0;
+const WITH_BLEND: f32 = 540.0;
+const ROOMY: f32 = 420.0;
+/// With less room what is seldom changed stands behind a button, points.
+const WIDE: f32 = 590.0;
+/// With less height all of it does, points.
+const TIGHT: f32 = 270.0;
+
+/// A button that opens what there is no room for; `name` is what it is called.
+fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(&mut Ui)) {
+    let text = RichText::new(format!("{text} \u{2026}")).size(size::SMALL);
+    let button = ui.button(text);
+    ui.ctx()
+        .accesskit_node_builder(button.id, |node| node.set_label(name));
+    Popup::menu(&button)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| {
+            ui.spacing_mut().item_spacing = vec2(space::ROW, space::ROW);
+            contents(ui);
+        });
+}
+
+/// How vectors, map and colours are drawn, one below the other.
+fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    widgets::row(ui, |ui| magnification(ui, workbench, commands));
+    widgets::row(ui, |ui| scale_for(ui, workbench, commands));
+    heat(ui, workbench, commands);
+    caption(ui, "colour");
+    let shown = coloured(workbench);
+    for colouring in Colouring::ALL {
+        if offers(workbench.subject(), colouring) {
+            let text = RichText::new(colouring.name()).size(size::SMALL);
+            if ui.radio(colouring == shown, text).clicked() && colouring != shown {
+                commands.push(Command::Colour(colouring));
+            }
+        }
+    }
+}
+
+/// What the polar view shows.
+fn component(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let now = workbench.view().component;
+    let planar = workbench.subject().session.samples.z_mm.is_none();
+    let list = ComboBox::from_id_salt("polar component");
+    let text = RichText::new(now.name()).size(size::SMALL);
+    let list = list.width(84.0).selected_text(text).show_ui(ui, |ui| {
+        for component in Component::ALL {
+            if planar && component.out_of_plane() {
+                continue;
+            }
+            let chosen = component == now;
+            if ui.selectable_label(chosen, component.name()).clicked() && !chosen {
+                commands.push(Command::Component(component));
+            }
+        }
+    });
+    ui.ctx().accesskit_node_builder(list.response.id, |node| {
+        node.set_label("Component of the polar view");
+    });
+}
+
+/// Whether the polar view shows the deviation before as well, where there is another.
+fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    if workbench.answer().is_none() {
+        return;
+    }
+    let shown = [(false, "both"), (true, "only after")];
+    if let Some(only) = widgets::segmented(ui, &shown, workbench.view().only_after) {
+        commands.push(Command::OnlyAfter(only));
+    }
+}
+
+/// From before to after. What stands at the end that is shown is written stronger.
+fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let mut blend = workbench.view().blend;
+    let palette = Palette::of(ui);
+    let end = |ui: &mut Ui, text: &str, shown: bool| {
+        let text = RichText::new(text).size(size::SMALL);
+        let text = if shown {
+            text.color(palette.text).strong()
+        } else {
+            text.color(palette.muted)
+        };
+        ui.label(text);
+    };
+    end(ui, "after", blend >= 1.0);
+    fine(ui, 64.0);
+    let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
+    ui.ctx()
+        .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
+    if slider.changed() {
+        commands.push(Command::Blend(blend));
+    }
+    slider.on_hover_text(blend_says(blend));
+    end(ui, "before", blend <= 0.0);
+}
+
+/// What the vectors, the marks and the heat map show.
+fn blend_says(blend: f32) -> String {
+    if blend <= 0.0 {
+        "shown: the deviation before, measured − nominal robot".to_owned()
+    } else if blend >= 1.0 {
+        "shown: what is left after, measured − identified robot".to_owned()
+    } else {
+        let percent = trimmed(100.0 * f64::from(blend), 0);
+        format!("shown: {percent} % of the way from before to after")
+    }
+}
+
+/// How long the vectors are drawn.
+fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let now = magnification_of(workbench.view(), workbench.subject());
+    caption(ui, "vectors");
+    let mut factor = now;
+    fine(ui, 60.0);
+    let slider = Slider::new(&mut factor, 1.0..=100_000.0)
+        .logarithmic(true)
+        .show_value(false);
+    let slider = ui.add(slider);
+    ui.ctx()
+        .accesskit_node_builder(slider.id, |node| node.set_label("Length of vectors"));
+    if slider.changed() && factor != now {
+        commands.push(Command::Magnify(Some(factor)));
+    }
+    caption(ui, &format!("× {}", significant(now, 2)));
+}
+
+/// Whose lengths vectors and colours are made for.
+fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(after) = workbench.after() else {
+        return;
+    };
+    let subject = workbench.subject();
+    let (before, left) = (subject.overview.readable, after.readable);
+    let now = magnification_of(workbench.view(), subject);
+    let says = "how long vectors are drawn and where the colours of lengths end: so that the \
+                deviations before can be read, or those that are left after";
+    caption(ui, "scale for").on_hover_text(says);
+    let options = [(Some(before), "before"), (Some(left), "after")];
+    match widgets::segmented(ui, &options, Some(now)) {
+        Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
+        Some(factor) => commands.push(Command::Magnify(factor)),
+        None => {}
+    }
+}
+
+/// Whether the error between the samples is shown.
+fn heat(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let mut shown = workbench.view().heat;
+    let text = RichText::new("heat map").size(size::SMALL);
+    let says = "the root mean square deviation between the samples, fading away from them";
+    let checkbox = ui.checkbox(&mut shown, text).on_hover_text(says);
+    ui.ctx()
+        .accesskit_node_builder(checkbox.id, |node| node.set_label("heat map"));
+    if checkbox.changed() {
+        commands.push(Command::Heat(shown));
+    }
+}
+
+/// What the colour of the vectors says.
+fn colouring(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let shown = coloured(workbench);
+    caption(ui, "colour");
+    let text = RichText::new(shown.name()).size(size::SMALL);
+    let list = ComboBox::from_id_salt("colouring").selected_text(text);
+    let list = list.width(112.0).height(280.0).show_ui(ui, |ui| {
+        for colouring in Colouring::ALL {
+            if !offers(workbench.subject(), colouring) {
+                continue;
+            }
+            let chosen = colouring == shown;
+            if ui.selectable_label(chosen, colouring.name()).clicked() && !chosen {
+                commands.push(Command::Colour(colouring));
+            }
+        }
+    });
+    ui.ctx()
+        .accesskit_node_builder(list.response.id, |node| node.set_label("Colour of vectors"));
+}
+
+/// What colour says, where the session has it.
+fn coloured(workbench: &Workbench) -> Colouring {
+    let now = workbench.view().colouring;
+    if offers(workbench.subject(), now) {
+        now
+    } else {
+        Colouring::State
+    }
+}
