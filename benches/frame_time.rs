@@ -18,9 +18,9 @@ use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
 use egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 use egui_plot::{Arrows, Plot, PlotPoints};
-use truepose::fit::regions::Assignment;
 use truepose::gui::{App, Runner};
 use truepose::sessions::Region;
+use truepose::sessions::regions::Assignment;
 
 const SIZES: [usize; 3] = [1_000, 100_000, 1_000_000];
 

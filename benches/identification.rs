@@ -7,11 +7,11 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Point3, Unit, Vector3};
 use truepose::effects::{JointValues, Term, find};
 use truepose::fit::problem::Problem;
-use truepose::fit::regions::RegionChoice;
 use truepose::fit::solver::solve;
 use truepose::fit::{identify_exact, sum_by_region};
 use truepose::kinematics::{Axis, Joint, JointKind, Pose, Range, Robot};
 use truepose::model::Model;
+use truepose::sessions::division::RegionChoice;
 use truepose::sessions::{Instrument, Samples, Session, Target};
 
 /// A small generator (SplitMix64): the same numbers every time, on every machine.

@@ -18,10 +18,11 @@ use crate::effects::term::JointFrame;
 use crate::effects::{Inputs, JointValues};
 use crate::fit::gap::deviations;
 use crate::fit::problem::Problem;
-use crate::fit::regions::{Assignment, RegionChoice};
 use crate::fit::{DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional};
 use crate::lanes::{cross, dot};
 use crate::model::Model;
+use crate::sessions::division::RegionChoice;
+use crate::sessions::regions::Assignment;
 use crate::sessions::{Region, Session};
 use crate::units::deg_from_rad;
 

@@ -8,13 +8,13 @@ use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
 use crate::diagnostic::Rejected;
 use crate::effects::{Inputs, JointValues};
 use crate::export::{Export, ExportError, Format, Job};
-use crate::fit::regions::RegionChoice;
 use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_exact, identify_regional,
     identify_without_priors,
 };
 use crate::model::Calibration;
 use crate::programs::{self, CompensateError};
+use crate::sessions::division::RegionChoice;
 use crate::sessions::{Loaded, Session, hash_of_samples, load};
 use crate::set_up_errors::{DataProblem, Mended, noticed};
 

@@ -7,11 +7,11 @@ use serde::Serialize;
 
 use truepose::effects::JointValues;
 use truepose::fit::noise::StatedNoise;
-use truepose::fit::regions::RegionChoice;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, Gap, IMPLAUSIBLE, Identification};
 use truepose::pipeline;
 use truepose::present::kinds::{self, KindRow};
 use truepose::sessions::Session;
+use truepose::sessions::division::RegionChoice;
 use truepose::set_up_errors::DataProblem;
 use truepose::units::{deg_from_rad, rad_from_deg};
 

@@ -15,11 +15,11 @@
 
 use crate::effects::Inputs;
 use crate::effects::term::JointFrame;
-use crate::fit::regions::Assignment;
 use crate::kinematics::Robot;
 use crate::lanes::{add_scaled, dot, minus};
 use crate::model::RegionalCorrection;
 use crate::sessions::Region;
+use crate::sessions::regions::Assignment;
 
 /// See the module.
 #[derive(Debug, Clone)]

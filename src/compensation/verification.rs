@@ -21,8 +21,8 @@
 //! paper's method everything is in the plane of motion; z is not used.
 
 use crate::effects::{Inputs, JointValues, MeasuringFrame, Owner, Role, Term};
+use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread};
-use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::lanes::{add_scaled, minus};
 use crate::model::format_v1::model_hash;

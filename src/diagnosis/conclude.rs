@@ -4,8 +4,8 @@
 use std::borrow::Cow;
 
 use crate::effects::Term;
+use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, Spread, deviations};
-use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::kinematics::Robot;
 use crate::model::GapStep;

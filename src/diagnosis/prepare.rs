@@ -9,10 +9,10 @@ use std::rc::Rc;
 
 use nalgebra::DMatrix;
 
+use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::linear::Basis;
 use crate::fit::observed;
-use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames};
 use crate::model::Model;

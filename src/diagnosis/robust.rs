@@ -8,10 +8,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::fit::linear::Basis;
-use crate::fit::outliers::suspected;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
 use crate::observations::figures::apart;
+use crate::observations::outliers::suspected;
 
 use super::prepare::thinned;
 use super::regression::Regression;

@@ -12,8 +12,8 @@ use crate::model::Model;
 use crate::observations::figures::judge;
 
 use super::gap::deviations;
+use super::gap::suspects;
 use super::noise::Noise;
-use super::outliers::suspects;
 use super::problem::Problem;
 use super::regression::Rows;
 use super::solver::{Solution, Stopped, solve};

@@ -6,17 +6,13 @@
 pub use crate::answers::errors::Spread;
 use crate::model::Model;
 use crate::observations::figures;
+pub use crate::observations::figures::Deviations;
+use crate::observations::outliers::suspected;
 
 use super::problem::Problem;
 
-/// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Deviations {
-    /// Along x, y and z of the measuring frame; z is zero in a planar session.
-    pub axes_mm: [Vec<f64>; 3],
-    /// Lengths.
-    pub length_mm: Vec<f64>,
-}
+/// With fewer samples the axes are taken as stated.
+const FEWEST_TO_BALANCE: usize = 30;
 
 /// Deviations of a session's samples from a model.
 pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
@@ -54,4 +50,19 @@ pub fn deviations(problem: &Problem, model: &Model) -> Deviations {
         }
     });
     deviations
+}
+
+/// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do
+/// not count in the bulk.
+pub fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
+    if let Some(layer) = &problem.observed {
+        // Every kind was judged beside its own bulk while it was fitted.
+        return layer.samples_with(&layer.suspected);
+    }
+    let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
+    let all: Vec<&[f64]> = axes.iter().map(|a| &deviations.axes_mm[*a][..]).collect();
+    let balanced = problem.samples() >= FEWEST_TO_BALANCE;
+    let stated = problem.axis_weights;
+    let sigma: Vec<f64> = axes.iter().map(|a| 1.0 / stated[*a].sqrt()).collect();
+    suspected(&all, &problem.fit, &sigma, balanced)
 }

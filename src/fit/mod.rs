@@ -8,7 +8,6 @@ pub mod levels;
 pub(crate) mod linear;
 pub mod noise;
 pub mod normal;
-pub mod outliers;
 pub mod priors;
 pub mod problem;
 pub mod regression;
@@ -28,7 +27,6 @@ pub use crate::answers::identification::{
     Estimate, Gap, IMPLAUSIBLE, Identification, LeftOut, NotIdentifiable, Outlier, Quality,
     RegionResult, measured_ranges,
 };
-pub use crate::sessions::division as regions;
 pub(crate) use base_model::free_frames;
 pub use estimator::{fit_without_outliers, noise_beside};
 pub(crate) use exact::outliers;
@@ -55,7 +53,7 @@ pub enum IdentifyError {
     NotASingleRevoluteJoint(String),
     /// The regions make no sense.
     #[error("{0}")]
-    Regions(#[from] regions::RegionError),
+    Regions(#[from] crate::sessions::division::RegionError),
     /// Whoever asked does not want the answer any more.
     #[error("the identification was cancelled")]
     Cancelled,

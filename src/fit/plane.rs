@@ -12,7 +12,7 @@ use crate::sincos::sin_cos_all;
 use crate::wide::{Loop, wide};
 
 use super::problem::Problem;
-use crate::sessions::division::Assignment;
+use crate::sessions::regions::Assignment;
 
 /// Sums of one region, from which its least squares follow.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -20,13 +20,14 @@ use crate::sessions::{Region, Session};
 
 use super::IdentifyError;
 use super::exact::{left_out, outliers};
+use super::gap::suspects;
 use super::gap::{Deviations, Spread};
-use super::outliers::suspects;
 use super::plane::{Plane, RegionSums, sum_by_region};
 use super::problem::Problem;
 use super::uncertainty::half_width_factor;
 use crate::answers::identification::{Gap, Identification, Quality, RegionResult};
-use crate::sessions::division::{Assignment, RegionChoice};
+use crate::sessions::division::RegionChoice;
+use crate::sessions::regions::Assignment;
 
 /// The paper's identification of a session with a single revolute joint.
 ///

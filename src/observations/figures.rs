@@ -1,11 +1,19 @@
 //! What a fit leaves of each kind of measurement: its noise, what stands apart, its errors.
 
-use crate::fit::gap::Deviations;
-use crate::fit::outliers::suspected;
 use crate::lanes::LANES;
 use crate::model::Model;
 
+use super::outliers::suspected;
 use super::{KINDS, Layer, Looks};
+
+/// Deviation of every sample, as columns, mm; NaN where a sample cannot be used.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Deviations {
+    /// Along x, y and z of the measuring frame; z is zero in a planar session.
+    pub axes_mm: [Vec<f64>; 3],
+    /// Lengths.
+    pub length_mm: Vec<f64>,
+}
 
 /// Errors of one kind of measurement, in the unit that people read.
 #[derive(Debug, Clone, Copy, PartialEq)]

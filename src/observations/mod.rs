@@ -31,6 +31,7 @@ pub mod figures;
 pub mod gauge;
 pub(crate) mod held;
 pub mod layer;
+pub mod outliers;
 pub mod rows;
 pub mod start;
 pub mod streams;

@@ -2,9 +2,6 @@
 //! [`crate::sessions::regions`].
 
 use crate::kinematics::Range;
-pub use crate::sessions::regions::Assignment;
-#[cfg(all(test, feature = "gui"))]
-pub(crate) use crate::sessions::regions::testing;
 use crate::sessions::{Region, Session};
 use crate::units::{deg_from_rad, rad_from_deg};
 

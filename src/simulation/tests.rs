@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::fit::regions::Assignment;
+use crate::sessions::regions::Assignment;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 const ROBOT: &str = r#""robot":{"name":"r","joints":[{"name":"pan","kind":"revolute","axis":[0,0,1],

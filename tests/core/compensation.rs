@@ -8,11 +8,11 @@ use truepose::compensation::{
     Compensation, Conditions, JointTable, Remainder, Side, Verification, verify,
 };
 use truepose::effects::{Inputs, JointValues};
-use truepose::fit::regions::RegionChoice;
 use truepose::fit::{identify_exact, identify_regional};
 use truepose::model::format_v1::{model_hash, read_model, write_model};
 use truepose::model::{Calibration, Model};
 use truepose::sessions::Session;
+use truepose::sessions::division::RegionChoice;
 use truepose::simulation::{
     Poses, Scenario, Stop, load_scenario, parse_scenario, simulate, unwatched,
 };

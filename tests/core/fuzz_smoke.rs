@@ -7,7 +7,6 @@
     reason = "a test that cannot prepare its files has failed"
 )]
 
-
 use std::collections::BTreeMap;
 use std::path::Path;
 

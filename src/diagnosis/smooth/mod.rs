@@ -16,8 +16,8 @@ mod likelihood;
 
 use crate::effects::Term;
 use crate::effects::curve::{Curve, DIRECTIONS, Knots};
+use crate::fit::gap::suspects;
 use crate::fit::gap::{Spread, deviations};
-use crate::fit::outliers::suspects;
 use crate::fit::problem::Problem;
 use crate::kinematics::JointKind;
 use crate::model::Model;

@@ -6,10 +6,10 @@
 //! ```
 //!
 //! Samples on a boundary are counted one angle at a time, by the rule of
-//! [`crate::fit::regions`].
+//! [`crate::sessions::division`].
 
-use crate::fit::regions::Assignment;
 use crate::sessions::Region;
+use crate::sessions::regions::Assignment;
 
 /// Angles this close to a boundary are looked at one by one, rad: who owns them is decided within
 /// a billionth.

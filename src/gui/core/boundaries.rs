@@ -130,7 +130,7 @@ pub(crate) fn snapped_rad(rad: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::regions::testing::regions;
+    use crate::sessions::regions::testing::regions;
     use crate::units::rad_from_deg;
 
     const WITHIN: (f64, f64) = (-1.6, 1.6);

@@ -2,7 +2,7 @@
 
 use crate::effects::JointValues;
 use crate::fit::identify_regional;
-use crate::fit::regions::RegionChoice;
+use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
 use crate::gui::units::Units;

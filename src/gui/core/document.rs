@@ -6,8 +6,8 @@ use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::export::{EXPORTERS, find};
 use crate::fit::DEFAULT_EFFECTS;
-use crate::fit::regions::RegionChoice;
 use crate::model::RegionalCorrection;
+use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
 use super::division::Division;

@@ -7,10 +7,11 @@ use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues, Term};
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::fit::regions::{Assignment, RegionChoice};
 use crate::fit::{Identification, identify_regional, identify_watched};
 use crate::model::{Calibration, GapStep};
 use crate::sessions::Session;
+use crate::sessions::division::RegionChoice;
+use crate::sessions::regions::Assignment;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{Asks, Found, Question};

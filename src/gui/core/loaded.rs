@@ -3,11 +3,11 @@
 
 use crate::compensation::{Verification, verify};
 use crate::fit::gap::Spread;
-use crate::fit::regions::Assignment;
 use crate::fit::uncertainty::estimates;
 use crate::fit::{Estimate, Gap, Identification, Outlier, Quality, RegionResult};
 use crate::model::{Calibration, RegionalCorrection};
 use crate::sessions::Region;
+use crate::sessions::regions::Assignment;
 
 use super::answer::{Answer, Loaded};
 use super::given::Given;

@@ -267,7 +267,7 @@ pub(crate) fn shown(rad: f64, units: Units) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::regions::testing::regions;
+    use crate::sessions::regions::testing::regions;
 
     /// Types the end of a region, in degrees, on a joint that reaches from −180° to 180°.
     fn typed_at(

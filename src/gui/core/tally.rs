@@ -136,10 +136,10 @@ fn region_sums([samples, dx, l1_dy, l1_l1, square]: Sums) -> RegionSums {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::regions::Assignment;
-    use crate::fit::regions::testing::regions;
     use crate::fit::sum_by_region;
     use crate::gui::testing::workbench;
+    use crate::sessions::regions::Assignment;
+    use crate::sessions::regions::testing::regions;
 
     /// Divisions of every kind; many boundaries are where samples are.
     fn divisions() -> Vec<Vec<Region>> {
@@ -198,7 +198,7 @@ mod tests {
     #[test]
     fn the_corrections_are_those_of_the_identification() {
         use crate::fit::identify_regional;
-        use crate::fit::regions::RegionChoice;
+        use crate::sessions::division::RegionChoice;
         let workbench = workbench();
         let subject = workbench.subject();
         let regions = regions(&[(-90.0, -30.0), (-30.0, 27.0), (27.0, 90.0)]);

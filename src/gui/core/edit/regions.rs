@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::fit::regions::RegionChoice;
 use crate::gui::core::division::Division;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::{boundaries, placing};
 use crate::gui::units::Units;
 use crate::sessions::Region;
+use crate::sessions::division::RegionChoice;
 use crate::sessions::format_v1::degrees::degrees;
 use crate::units::rad_from_deg;
 

@@ -159,7 +159,7 @@ fn own(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// There are no regions, and what that means.
 fn none(ui: &mut Ui, workbench: &Workbench) {
-    let range = crate::fit::regions::range_to_divide(&workbench.subject().session);
+    let range = crate::sessions::division::range_to_divide(&workbench.subject().session);
     widgets::hint(
         ui,
         if range.is_some() {

@@ -2,7 +2,6 @@
 
 use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
-use crate::fit::regions::Assignment;
 use crate::gui::core::angles::Count;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::placing::{self, End, Joint, Typed};
@@ -11,6 +10,7 @@ use crate::gui::units::{Units, number_of};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::sessions::Region;
+use crate::sessions::regions::Assignment;
 
 use super::row::{self, COLUMNS, name_id};
 

@@ -16,9 +16,6 @@
 
 use statrs::function::gamma::ln_gamma;
 
-use super::gap::Deviations;
-use super::problem::Problem;
-
 /// With fewer samples the bulk is not known well enough to suspect any.
 const FEWEST: usize = 8;
 /// Outliers lie beyond so many scales …
@@ -39,24 +36,6 @@ const ROUNDING_MM: f64 = 1e-6;
 const LEAST_SHARE: f64 = 0.002;
 /// More than this is no contamination any more: half the samples are the bulk.
 const MOST_SHARE: f64 = 0.35;
-
-/// Marks the samples of the problem that are suspected; held-out ones are judged as well, and do
-/// not count in the bulk.
-pub fn suspects(problem: &Problem, deviations: &Deviations) -> Vec<bool> {
-    if let Some(layer) = &problem.observed {
-        // Every kind was judged beside its own bulk while it was fitted.
-        return layer.samples_with(&layer.suspected);
-    }
-    let axes: Vec<usize> = (0..3).filter(|a| problem.axis_weights[*a] > 0.0).collect();
-    let all: Vec<&[f64]> = axes.iter().map(|a| &deviations.axes_mm[*a][..]).collect();
-    let balanced = problem.samples() >= FEWEST_TO_BALANCE;
-    let stated = problem.axis_weights;
-    let sigma: Vec<f64> = axes.iter().map(|a| 1.0 / stated[*a].sqrt()).collect();
-    suspected(&all, &problem.fit, &sigma, balanced)
-}
-
-/// With fewer samples the axes are taken as stated.
-const FEWEST_TO_BALANCE: usize = 30;
 
 /// Marks what stands apart in deviations along some axes, mm, one value for each sample; `counts`
 /// says which of them make the bulk. `sigma` is the sizes of the axes, up to a common factor;
