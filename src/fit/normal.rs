@@ -63,6 +63,7 @@ impl Normal {
     fn add_block(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
         let p = self.gradient.len();
         let mask = problem.mask(start, block.len);
+        let mut moving = Vec::with_capacity(p);
         for axis in 0..3 {
             let weight = problem.axis_weights[axis];
             if weight == 0.0 {
@@ -71,19 +72,19 @@ impl Normal {
             let residual = problem.residual(axis, start, block, &mask);
             self.cost += weight * dot(&residual, &residual);
             self.weight += weight * mask.iter().sum::<f64>();
-            for k in 0..p {
-                let column = &block.columns[k][axis];
-                if column.iter().all(|v| *v == 0.0) {
-                    continue;
-                }
+            moving.clear();
+            let moves = |k: &usize| block.columns[*k][axis].iter().any(|v| *v != 0.0);
+            moving.extend((0..p).filter(moves));
+            for (rank, k) in moving.iter().enumerate() {
+                let column = &block.columns[*k][axis];
                 // The residual is zero where the mask is.
-                self.gradient[k] += weight * dot(column, &residual);
+                self.gradient[*k] += weight * dot(column, &residual);
                 if sums == Sums::Gradient {
                     continue;
                 }
                 let masked: Lanes = std::array::from_fn(|i| column[i] * mask[i]);
-                for j in 0..=k {
-                    self.gram[(k, j)] += weight * dot(&masked, &block.columns[j][axis]);
+                for j in &moving[..=rank] {
+                    self.gram[(*k, *j)] += weight * dot(&masked, &block.columns[*j][axis]);
                 }
             }
         }
