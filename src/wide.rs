@@ -34,8 +34,8 @@ pub fn wide<L: Loop>(work: L) -> L::Output {
         {
             #[allow(
                 unsafe_code,
-                reason = "the features were detected on the lines above; measured: the fit of an arm's \
-                          geometry takes two thirds of the time"
+                reason = "the features were detected on the lines above; the sums of a product are one \
+                          vector of eight"
             )]
             // SAFETY: the processor has all that `with_eight_lanes` asks for.
             return unsafe { with_eight_lanes(work) };

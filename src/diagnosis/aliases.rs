@@ -102,6 +102,10 @@ struct Trial {
 
 /// Rivals of a fit, likeliest first; those that are further off than [`CLOSE`] are left out.
 pub(crate) fn rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
+    regression.rivals.of(fit, || tried(regression, fit))
+}
+
+fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     let added: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut trials: Vec<Trial> = Vec::new();
     for (i, first) in added.iter().enumerate() {

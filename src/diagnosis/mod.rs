@@ -28,6 +28,7 @@ pub mod answer;
 pub mod candidates;
 pub mod familywise;
 pub mod limits;
+mod memo;
 pub mod smooth;
 
 mod base_misfit;

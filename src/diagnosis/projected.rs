@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::candidates::Candidate;
 use super::regression::Regression;
-use crate::fit::linear::{Basis, dot, small_cholesky, subtract};
+use crate::fit::linear::{Basis, products, small_cholesky, subtract};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
@@ -106,9 +106,12 @@ impl<'r> Projected<'r> {
     /// Products of all columns with a residual.
     pub(crate) fn pulls(&self, residual: &DVector<f64>) -> DVector<f64> {
         let inside = self.basis.q.tr_mul(residual);
-        let columns = self.white.as_slice().chunks_exact(residual.len().max(1));
-        let products = columns.map(|column| dot(column, residual.as_slice()));
-        let mut pulls = DVector::from_iterator(self.white.ncols(), products);
+        let mut pulls = DVector::zeros(self.white.ncols());
+        products(
+            residual.as_slice(),
+            self.white.as_slice(),
+            pulls.as_mut_slice(),
+        );
         pulls.gemv_tr(-1.0, &self.along, &inside, 1.0);
         pulls
     }

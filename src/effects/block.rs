@@ -292,7 +292,11 @@ impl<'a> Block<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "most effects look at one or two of its fields"
+    )]
     fn lane(&self, joint: usize, i: usize) -> Lane {
         Lane {
             q: self.q[joint][i],
@@ -423,6 +427,16 @@ impl<'a> Block<'a> {
         self.mark_live::<N>(me);
     }
 
+    /// The same for a motion that is one and the same for all samples.
+    pub(super) fn move_rigidly<const N: usize>(&mut self, me: &Placed, by: &RigidMotion<N>) {
+        wide(MovingRigidly {
+            block: self,
+            first_column: me.first_column,
+            by,
+        });
+        self.mark_live::<N>(me);
+    }
+
     fn mark_live<const N: usize>(&mut self, me: &Placed) {
         if self.by == Columns::Coefficients {
             for column in me.first_column..me.first_column + N {
@@ -542,6 +556,68 @@ impl Loop for Carrying<'_> {
             for i in 0..LANES {
                 let rows = [mx, my, mz].map(|row| [row[0][i], row[1][i], row[2][i]]);
                 [cx[i], cy[i], cz[i]] = times(rows, [cx[i], cy[i], cz[i]]);
+            }
+        }
+    }
+}
+
+/// A rigid motion about a point, mm and rad, with the screws (turn and shift) by which each coefficient
+/// moves what it has moved.
+pub(super) struct RigidMotion<const N: usize> {
+    pub(super) origin_mm: [f64; 3],
+    /// By rows.
+    pub(super) rotation: [[f64; 3]; 3],
+    pub(super) shift_mm: [f64; 3],
+    pub(super) by: [([f64; 3], [f64; 3]); N],
+}
+
+/// The loop of [`Block::move_rigidly`].
+struct MovingRigidly<'b, 'a, const N: usize> {
+    block: &'b mut Block<'a>,
+    first_column: usize,
+    by: &'b RigidMotion<N>,
+}
+
+impl<const N: usize> Loop for MovingRigidly<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let RigidMotion {
+            origin_mm,
+            rotation,
+            shift_mm,
+            by,
+        } = *self.by;
+        let Block {
+            point,
+            columns,
+            live,
+            ..
+        } = self.block;
+        let [px, py, pz] = point;
+        let mut arm = [[0.0; LANES]; 3];
+        for i in 0..LANES {
+            let from = minus([px[i], py[i], pz[i]], origin_mm);
+            let own = add_scaled(times(rotation, from), shift_mm, 1.0);
+            [arm[0][i], arm[1][i], arm[2][i]] = own;
+            [px[i], py[i], pz[i]] = add_scaled(own, origin_mm, 1.0);
+        }
+        for (column, _) in columns.iter_mut().zip(live.iter()).filter(|c| *c.1) {
+            let [cx, cy, cz] = column;
+            for i in 0..LANES {
+                [cx[i], cy[i], cz[i]] = times(rotation, [cx[i], cy[i], cz[i]]);
+            }
+        }
+        if self.block.by != Columns::Coefficients {
+            return;
+        }
+        for (k, (turn, shift)) in by.into_iter().enumerate() {
+            let [cx, cy, cz] = &mut columns[self.first_column + k];
+            for i in 0..LANES {
+                let own = cross(turn, [arm[0][i], arm[1][i], arm[2][i]]);
+                [cx[i], cy[i], cz[i]] = add_scaled(own, shift, 1.0);
             }
         }
     }

@@ -137,16 +137,24 @@ pub(crate) fn subtract(columns: &[f64], coefficients: &[f64], v: &mut [f64]) {
 /// `Aᵀ A` of some columns: the same bits as nalgebra's product, with half the work.
 pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
     let (m, p) = a.shape();
-    let column = |k: usize| &a.as_slice()[k * m..(k + 1) * m];
     let mut gram = DMatrix::zeros(p, p);
+    let mut row = vec![0.0; p];
     for i in 0..p {
-        for j in 0..=i {
-            let product = dot(column(i), column(j));
-            gram[(i, j)] = product;
-            gram[(j, i)] = product;
+        let up_to = &a.as_slice()[..(i + 1) * m];
+        products(&up_to[i * m..], up_to, &mut row);
+        for (j, product) in row[..=i].iter().enumerate() {
+            gram[(i, j)] = *product;
+            gram[(j, i)] = *product;
         }
     }
     gram
+}
+
+/// Scalar products of a vector with columns, each with the bits of [`dot`].
+pub(crate) fn products(v: &[f64], columns: &[f64], out: &mut [f64]) {
+    for (out, column) in out.iter_mut().zip(columns.chunks_exact(v.len().max(1))) {
+        *out = dot(v, column);
+    }
 }
 
 struct Dot<'a> {
@@ -168,9 +176,15 @@ impl Loop for Dot<'_> {
                 *sum += a * b;
             }
         }
-        let sum = (0..4).fold(0.0, |sum, k| sum + (sums[k] + sums[k + 4]));
-        rest.fold(sum, |sum, (a, b)| sum + a * b)
+        rest.fold(total(&sums), |sum, (a, b)| sum + a * b)
     }
+}
+
+/// The running sums together. Not inlined: that they have to lie in memory side by side is what makes the
+/// compiler keep them in one wide vector.
+#[inline(never)]
+fn total(sums: &[f64; 8]) -> f64 {
+    (0..4).fold(0.0, |sum, k| sum + (sums[k] + sums[k + 4]))
 }
 
 struct Rejecting<'a> {
@@ -269,6 +283,9 @@ mod tests {
     fn products_have_the_bits_of_nalgebras() {
         let a = DMatrix::from_fn(203, 5, |i, j| ((i * 7 + j * 13) as f64 * 0.37).sin());
         assert_eq!(gram(&a), a.tr_mul(&a));
+        let mut all = [0.0; 5];
+        products(&a.as_slice()[..203], a.as_slice(), &mut all);
+        assert_eq!(all, *a.tr_mul(&a.column(0)).as_slice());
         let (b, c) = (a.column(1), a.column(2));
         assert_eq!(
             dot(b.into_owned().as_slice(), c.into_owned().as_slice()),
