@@ -1,5 +1,7 @@
 //! Identification of long sessions: the paper's method by regions, and the exact fit of nine
-//! parameters. `benches/compare/identification.py` times the same work in numpy.
+//! parameters; `benches/compare/identification.py` times the same work in numpy. And the exact fit of the
+//! geometry of a six-joint arm, 27 parameters, to 5000 poses: `tests/reference/arms_beside_others.py`
+//! times others with the same.
 
 use std::hint::black_box;
 
@@ -8,7 +10,7 @@ use nalgebra::{Point3, Unit, Vector3};
 use truepose::effects::{JointValues, Term, find};
 use truepose::fit::problem::Problem;
 use truepose::fit::solver::solve;
-use truepose::fit::{identify_exact, sum_by_region};
+use truepose::fit::{base_model, identify_exact, sum_by_region};
 use truepose::kinematics::{Axis, Joint, JointKind, Pose, Range, Robot};
 use truepose::model::Model;
 use truepose::sessions::division::RegionChoice;
@@ -137,5 +139,86 @@ fn exact(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, regional, exact);
+/// An arm with a spherical wrist: axes and points on them, mm, limits in degrees.
+const ARM: [([f64; 3], [f64; 3], [f64; 2]); 6] = [
+    ([0.0, 0.0, 1.0], [0.0, 0.0, 0.0], [-165.0, 165.0]),
+    ([0.0, 1.0, 0.0], [0.0, 0.0, 330.0], [-90.0, 110.0]),
+    ([0.0, 1.0, 0.0], [0.0, 0.0, 640.0], [-110.0, 65.0]),
+    ([1.0, 0.0, 0.0], [0.0, 0.0, 710.0], [-160.0, 160.0]),
+    ([0.0, 1.0, 0.0], [340.0, 0.0, 710.0], [-115.0, 115.0]),
+    ([1.0, 0.0, 0.0], [340.0, 0.0, 710.0], [-175.0, 175.0]),
+];
+
+/// Poses within the limits, every parameter of the geometry off by up to 0.5 mm or 0.5 mrad.
+fn arm_session(n: usize) -> Session {
+    let mut noise = Noise(11);
+    let joint = |(direction, point, limits): ([f64; 3], [f64; 3], [f64; 2])| Joint {
+        name: "joint".to_owned(),
+        kind: JointKind::Revolute,
+        axis: Axis {
+            direction: Unit::new_normalize(direction.into()),
+            point_mm: point.into(),
+        },
+        limits: Some(Range {
+            from: limits[0].to_radians(),
+            to: limits[1].to_radians(),
+        }),
+        link: None,
+    };
+    let mut session = session(n);
+    session.robot.joints = ARM.map(joint).to_vec();
+    session.robot.base_from_tool = Pose::translation(430.0, 5.0, 780.0);
+    let within = |[from, to]: [f64; 2], noise: &mut Noise| {
+        (from + (to - from) * (noise.next() + 0.5)).to_radians()
+    };
+    let values = ARM.map(|(_, _, limits)| (0..n).map(|_| within(limits, &mut noise)).collect());
+    session.samples.q = values.to_vec();
+    session.samples.q_read = vec![None; ARM.len()];
+    session.samples.dir = vec![None; ARM.len()];
+    session.samples.speed = vec![None; ARM.len()];
+    let measured = {
+        let problem = Problem::new(&session, JointValues::Commanded);
+        let model = base_model::start(&session, &problem, |_| true);
+        let off = |term: &Term, k: usize, noise: &mut Noise| {
+            let turns = term.effect.about().form.turns(k, JointKind::Revolute);
+            noise.next() * if turns { 1e-3 } else { 1.0 }
+        };
+        let mut errors = Vec::new();
+        for term in model.terms() {
+            errors.extend((0..term.coefficients.len()).map(|k| off(term, k, &mut noise)));
+        }
+        model.with_coefficients(&errors).predict(&problem.inputs)
+    };
+    let mut noisy = |all: Vec<f64>| all.into_iter().map(|v| v + 0.1 * noise.next()).collect();
+    session.samples.x_mm = noisy(measured.x_mm);
+    session.samples.y_mm = noisy(measured.y_mm);
+    session.samples.z_mm = Some(noisy(measured.z_mm));
+    session
+}
+
+fn arm(c: &mut Criterion) {
+    let mut group = c.benchmark_group("arm_5000_poses");
+    group.sample_size(20);
+    let session = arm_session(5000);
+    let problem = Problem::new(&session, JointValues::Commanded);
+    let start = base_model::start(&session, &problem, |_| true);
+    let whole = || base_model::fit(&mut problem.clone(), black_box(&start), true);
+    // What the poses cannot show is held, as it is chosen once; the values are those of the start.
+    let gauged = whole().solution.model;
+    let same = |own: &Term, other: &Term| {
+        let id = |t: &Term| (t.effect.about().id, t.joint, t.setting.to_bits());
+        id(own) == id(other)
+    };
+    let values = gauged.terms().iter().flat_map(|own| {
+        let of_start = start.terms().iter().find(|other| same(own, other));
+        of_start.map_or_else(|| own.coefficients.clone(), |t| t.coefficients.clone())
+    });
+    let from = gauged.with_coefficients(&values.collect::<Vec<f64>>());
+    group.bench_function("27 parameters, least squares", |b| {
+        b.iter(|| solve(black_box(&problem), &from));
+    });
+    group.bench_function("with gauge, outliers, noise and priors", |b| b.iter(whole));
+}
+
+criterion_group!(benches, regional, exact, arm);
 criterion_main!(benches);

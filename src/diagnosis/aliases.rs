@@ -2,6 +2,8 @@
 //! are taken out and every name, and every pair of names, is tried in their place, singles against
 //! pairs and pairs against pairs. What comes close is refitted before it is judged.
 
+use std::rc::Rc;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::effects::{Setting, Term};
@@ -93,13 +95,17 @@ pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fi
 
 struct Trial {
     removed: Vec<Term>,
-    rest: Fit,
+    rest: Rc<Fit>,
     instead: Vec<usize>,
     ln_evidence: f64,
 }
 
 /// Rivals of a fit, likeliest first; those that are further off than [`CLOSE`] are left out.
 pub(crate) fn rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
+    regression.rivals.of(fit, || tried(regression, fit))
+}
+
+fn tried(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     let added: Vec<Term> = regression.added(fit).into_iter().cloned().collect();
     let mut trials: Vec<Trial> = Vec::new();
     for (i, first) in added.iter().enumerate() {
@@ -142,7 +148,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let model = fit
         .model
         .without(|t| removed.iter().any(|r| r.same_column(t)));
-    let rest = regression.fit(&model, fit.shapes.clone());
+    let rest = Rc::new(regression.fit(&model, fit.shapes.clone()));
     let enough = fit.ln_evidence - CLOSE - rest.ln_evidence;
     let there = regression.added(&rest);
     let projected = regression.projected(&rest.basis);
@@ -155,7 +161,7 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
     let mut push = |instead: Vec<usize>, ln_odds: f64| {
         trials.push(Trial {
             removed: removed.to_vec(),
-            rest: rest.clone(),
+            rest: Rc::clone(&rest),
             instead,
             ln_evidence: rest.ln_evidence + ln_odds,
         });
@@ -198,6 +204,17 @@ fn short_list(regression: &Regression, scores: &[Score], removed: &[Term]) -> Ve
     list
 }
 
+/// A candidate with orthonormal columns.
+struct Piece {
+    candidate: usize,
+    /// Its first column among those of all.
+    first: usize,
+    /// Its first row among those that may be the better one of a pair.
+    row: Option<usize>,
+    /// What it takes of the residual.
+    h: DVector<f64>,
+}
+
 /// Pairs of candidates that together lower the sum of squares enough.
 fn best_pairs(
     regression: &Regression,
@@ -207,10 +224,19 @@ fn best_pairs(
     enough: f64,
 ) -> Vec<(usize, usize, f64)> {
     let m = regression.m();
-    // Each candidate made orthonormal by itself, and all their products at once.
-    let mut units: Vec<DMatrix<f64>> = Vec::new();
-    let mut pieces: Vec<(usize, usize, DVector<f64>)> = Vec::new();
-    let mut width = 0;
+    let worth = |gain: f64, rank: usize, price: f64| {
+        let r2 = (gain / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
+        -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln() - price
+    };
+    // Correlated candidates can do more together than the sum of both, but seldom: a quick look
+    // saves the rest.
+    let hopeless = |bound: f64, price: f64| worth(4.0 * bound, 2, price) < enough;
+    // Each candidate made orthonormal by itself. The better one of a pair does half of it at least:
+    // products with those that may be the better one are all that is needed.
+    let mut pieces: Vec<Piece> = Vec::new();
+    let mut all: Vec<f64> = Vec::new();
+    let mut better: Vec<f64> = Vec::new();
+    let (mut first, mut width) = (0, 0);
     for index in list {
         let candidate = &regression.table.candidates[*index];
         let (factor, rank) = projected.factor(candidate);
@@ -225,31 +251,35 @@ fn best_pairs(
         };
         let unit = unit.transpose();
         let h = unit.tr_mul(&rest.residual);
-        pieces.push((*index, width, h));
-        width += k;
-        units.push(unit);
+        let may_be_better = !hopeless(2.0 * h.norm_squared(), 2.0 * PRICE_OF_A_NAME);
+        all.extend(unit.as_slice());
+        if may_be_better {
+            better.extend(unit.as_slice());
+        }
+        pieces.push(Piece {
+            candidate: *index,
+            first,
+            row: may_be_better.then_some(width),
+            h,
+        });
+        first += k;
+        width += if may_be_better { k } else { 0 };
     }
-    let mut all = DMatrix::zeros(regression.height(), width);
-    for ((_, first, _), unit) in pieces.iter().zip(&units) {
-        all.columns_mut(*first, unit.ncols()).copy_from(unit);
-    }
-    let products = all.transpose() * &all;
+    let height = regression.height();
+    let better = DMatrix::from_vec(height, width, better).transpose();
+    let products = better * DMatrix::from_vec(height, first, all);
     let mut pairs = Vec::new();
-    for (i, (a, at_a, h_a)) in pieces.iter().enumerate() {
-        for (b, at_b, h_b) in &pieces[i + 1..] {
+    for (i, a) in pieces.iter().enumerate() {
+        for b in &pieces[i + 1..] {
+            if a.row.is_none() && b.row.is_none() {
+                continue;
+            }
             let (ca, cb) = (
-                &regression.table.candidates[*a],
-                &regression.table.candidates[*b],
+                &regression.table.candidates[a.candidate],
+                &regression.table.candidates[b.candidate],
             );
-            let bound = h_a.norm_squared() + h_b.norm_squared();
             let price = ca.tried.max(1.0).ln() + cb.tried.max(1.0).ln() + 2.0 * PRICE_OF_A_NAME;
-            let worth = |gain: f64, rank: usize| {
-                let r2 = (gain / rest.rss.max(1e-300)).clamp(0.0, 1.0 - 1e-12);
-                -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln() - price
-            };
-            // Correlated candidates can do more together than the sum of both, but seldom: a
-            // quick look saves the rest.
-            if worth(4.0 * bound, 2) < enough {
+            if hopeless(a.h.norm_squared() + b.h.norm_squared(), price) {
                 continue;
             }
             let terms = [ca, cb].map(|c| c.what.term());
@@ -258,9 +288,14 @@ fn best_pairs(
             {
                 continue;
             }
-            let cross = products
-                .view((*at_a, *at_b), (ca.size, cb.size))
-                .into_owned();
+            let cross = match (a.row, b.row) {
+                (Some(row), _) => products
+                    .view((row, b.first), (ca.size, cb.size))
+                    .into_owned(),
+                (None, row) => products
+                    .view((row.unwrap_or(0), a.first), (cb.size, ca.size))
+                    .transpose(),
+            };
             let k = cb.size;
             let schur = DMatrix::identity(k, k) - cross.tr_mul(&cross);
             let mut g: Vec<f64> = (0..k * k).map(|x| schur[(x / k, x % k)]).collect();
@@ -269,12 +304,12 @@ fn best_pairs(
             if rank == 0 {
                 continue;
             }
-            let left = h_b - cross.tr_mul(h_a);
+            let left = &b.h - cross.tr_mul(&a.h);
             let mut h: Vec<f64> = left.iter().copied().collect();
-            let gain = h_a.norm_squared() + small_gain(&g, k, &mut h);
-            let ln_odds = worth(gain, ca.size + rank);
+            let gain = a.h.norm_squared() + small_gain(&g, k, &mut h);
+            let ln_odds = worth(gain, ca.size + rank, price);
             if ln_odds > enough {
-                pairs.push((*a, *b, ln_odds));
+                pairs.push((a.candidate, b.candidate, ln_odds));
             }
         }
     }

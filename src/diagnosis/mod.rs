@@ -26,6 +26,7 @@ pub mod aliases;
 pub mod candidates;
 pub mod familywise;
 pub mod limits;
+mod memo;
 pub mod smooth;
 
 mod base_misfit;

@@ -23,8 +23,9 @@ use crate::sessions::cells::cells;
 use super::candidates::Table;
 use super::held_out::Folds;
 use super::incomplete;
+use super::memo::Memo;
 use super::regression::{Fit, Placed, Regression};
-use super::search::{Found, Search};
+use super::search::{Found, Search, UNSEEN_KEPT};
 use super::{DiagnoseError, Options, Watch};
 use crate::fit::noise::{Noise, SMALLEST_SIGMA_MM};
 use crate::fit::regression::Rows;
@@ -123,6 +124,7 @@ impl<'a> Prepared<'a> {
             folds: &self.folds,
             most: self.cap(),
             watch,
+            unseen: Memo::new(UNSEEN_KEPT),
         };
         Ok(search.run()?)
     }

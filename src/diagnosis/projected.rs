@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::candidates::Candidate;
 use super::regression::Regression;
-use crate::fit::linear::{Basis, small_cholesky};
+use crate::fit::linear::{Basis, products, small_cholesky, subtract};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;
@@ -91,14 +91,27 @@ impl<'r> Projected<'r> {
     pub(crate) fn columns(&self, candidate: &Candidate) -> DMatrix<f64> {
         let (first, k) = (candidate.first, candidate.size);
         let mut own = self.white.columns(first, k).into_owned();
-        own.gemm(-1.0, &self.basis.q, &self.along.columns(first, k), 1.0);
+        let (height, rank) = (own.nrows().max(1), self.along.nrows());
+        let along = &self.along.as_slice()[first * rank..];
+        for (i, column) in own.as_mut_slice().chunks_exact_mut(height).enumerate() {
+            subtract(
+                self.basis.q.as_slice(),
+                &along[i * rank..(i + 1) * rank],
+                column,
+            );
+        }
         own
     }
 
     /// Products of all columns with a residual.
     pub(crate) fn pulls(&self, residual: &DVector<f64>) -> DVector<f64> {
         let inside = self.basis.q.tr_mul(residual);
-        let mut pulls = self.white.tr_mul(residual);
+        let mut pulls = DVector::zeros(self.white.ncols());
+        products(
+            residual.as_slice(),
+            self.white.as_slice(),
+            pulls.as_mut_slice(),
+        );
         pulls.gemv_tr(-1.0, &self.along, &inside, 1.0);
         pulls
     }

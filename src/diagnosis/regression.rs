@@ -17,8 +17,10 @@ use crate::effects::{Form, Setting, Term};
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
+use super::aliases::Rival;
 use super::candidates::{Candidate, Table, What};
 use super::familywise::Familywise;
+use super::memo::Memo;
 use super::projected::{Grams, Projected};
 use super::significance::Significance;
 use crate::fit::linear::{Basis, small_cholesky, small_gain};
@@ -86,6 +88,9 @@ pub(crate) struct Regression<'a> {
     beside: usize,
     pub(crate) seed: u64,
     pub(crate) familywise: RefCell<Familywise>,
+    scores: Memo<Vec<Score>>,
+    /// Other names for a fit ([`super::aliases`]).
+    pub(crate) rivals: Memo<Vec<Rival>>,
     /// What the noise itself says of the rows: −½ ln of its determinant, less its price.
     ln_noise: f64,
 }
@@ -99,6 +104,10 @@ fn choice_of_axes(rows: &Rows, rms_mm: [f64; 3]) -> f64 {
         (rows.axes.len() as f64).ln()
     }
 }
+
+/// Lists of scores and of rivals that are kept for fits that a search comes to again.
+const SCORES_KEPT: usize = 64;
+const RIVALS_KEPT: usize = 4;
 
 /// The square of a value over its standard deviation from which on it is clear of zero: p = 0.001.
 const CLEAR: f64 = 10.8;
@@ -137,6 +146,8 @@ impl<'a> Regression<'a> {
             beside,
             seed,
             familywise: RefCell::new(Familywise::default()),
+            scores: Memo::new(SCORES_KEPT),
+            rivals: Memo::new(RIVALS_KEPT),
         }
     }
 
@@ -375,7 +386,8 @@ impl<'a> Regression<'a> {
 
     /// Scores every candidate beside a fit; those that the fit leaves nothing of are left out.
     pub(crate) fn scan(&self, fit: &Fit) -> Vec<Score> {
-        self.scan_beside(&self.projected(&fit.basis), fit)
+        self.scores
+            .of(fit, || self.scan_beside(&self.projected(&fit.basis), fit))
     }
 
     /// The same with the table projected already.

@@ -11,6 +11,7 @@ use crate::effects::{Over, Setting, Term};
 use super::aliases;
 use super::candidates::What;
 use super::held_out::Folds;
+use super::memo::Memo;
 use super::regression::{Fit, Placed, Regression, Score};
 use super::{Cancelled, Progress, Watch};
 use crate::fit::linear::Basis;
@@ -52,7 +53,12 @@ pub(crate) struct Search<'s, 'a> {
     pub(crate) folds: &'s Folds,
     pub(crate) most: usize,
     pub(crate) watch: Watch<'s>,
+    /// Errors on unseen samples.
+    pub(crate) unseen: Memo<f64>,
 }
+
+/// Fits of which the error on unseen samples is kept.
+pub(crate) const UNSEEN_KEPT: usize = 64;
 
 impl Search<'_, '_> {
     pub(crate) fn run(&self) -> Result<Found, Cancelled> {
@@ -117,7 +123,7 @@ impl Search<'_, '_> {
         let mut scores = self.regression.scan(fit);
         scores.retain(|s| self.may_join(fit, s, allow));
         by_odds(&mut scores);
-        let unseen = self.folds.rms(self.regression, fit);
+        let unseen = self.unseen(fit);
         // Nearly equal candidates: the first few are looked at closely.
         for score in scores.iter().take(4) {
             if !self.matters(score.gain, fit) {
@@ -128,11 +134,16 @@ impl Search<'_, '_> {
             if self.regression.rough_family_p(score.minus_ln_p, &next).p > CHANCE {
                 continue;
             }
-            if self.folds.rms(self.regression, &next) < unseen {
+            if self.unseen(&next) < unseen {
                 return Some(next);
             }
         }
         None
+    }
+
+    fn unseen(&self, fit: &Fit) -> f64 {
+        let work = || self.folds.rms(self.regression, fit);
+        self.unseen.of(fit, work)
     }
 
     fn may_join(&self, fit: &Fit, score: &Score, allow: Allow) -> bool {

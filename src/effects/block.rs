@@ -125,6 +125,8 @@ pub struct Block<'a> {
     pub columns: Vec<Lanes3>,
     /// Which columns are not zero so far.
     live: Vec<bool>,
+    /// Which columns stay zero: no fit moves their coefficients.
+    held: Vec<bool>,
     by: Columns,
     /// Samples of this block; the lanes behind them repeat the last one.
     pub len: usize,
@@ -166,6 +168,7 @@ impl<'a> Block<'a> {
             point: [[0.0; LANES]; 3],
             columns: vec![[[0.0; LANES]; 3]; columns],
             live: vec![false; columns],
+            held: vec![false; columns],
             by,
             len: 0,
         }
@@ -289,7 +292,11 @@ impl<'a> Block<'a> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "most effects look at one or two of its fields"
+    )]
     fn lane(&self, joint: usize, i: usize) -> Lane {
         Lane {
             q: self.q[joint][i],
@@ -389,6 +396,7 @@ impl<'a> Block<'a> {
         me: &Placed,
         f: impl Fn([f64; 3], Lane) -> ([f64; 3], [[f64; 3]; 3], [[f64; 3]; N]),
     ) {
+        let mut carried = [[[0.0; LANES]; 3]; 3];
         for i in 0..LANES {
             let before = [self.point[0][i], self.point[1][i], self.point[2][i]];
             let (to, carry, columns) = f(before, self.lane(me.joint, i));
@@ -398,27 +406,42 @@ impl<'a> Block<'a> {
             if self.by == Columns::None {
                 continue;
             }
-            for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| *c.1) {
-                let moved = times(carry, [column[0][i], column[1][i], column[2][i]]);
-                for axis in 0..3 {
-                    column[axis][i] = moved[axis];
-                }
+            for (lanes, carry) in carried.iter_mut().flatten().zip(carry.as_flattened()) {
+                lanes[i] = *carry;
             }
             if self.by == Columns::Commands {
                 continue;
             }
+            // None of its own columns is live yet.
             for (k, column) in columns.into_iter().enumerate() {
                 for axis in 0..3 {
                     self.columns[me.first_column + k][axis][i] = column[axis];
                 }
             }
         }
+        wide(Carrying {
+            columns: &mut self.columns,
+            live: &self.live,
+            by: &carried,
+        });
+        self.mark_live::<N>(me);
+    }
+
+    /// The same for a motion that is one and the same for all samples.
+    pub(super) fn move_rigidly<const N: usize>(&mut self, me: &Placed, by: &RigidMotion<N>) {
+        wide(MovingRigidly {
+            block: self,
+            first_column: me.first_column,
+            by,
+        });
         self.mark_live::<N>(me);
     }
 
     fn mark_live<const N: usize>(&mut self, me: &Placed) {
         if self.by == Columns::Coefficients {
-            self.live[me.first_column..me.first_column + N].fill(true);
+            for column in me.first_column..me.first_column + N {
+                self.live[column] = !self.held[column];
+            }
         }
     }
 
@@ -444,7 +467,9 @@ impl<'a> Block<'a> {
                 }
             }
         }
-        if self.tangents.iter().all(|t| t.joint != index) {
+        let held = &self.held;
+        let moves = |t: &&JointTangent| t.joint == index && !held[t.column];
+        if !self.tangents.iter().any(|t| moves(&t)) {
             return;
         }
         let mut direction = [[0.0; LANES]; 3];
@@ -460,7 +485,7 @@ impl<'a> Block<'a> {
                 direction[k][i] = along[k];
             }
         }
-        for tangent in self.tangents.iter().filter(|t| t.joint == index) {
+        for tangent in self.tangents.iter().filter(moves) {
             let column = &mut self.columns[tangent.column];
             if !self.live[tangent.column] {
                 *column = [[0.0; LANES]; 3];
@@ -494,11 +519,12 @@ impl<'a> Block<'a> {
         }
     }
 
-    /// Clears the columns of coefficients that are held where they are: no fit moves them.
+    /// Leaves the columns of coefficients that are held where they are zero, from the next samples
+    /// on: no fit moves them.
     pub(crate) fn hold(&mut self, columns: impl Iterator<Item = usize>) {
         for column in columns {
-            if let Some(column) = self.columns.get_mut(column) {
-                *column = [[0.0; LANES]; 3];
+            if let Some(held) = self.held.get_mut(column) {
+                *held = true;
             }
         }
     }
@@ -507,6 +533,92 @@ impl<'a> Block<'a> {
     pub fn settle(&mut self) {
         for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {
             *column = [[0.0; LANES]; 3];
+        }
+    }
+}
+
+/// The loop of [`Block::transform`]: the columns go through the derivative of every sample.
+struct Carrying<'b> {
+    columns: &'b mut [Lanes3],
+    live: &'b [bool],
+    by: &'b [Lanes3; 3],
+}
+
+impl Loop for Carrying<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let [mx, my, mz] = self.by;
+        for (column, _) in self.columns.iter_mut().zip(self.live).filter(|c| *c.1) {
+            let [cx, cy, cz] = column;
+            for i in 0..LANES {
+                let rows = [mx, my, mz].map(|row| [row[0][i], row[1][i], row[2][i]]);
+                [cx[i], cy[i], cz[i]] = times(rows, [cx[i], cy[i], cz[i]]);
+            }
+        }
+    }
+}
+
+/// A rigid motion about a point, mm and rad, with the screws (turn and shift) by which each coefficient
+/// moves what it has moved.
+pub(super) struct RigidMotion<const N: usize> {
+    pub(super) origin_mm: [f64; 3],
+    /// By rows.
+    pub(super) rotation: [[f64; 3]; 3],
+    pub(super) shift_mm: [f64; 3],
+    pub(super) by: [([f64; 3], [f64; 3]); N],
+}
+
+/// The loop of [`Block::move_rigidly`].
+struct MovingRigidly<'b, 'a, const N: usize> {
+    block: &'b mut Block<'a>,
+    first_column: usize,
+    by: &'b RigidMotion<N>,
+}
+
+impl<const N: usize> Loop for MovingRigidly<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let RigidMotion {
+            origin_mm,
+            rotation,
+            shift_mm,
+            by,
+        } = *self.by;
+        let Block {
+            point,
+            columns,
+            live,
+            ..
+        } = self.block;
+        let [px, py, pz] = point;
+        let mut arm = [[0.0; LANES]; 3];
+        for i in 0..LANES {
+            let from = minus([px[i], py[i], pz[i]], origin_mm);
+            let own = add_scaled(times(rotation, from), shift_mm, 1.0);
+            [arm[0][i], arm[1][i], arm[2][i]] = own;
+            [px[i], py[i], pz[i]] = add_scaled(own, origin_mm, 1.0);
+        }
+        for (column, _) in columns.iter_mut().zip(live.iter()).filter(|c| *c.1) {
+            let [cx, cy, cz] = column;
+            for i in 0..LANES {
+                [cx[i], cy[i], cz[i]] = times(rotation, [cx[i], cy[i], cz[i]]);
+            }
+        }
+        if self.block.by != Columns::Coefficients {
+            return;
+        }
+        for (k, (turn, shift)) in by.into_iter().enumerate() {
+            let [cx, cy, cz] = &mut columns[self.first_column + k];
+            for i in 0..LANES {
+                let own = cross(turn, [arm[0][i], arm[1][i], arm[2][i]]);
+                [cx[i], cy[i], cz[i]] = add_scaled(own, shift, 1.0);
+            }
         }
     }
 }

@@ -15,13 +15,13 @@
 //! Belongs to the calibration of every robot with several joints and is never a candidate.
 
 use super::about::{About, Form, Prior, Quantity, Role, Stage};
-use super::block::Block;
+use super::block::{Block, RigidMotion};
 use super::measuring_frame::{left_jacobian, rotation};
 use super::needs::Need;
 use super::units::Unit;
 use super::{Effect, Placed, Term};
 use crate::kinematics::Robot;
-use crate::lanes::{add_scaled, cross, dot, minus, scaled, times};
+use crate::lanes::{add_scaled, cross, dot, scaled, times};
 
 /// See the module.
 pub struct LinkGeometry;
@@ -70,22 +70,21 @@ impl Effect for LinkGeometry {
 
     fn act(&self, me: &Placed, block: &mut Block) {
         let (x, y) = across(me.frame.along);
-        let origin = me.frame.origin_mm;
         let c = &me.coefficients;
         let screw = Screw {
             turn: add_scaled(scaled(x, c[2]), y, c[3]),
             shift: add_scaled(scaled(x, c[0]), y, c[1]),
         };
-        let rotation = rotation(screw.turn);
-        let shift = times(left_jacobian(screw.turn), screw.shift);
         let zero = [0.0; 3];
         let units = [(zero, x), (zero, y), (x, zero), (y, zero)];
         let by = units.map(|(turn, shift)| screw.left_jacobian_times(Screw { turn, shift }));
-        block.transform(me, |p, _| {
-            let arm = add_scaled(times(rotation, minus(p, origin)), shift, 1.0);
-            let columns = by.map(|by| add_scaled(cross(by.turn, arm), by.shift, 1.0));
-            (add_scaled(arm, origin, 1.0), rotation, columns)
-        });
+        let motion = RigidMotion {
+            origin_mm: me.frame.origin_mm,
+            rotation: rotation(screw.turn),
+            shift_mm: times(left_jacobian(screw.turn), screw.shift),
+            by: by.map(|by| (by.turn, by.shift)),
+        };
+        block.move_rigidly(me, &motion);
     }
 }
 
@@ -133,11 +132,17 @@ impl Screw {
             };
             sum.turn = add_scaled(sum.turn, power.turn, 1.0);
             sum.shift = add_scaled(sum.shift, power.shift, 1.0);
+            let all = power.turn.iter().chain(&power.shift);
+            if all.fold(0.0, |largest, v| v.abs().max(largest)) < NOTHING {
+                break;
+            }
         }
         sum
     }
 }
 
+/// Of small errors a few terms are enough: what follows changes no bit of a column.
+const NOTHING: f64 = 1e-30;
 /// Enough for turns up to π to the last bits.
 const MOST_TERMS: usize = 24;
 

@@ -47,10 +47,10 @@ use crate::observations::Layer;
 use crate::sessions::{Session, Sigma};
 
 use super::estimator::fit_without_outliers;
-use super::observed;
 use super::priors::{Priors, of_one_target};
 use super::problem::Problem;
 use super::solver::{Solution, Stopped, solve};
+use super::{linear, observed};
 use crate::answers::identification::NotIdentifiable;
 use crate::model::names::coefficient_names;
 use crate::model::rigid_motion::best_rigid_motion;
@@ -603,9 +603,10 @@ impl Basis {
         if self.q.len() >= self.rows {
             left.fill(0.0);
         }
+        let mut part = [0.0];
         for _ in 0..2 {
             for q in &self.q {
-                left.axpy(-q.dot(&left), q, 1.0);
+                linear::reject(q.as_slice(), left.as_mut_slice(), &mut part);
             }
         }
         left
@@ -613,15 +614,20 @@ impl Basis {
 
     fn push(&mut self, index: usize, column: &DVector<f64>, free: &DVector<f64>) {
         let q = free / free.norm();
-        let mut along: Vec<f64> = self.q.iter().map(|q| q.dot(column)).collect();
-        along.push(q.dot(column));
+        let mut along = self.along(column);
+        along.push(linear::dot(q.as_slice(), column.as_slice()));
         self.q.push(q);
         self.kept.push((index, along));
     }
 
+    fn along(&self, column: &DVector<f64>) -> Vec<f64> {
+        let one = |q: &DVector<f64>| linear::dot(q.as_slice(), column.as_slice());
+        self.q.iter().map(one).collect()
+    }
+
     /// How much of each kept column a dependent one is made of.
     fn parts(&self, column: &DVector<f64>) -> Vec<(usize, f64)> {
-        let mut parts: Vec<f64> = self.q.iter().map(|q| q.dot(column)).collect();
+        let mut parts = self.along(column);
         for k in (0..parts.len()).rev() {
             let (earlier, along) = self.kept[k].1.split_at(k);
             parts[k] /= along[0];
@@ -642,11 +648,14 @@ impl Basis {
         column: &DVector<f64>,
         of: impl Fn(usize) -> DVector<f64>,
     ) {
-        let mut all: Vec<(usize, DVector<f64>)> =
-            self.kept.iter().map(|k| (k.0, of(k.0))).collect();
-        all.retain(|(index, _)| *index != out);
+        // What comes before it stays as it is.
+        let at = self.kept.iter().position(|k| k.0 == out);
+        let at = at.unwrap_or(self.kept.len());
+        let behind = self.kept.iter().skip(at + 1);
+        let mut all: Vec<(usize, DVector<f64>)> = behind.map(|k| (k.0, of(k.0))).collect();
         all.push((new, column.clone()));
-        *self = Self::new(self.rows);
+        self.q.truncate(at);
+        self.kept.truncate(at);
         for (index, column) in all {
             let free = self.reject(&column);
             self.push(index, &column, &free);

@@ -4,6 +4,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::wide::{Loop, wide};
+
 /// A column of which less than this share is left after projection is a copy of the others.
 const DEPENDENT: f64 = 1e-6;
 
@@ -26,15 +28,15 @@ impl Basis {
         let mut q = DMatrix::zeros(m, p);
         let mut r = DMatrix::zeros(p, p);
         let mut kept = Vec::new();
+        let mut parts = vec![0.0; p];
         for column in 0..p {
             let mut v = a.column(column).into_owned();
             let before = v.norm();
             let rank = kept.len();
             for _ in 0..2 {
-                for k in 0..rank {
-                    let along = q.column(k).dot(&v);
-                    v.axpy(-along, &q.column(k), 1.0);
-                    r[(k, rank)] += along;
+                reject(&q.as_slice()[..rank * m], v.as_mut_slice(), &mut parts);
+                for (k, part) in parts[..rank].iter().enumerate() {
+                    r[(k, rank)] += part;
                 }
             }
             let norm = v.norm();
@@ -113,6 +115,125 @@ impl Basis {
     }
 }
 
+/// Scalar product, in the order of nalgebra's: the same bits, with wide vectors.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    wide(Dot { a, b })
+}
+
+/// Takes from `v` its parts along orthonormal columns, one after the other, and says how large each was.
+pub(crate) fn reject(columns: &[f64], v: &mut [f64], parts: &mut [f64]) {
+    wide(Rejecting { columns, v, parts });
+}
+
+/// Takes from `v` columns times their coefficients, one after the other.
+pub(crate) fn subtract(columns: &[f64], coefficients: &[f64], v: &mut [f64]) {
+    wide(Subtracting {
+        columns,
+        coefficients,
+        v,
+    });
+}
+
+/// `Aᵀ A` of some columns: the same bits as nalgebra's product, with half the work.
+pub(crate) fn gram(a: &DMatrix<f64>) -> DMatrix<f64> {
+    let (m, p) = a.shape();
+    let mut gram = DMatrix::zeros(p, p);
+    let mut row = vec![0.0; p];
+    for i in 0..p {
+        let up_to = &a.as_slice()[..(i + 1) * m];
+        products(&up_to[i * m..], up_to, &mut row);
+        for (j, product) in row[..=i].iter().enumerate() {
+            gram[(i, j)] = *product;
+            gram[(j, i)] = *product;
+        }
+    }
+    gram
+}
+
+/// Scalar products of a vector with columns, each with the bits of [`dot`].
+pub(crate) fn products(v: &[f64], columns: &[f64], out: &mut [f64]) {
+    for (out, column) in out.iter_mut().zip(columns.chunks_exact(v.len().max(1))) {
+        *out = dot(v, column);
+    }
+}
+
+struct Dot<'a> {
+    a: &'a [f64],
+    b: &'a [f64],
+}
+
+impl Loop for Dot<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) -> f64 {
+        let mut sums = [0.0; 8];
+        let (a, b) = (self.a.chunks_exact(8), self.b.chunks_exact(8));
+        let rest = a.remainder().iter().zip(b.remainder());
+        for (a, b) in a.zip(b) {
+            for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+                *sum += a * b;
+            }
+        }
+        rest.fold(total(&sums), |sum, (a, b)| sum + a * b)
+    }
+}
+
+/// The running sums together. Not inlined: that they have to lie in memory side by side is what makes the
+/// compiler keep them in one wide vector.
+#[inline(never)]
+fn total(sums: &[f64; 8]) -> f64 {
+    (0..4).fold(0.0, |sum, k| sum + (sums[k] + sums[k + 4]))
+}
+
+struct Rejecting<'a> {
+    columns: &'a [f64],
+    v: &'a mut [f64],
+    parts: &'a mut [f64],
+}
+
+impl Loop for Rejecting<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let columns = self.columns.chunks_exact(self.v.len().max(1));
+        for (column, part) in columns.zip(self.parts) {
+            *part = Dot {
+                a: column,
+                b: self.v,
+            }
+            .run();
+            for (v, column) in self.v.iter_mut().zip(column) {
+                *v -= column * *part;
+            }
+        }
+    }
+}
+
+struct Subtracting<'a> {
+    columns: &'a [f64],
+    coefficients: &'a [f64],
+    v: &'a mut [f64],
+}
+
+impl Loop for Subtracting<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "see Loop")]
+    fn run(self) {
+        let columns = self.columns.chunks_exact(self.v.len().max(1));
+        for (column, coefficient) in columns.zip(self.coefficients) {
+            for (v, column) in self.v.iter_mut().zip(column) {
+                *v -= column * coefficient;
+            }
+        }
+    }
+}
+
 /// Cholesky factor (lower, row by row) of a small symmetric matrix; a pivot below the tolerance
 /// of its row is dropped: its row of the factor is zero.
 pub(crate) fn small_cholesky(g: &mut [f64], k: usize, tolerance: &[f64]) -> usize {
@@ -157,6 +278,31 @@ pub(crate) fn small_gain(l: &[f64], k: usize, h: &mut [f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn products_have_the_bits_of_nalgebras() {
+        let a = DMatrix::from_fn(203, 5, |i, j| ((i * 7 + j * 13) as f64 * 0.37).sin());
+        assert_eq!(gram(&a), a.tr_mul(&a));
+        let mut all = [0.0; 5];
+        products(&a.as_slice()[..203], a.as_slice(), &mut all);
+        assert_eq!(all, *a.tr_mul(&a.column(0)).as_slice());
+        let (b, c) = (a.column(1), a.column(2));
+        assert_eq!(
+            dot(b.into_owned().as_slice(), c.into_owned().as_slice()),
+            b.dot(&c)
+        );
+        let mut left = a.column(4).into_owned();
+        let mut own = left.clone();
+        let coefficients = [0.3, -1.7];
+        left.gemv(
+            -1.0,
+            &a.columns(0, 2),
+            &DVector::from_column_slice(&coefficients),
+            1.0,
+        );
+        subtract(&a.as_slice()[..406], &coefficients, own.as_mut_slice());
+        assert_eq!(own, left);
+    }
 
     #[test]
     fn a_repeated_column_is_dropped_and_the_rest_still_solves() {

@@ -63,6 +63,9 @@ impl Normal {
     fn add_block(&mut self, problem: &Problem, start: usize, block: &Block, sums: Sums) {
         let p = self.gradient.len();
         let mask = problem.mask(start, block.len);
+        let mut moving = Vec::with_capacity(p);
+        // In memory, where the compiler keeps the eight sums of a product in one vector.
+        let mut partial = vec![[0.0; 8]; p];
         for axis in 0..3 {
             let weight = problem.axis_weights[axis];
             if weight == 0.0 {
@@ -71,19 +74,22 @@ impl Normal {
             let residual = problem.residual(axis, start, block, &mask);
             self.cost += weight * dot(&residual, &residual);
             self.weight += weight * mask.iter().sum::<f64>();
-            for k in 0..p {
-                let column = &block.columns[k][axis];
-                if column.iter().all(|v| *v == 0.0) {
-                    continue;
-                }
+            moving.clear();
+            let moves = |k: &usize| block.columns[*k][axis].iter().any(|v| *v != 0.0);
+            moving.extend((0..p).filter(moves));
+            for (rank, k) in moving.iter().enumerate() {
+                let column = &block.columns[*k][axis];
                 // The residual is zero where the mask is.
-                self.gradient[k] += weight * dot(column, &residual);
+                self.gradient[*k] += weight * dot(column, &residual);
                 if sums == Sums::Gradient {
                     continue;
                 }
                 let masked: Lanes = std::array::from_fn(|i| column[i] * mask[i]);
-                for j in 0..=k {
-                    self.gram[(k, j)] += weight * dot(&masked, &block.columns[j][axis]);
+                for (j, sums) in moving[..=rank].iter().zip(&mut partial) {
+                    *sums = eight_sums(&masked, &block.columns[*j][axis]);
+                }
+                for (j, sums) in moving[..=rank].iter().zip(&partial) {
+                    self.gram[(*k, *j)] += weight * together(sums);
                 }
             }
         }
@@ -245,11 +251,30 @@ impl Loop for Adding<'_, '_> {
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "a part of a wide loop")]
 pub fn dot(a: &Lanes, b: &Lanes) -> f64 {
+    in_memory(&eight_sums(a, b))
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a part of a wide loop")]
+fn eight_sums(a: &Lanes, b: &Lanes) -> [f64; 8] {
     let mut sums = [0.0; 8];
     for i in 0..LANES / 8 {
         for (k, sum) in sums.iter_mut().enumerate() {
             *sum += a[8 * i + k] * b[8 * i + k];
         }
     }
+    sums
+}
+
+/// Not inlined: that the sums have to lie in memory side by side is what makes the compiler keep them in
+/// one vector.
+#[inline(never)]
+fn in_memory(sums: &[f64; 8]) -> f64 {
+    together(sums)
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a part of a wide loop")]
+fn together(sums: &[f64; 8]) -> f64 {
     ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]))
 }

@@ -168,12 +168,10 @@ impl Model {
     ) {
         let placed = self.placed(inputs);
         let mut block = Block::new(&self.robot, self.coefficient_count(), differentiate);
+        block.hold(self.held_columns());
         for start in starts {
             block.load(inputs, start);
             self.flow(&placed, &mut block);
-            if differentiate {
-                block.hold(self.held_columns());
-            }
             see(start, &block);
         }
     }

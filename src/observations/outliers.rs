@@ -120,6 +120,8 @@ struct Mixture {
     scale: f64,
     share: f64,
     ln_likelihood: f64,
+    /// Logarithms of the gamma function at k/2, ν/2 and (ν + k)/2.
+    ln_gammas: [f64; 3],
 }
 
 impl Mixture {
@@ -134,6 +136,7 @@ impl Mixture {
             scale: median / middle,
             share: 0.05,
             ln_likelihood: f64::NEG_INFINITY,
+            ln_gammas: [0.5 * k, 0.5 * nu, 0.5 * (nu + k)].map(ln_gamma),
         };
         for _ in 0..40 {
             let (mut apart, mut weight, mut square, mut ln) = (0.0, 0.0, 0.0, 0.0);
@@ -163,16 +166,14 @@ impl Mixture {
     /// Both parts of the density of a length.
     fn densities(&self, d: f64) -> (f64, f64) {
         let (k, nu) = (self.k, self.nu);
+        let [of_k, of_nu, of_both] = self.ln_gammas;
         let z = (d / self.scale).max(1e-12);
         let ln = if nu > 1e5 {
-            (k - 1.0) * z.ln()
-                - 0.5 * z * z
-                - (0.5 * k - 1.0) * std::f64::consts::LN_2
-                - ln_gamma(0.5 * k)
+            (k - 1.0) * z.ln() - 0.5 * z * z - (0.5 * k - 1.0) * std::f64::consts::LN_2 - of_k
         } else {
-            std::f64::consts::LN_2 + (k - 1.0) * z.ln() + ln_gamma(0.5 * (nu + k))
-                - ln_gamma(0.5 * k)
-                - ln_gamma(0.5 * nu)
+            std::f64::consts::LN_2 + (k - 1.0) * z.ln() + of_both
+                - of_k
+                - of_nu
                 - 0.5 * k * nu.ln()
                 - 0.5 * (nu + k) * (z * z / nu).ln_1p()
         };

@@ -3,6 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::{Noise, SMALLEST_SIGMA_MM, Slow};
+use crate::fit::linear::{Basis, gram};
 use crate::fit::regression::Rows;
 
 /// Products of whitened columns along one axis.
@@ -23,7 +24,7 @@ pub(super) struct Restricted<'r> {
 impl<'r> Restricted<'r> {
     pub(super) fn new(rows: &'r Rows<'r>, residual: &DVector<f64>, columns: &DMatrix<f64>) -> Self {
         // The same span, well conditioned, whatever the noise is.
-        let basis = crate::fit::linear::Basis::new(columns).q;
+        let basis = Basis::new(columns).q;
         let p = basis.ncols();
         let mut all = basis.insert_column(p, 0.0);
         all.set_column(p, residual);
@@ -65,7 +66,7 @@ impl<'r> Restricted<'r> {
             let mut white = part.clone();
             filter.whiten(white.as_mut_slice());
             AxisSums {
-                gram: white.tr_mul(&white),
+                gram: gram(&white),
                 ln_determinant: filter.ln_determinant(),
             }
         };
