@@ -38,6 +38,7 @@ pub mod atomic;
 pub mod diagnostic;
 pub mod fonts;
 pub mod lanes;
+pub(crate) mod linear;
 pub mod progress;
 pub mod recorder;
 pub mod sincos;

@@ -9,7 +9,7 @@ use super::exchange::{Criterion, Information, choose, exchange};
 use super::imagined::{Shown, shown};
 use super::outlook::{ExpectedError, Prospect, Workspace};
 use crate::effects::JointValues;
-use crate::fit::base_model;
+use crate::fit::gauge;
 use crate::fit::problem::Problem;
 use crate::model::Model;
 
@@ -44,7 +44,7 @@ impl Arm {
         let before = self.session.samples.len();
         let mut problem = Problem::observing(&whole, JointValues::Commanded);
         problem.priors = self.priors.clone();
-        let model = model.unwrap_or_else(|| base_model::gauged(&problem, &self.base));
+        let model = model.unwrap_or_else(|| gauge::gauged(&problem, &self.base));
         let (columns, known) = self.known(&model);
         let mut shown = shown(&whole, &model, &columns);
         let information = shown.information(before, known);

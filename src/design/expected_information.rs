@@ -16,8 +16,8 @@ use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::{Fit, Regression};
 use crate::diagnosis::testable::not_testable;
 use crate::diagnosis::{DiagnoseError, Options};
-use crate::fit::linear::Basis;
 use crate::fit::noise::Noise;
+use crate::linear::Basis;
 
 /// Two effects that are more alike than this are worth a word.
 const ALIKE: f64 = 0.95;

@@ -12,7 +12,6 @@
 
 use nalgebra::DMatrix;
 
-use crate::fit::base_model::reach_mm;
 use crate::fit::expected::over_the_ranges;
 use crate::fit::problem::Problem;
 use crate::model::Model;
@@ -64,7 +63,7 @@ impl Workspace {
                 }
             }
         });
-        let reach = reach_mm(&model.robot);
+        let reach = model.robot.longest_lever_mm();
         let steps = model.columns().map(|(term, k)| {
             let kind = model.robot.joints[term.joint].kind;
             if term.effect.about().form.turns(k, kind) {

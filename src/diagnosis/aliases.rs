@@ -11,7 +11,7 @@ use crate::effects::{Setting, Term};
 use super::projected::Projected;
 use super::regression::{Fit, PRICE_OF_A_NAME, Regression, Score};
 use super::search::{by_odds, compatible};
-use crate::fit::linear::{small_cholesky, small_gain};
+use crate::linear::{small_cholesky, small_gain};
 
 /// Log-odds within which the samples cannot rule a rival out: about 20 : 1.
 pub const UNDECIDED: f64 = 3.0;

@@ -27,7 +27,7 @@ pub use crate::answers::diagnosis::FamilyP;
 use super::regression::{Fit, Regression, weight_of};
 use super::significance::Significance;
 use crate::effects::rank as rank_in_catalogue;
-use crate::fit::linear::Basis;
+use crate::linear::Basis;
 
 /// Simulations of a short session.
 const MOST: usize = 2000;

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::effects::Setting;
 
 use super::regression::{Fit, Regression};
-use crate::fit::linear::{Basis, small_cholesky, small_gain};
+use crate::linear::{Basis, small_cholesky, small_gain};
 use crate::sessions::cells::{cells, folds_of_groups};
 
 /// Which fold each sample of the rows is in.

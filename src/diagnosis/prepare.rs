@@ -11,10 +11,10 @@ use nalgebra::DMatrix;
 
 use crate::fit::gap::suspects;
 use crate::fit::gap::{Deviations, deviations};
-use crate::fit::linear::Basis;
 use crate::fit::observed;
 use crate::fit::problem::Problem;
 use crate::fit::{DEFAULT_EFFECTS, NotIdentifiable, base_model, fit_without_outliers, free_frames};
+use crate::linear::Basis;
 use crate::model::Model;
 use crate::observations::figures::judge;
 use crate::sessions::Session;
@@ -39,8 +39,6 @@ const MOST_SAMPLES: usize = 500;
 /// Twice the logarithm by which a slow part has to be likelier beside a frame that stands still
 /// elsewhere: a rival has to be possible, not proved, and the evidence of the two ends decides.
 const LEAST_MOVE: f64 = 0.0;
-/// Displacements that differ by less than this share are the same.
-const SAME: f64 = 1e-9;
 
 /// See the module.
 pub(crate) struct Prepared<'a> {
@@ -199,28 +197,12 @@ impl<'a> Prepared<'a> {
         self.slow_beside(&self.regression.base)
     }
 
-    /// The noise that is left where the names that a wandering frame imitates are taken out of a fit,
-    /// and that has a slow part: what wanders is seen where the others no longer hide it.
+    /// The noise that is left where the names that follow the time alone are taken out of a fit, and
+    /// that has a slow part: what wanders is seen where the others no longer hide it.
     pub(crate) fn slow_noise_instead(&self, fit: &Fit) -> Option<Noise> {
-        let added: Vec<&Term> = self.regression.added(fit);
-        let of_a_wander = |t: &Term| {
-            added.contains(&t) && (t.effect.about().over == Over::Time || self.stands_still(t))
-        };
-        let any = fit.model.terms().iter().any(of_a_wander);
-        any.then(|| self.slow_beside(&fit.model.without(of_a_wander)))?
-    }
-
-    /// Whether a term moves all points alike in every sample, as the mean of a wander does.
-    fn stands_still(&self, term: &Term) -> bool {
-        let rows = &self.regression.rows;
-        let alone = Model::new(self.regression.base.robot.clone(), vec![term.clone()]);
-        let (_, columns) = rows.extract(&alone);
-        let n = rows.samples.len();
-        let alike = |own: &[f64]| {
-            own.iter()
-                .all(|v| (v - own[0]).abs() <= SAME * own[0].abs())
-        };
-        n > 0 && columns.as_slice().chunks(n).all(alike)
+        let follows_time = |t: &Term| t.effect.about().over == Over::Time;
+        let any = fit.model.terms().iter().any(follows_time);
+        any.then(|| self.slow_beside(&fit.model.without(follows_time)))?
     }
 
     fn slow_beside(&self, model: &Model) -> Option<Noise> {

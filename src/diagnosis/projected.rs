@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::candidates::Candidate;
 use super::regression::Regression;
-use crate::fit::linear::{Basis, products, small_cholesky, subtract};
+use crate::linear::{Basis, products, small_cholesky, subtract};
 
 /// How much of a column has to be left beside the model for a candidate to count, squared.
 const SEEN: f64 = 1e-6;

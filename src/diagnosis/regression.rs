@@ -23,9 +23,9 @@ use super::familywise::Familywise;
 use super::memo::Memo;
 use super::projected::{Grams, Projected};
 use super::significance::Significance;
-use crate::fit::linear::{Basis, small_cholesky, small_gain};
 use crate::fit::noise::{Noise, PRICE_OF_A_VARIANCE};
 use crate::fit::regression::Rows;
+use crate::linear::{Basis, small_cholesky, small_gain};
 use crate::model::shapes::Shape;
 
 /// Every name pays for being one of the twenty of the catalogue (ln 20): a set of names is as simple

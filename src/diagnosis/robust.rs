@@ -7,9 +7,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::fit::linear::Basis;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
+use crate::linear::Basis;
 use crate::observations::figures::apart;
 use crate::observations::outliers::suspected;
 

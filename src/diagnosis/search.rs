@@ -14,7 +14,7 @@ use super::held_out::Folds;
 use super::memo::Memo;
 use super::regression::{Fit, Placed, Regression, Score};
 use super::{Cancelled, Progress, Watch};
-use crate::fit::linear::Basis;
+use crate::linear::Basis;
 use crate::model::shapes::{Profile, Shape, Variable};
 
 /// Chance that noise alone may lead to a step. Names and shapes share it, and a search takes a

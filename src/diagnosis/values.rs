@@ -8,7 +8,6 @@ use nalgebra::DMatrix;
 
 use crate::effects::Term;
 use crate::fit::gap::{Spread, deviations};
-use crate::fit::linear::Basis;
 use crate::fit::noise::Noise;
 use crate::fit::problem::Problem;
 use crate::fit::regression::Rows;
@@ -17,6 +16,7 @@ use crate::fit::{
     DEFAULT_EFFECTS, Estimate, Identification, NotIdentifiable, base_model, covariance_of,
     noise_beside, outliers, parameters_of, report,
 };
+use crate::linear::Basis;
 use crate::model::Model;
 use crate::observations::figures::whitened;
 

@@ -3,8 +3,9 @@ use std::process::Command;
 use super::*;
 use crate::compensation::UniformTable;
 use crate::effects::{Inputs, JointValues};
-use crate::fit::{identify_exact, identify_regional, regions::RegionChoice};
+use crate::fit::{identify_exact, identify_regional};
 use crate::model::{Calibration, Model};
+use crate::sessions::division::RegionChoice;
 use crate::simulation::{Scenario, load_scenario, simulate, unwatched};
 
 fn scenario(name: &str) -> Scenario {

@@ -14,7 +14,7 @@ pub use crate::answers::errors::Expected;
 use crate::effects::Inputs;
 use crate::model::Model;
 
-use super::base_model::spread;
+use super::gauge::spread;
 use super::problem::Problem;
 
 /// Poses over the joint ranges.

@@ -4,8 +4,8 @@
 pub mod base_model;
 pub mod expected;
 pub mod gap;
+pub(crate) mod gauge;
 pub mod levels;
-pub(crate) mod linear;
 pub mod noise;
 pub mod normal;
 pub mod priors;

@@ -11,7 +11,8 @@ use crate::observations::gauge::Open;
 use crate::observations::{KINDS, Layer, Looks, RowBlock, gauge, start};
 use crate::sessions::Session;
 
-use super::base_model::{frames_from, spread};
+use super::base_model::frames_from;
+use super::gauge::spread;
 use super::priors::key;
 use super::problem::Problem;
 use crate::answers::identification::NotIdentifiable;

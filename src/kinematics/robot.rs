@@ -254,6 +254,14 @@ pub struct Robot {
 }
 
 impl Robot {
+    /// How far the tool is from the farthest axis at home: what a turn of 1 rad may do, mm.
+    pub fn longest_lever_mm(&self) -> f64 {
+        let tool = self.base_from_tool.translation.vector;
+        let axes = self.joints.iter();
+        let far = axes.map(|joint| (tool - joint.axis.point_mm.coords).norm());
+        far.fold(100.0, f64::max)
+    }
+
     /// How many joints the robot has, and so how many values a pose has.
     pub fn joint_count(&self) -> usize {
         self.joints.len()

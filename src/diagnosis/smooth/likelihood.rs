@@ -20,8 +20,8 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::effects::curve::DIRECTIONS;
-use crate::fit::linear::Basis;
 use crate::fit::solver::Spectrum;
+use crate::linear::Basis;
 
 /// A name whose column has less than this in common with the curve's is orthogonal to it anyway.
 const ORTHOGONAL: f64 = 1e-9;

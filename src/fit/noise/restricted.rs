@@ -3,8 +3,8 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::{Noise, SMALLEST_SIGMA_MM, Slow};
-use crate::fit::linear::{Basis, gram};
 use crate::fit::regression::Rows;
+use crate::linear::{Basis, gram};
 
 /// Products of whitened columns along one axis.
 pub(super) struct AxisSums {
