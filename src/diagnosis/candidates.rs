@@ -9,7 +9,7 @@ use crate::fit::problem::Problem;
 use crate::fit::scan;
 use crate::model::Model;
 
-use super::ground::{Ground, ground, tangential};
+use super::shape_space::{ShapeSpace, shape_space, tangential};
 use super::shapes::{Missing, shapes};
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
@@ -93,7 +93,7 @@ pub struct Table {
     /// What cannot be tested.
     pub not_testable: Vec<NotTestable>,
     /// The geometry that shapes need, to build more of them.
-    pub ground: Ground,
+    pub space: ShapeSpace,
 }
 
 impl Table {
@@ -113,21 +113,21 @@ impl Table {
                 .cmp(&key(&b.0))
                 .then(a.0.setting.total_cmp(&b.0.setting))
         });
-        let mut ground = ground(rows, base, survey);
-        ground.tangential = tangential(rows, base, survey.joints.len());
+        let mut space = shape_space(rows, base, survey);
+        space.tangential = tangential(rows, base, survey.joints.len());
         let lacks =
             |is: fn(&Setting) -> bool| !names.iter().any(|c| is(&c.0.effect.about().setting));
         let missing = Missing {
             gear: lacks(Setting::takes_fractions),
             shift: lacks(|setting| *setting == Setting::Time),
         };
-        let shapes = shapes(&ground, survey, rows, missing);
+        let shapes = shapes(&space, survey, rows, missing);
         let of_names = names.iter().map(|(term, tried)| {
             let size = term.effect.about().form.coefficients_at_zero();
             (What::Named(term.clone()), size, *tried)
         });
         let of_shapes = shapes.into_iter().map(|shape| {
-            let size = ground.width(&shape);
+            let size = space.width(&shape);
             (What::Anonymous(shape), size, shape.tried)
         });
         let mut width = 0;
@@ -150,7 +150,7 @@ impl Table {
         for candidate in anonymous {
             if let What::Anonymous(shape) = &candidate.what {
                 raw.columns_mut(candidate.first, candidate.size)
-                    .copy_from(&ground.columns(shape));
+                    .copy_from(&space.columns(shape));
             }
         }
         let mut table = Self {
@@ -158,7 +158,7 @@ impl Table {
             raw,
             rich: Vec::new(),
             not_testable,
-            ground,
+            space,
         };
         table.rich = rich(&table, rows.count());
         table
@@ -168,7 +168,7 @@ impl Table {
 impl Table {
     /// The columns of the rich fit on other rows.
     pub(crate) fn rich_on(&self, rows: &Rows, base: &Model) -> DMatrix<f64> {
-        let ground = self.ground.on(rows, base);
+        let space = self.space.on(rows, base);
         let mut all = DMatrix::zeros(rows.len(), 0);
         let mut push = |own: &DMatrix<f64>, keep: &[usize]| {
             for k in keep {
@@ -199,7 +199,7 @@ impl Table {
                     let size = candidate.size;
                     push(&columns.columns(first, size).into_owned(), &keep);
                 }
-                What::Anonymous(shape) => push(&ground.columns(shape), &keep),
+                What::Anonymous(shape) => push(&space.columns(shape), &keep),
             }
         }
         all
@@ -306,7 +306,7 @@ fn rich(table: &Table, rows: usize) -> Vec<usize> {
             }
             What::Anonymous(shape) => match (shape.profile, shape.direction) {
                 (Profile::Bump { width, .. }, Direction::Tangential(j)) => {
-                    let (low, high) = table.ground.range(Variable::Joint(j));
+                    let (low, high) = table.space.range(Variable::Joint(j));
                     let fine = (0.03..0.06).contains(&(width / (high - low)));
                     if shape.variable == Variable::Joint(j) && fine {
                         tiers[1].extend(own);

@@ -35,10 +35,10 @@ pub(crate) mod conclude;
 mod final_set;
 mod floor;
 mod free_curve;
-pub(crate) mod ground;
 mod held_out;
 mod incomplete;
 pub(crate) mod regression;
+pub(crate) mod shape_space;
 
 pub(crate) mod prepare;
 pub(crate) mod projected;

@@ -144,7 +144,7 @@ impl<'a> Prepared<'a> {
                 now.set_counted(now.counted().to_vec());
             }
         } else {
-            let columns = self.table().ground.on_all(&self.problem, &found.fit.shapes);
+            let columns = self.table().space.on_all(&self.problem, &found.fit.shapes);
             let left = deviations_beside(&self.problem, &columns, &found.fit);
             let suspected = suspects(&self.problem, &left);
             let kept = self.problem.fit.iter().zip(suspected);

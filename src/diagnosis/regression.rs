@@ -484,7 +484,7 @@ impl<'a> Regression<'a> {
 
     /// A shape ready to be fitted.
     pub(crate) fn placed(&self, shape: Shape) -> Placed {
-        let raw = self.table.ground.columns(&shape);
+        let raw = self.table.space.columns(&shape);
         let white = lengthened(self.noise.whitened(&self.rows, &raw), self.beside);
         Placed {
             coefficients: DVector::zeros(raw.ncols()),

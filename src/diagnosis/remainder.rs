@@ -42,7 +42,7 @@ pub(crate) fn unexplained(prepared: &Prepared, end: &SearchEnd, session: &Sessio
     let n = regression.rows.samples.len() as f64;
     let (main, main_gain) = order[0];
     let shape = fit.shapes[main].shape;
-    let range = regression.table.ground.range(shape.variable);
+    let range = regression.table.space.range(shape.variable);
     let rest = regression.without_shape(fit, main);
     let freedom = (regression.m() - fit.basis.rank() as f64).max(1.0);
     let k = fit.shapes[main].white.ncols();
@@ -107,7 +107,7 @@ pub(crate) fn without_shapes(prepared: &Prepared, fit: &Fit) -> Unexplained {
         p: regression.family_p(largest, fit).p,
         rms_mm: 0.0,
         place: likeliest
-            .map(|(_, shape)| shape.place(regression.table.ground.range(shape.variable), slides)),
+            .map(|(_, shape)| shape.place(regression.table.space.range(shape.variable), slides)),
         resembles: Vec::new(),
         says: likeliest.map_or_else(String::new, |(_, shape)| {
             format!("what is left looks most like {}", shape.says())

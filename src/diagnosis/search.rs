@@ -325,7 +325,7 @@ impl Search<'_, '_> {
             let placed = self.regression.placed(*shape);
             gain_of(&placed, fit)
         };
-        let range = self.regression.table.ground.range(start.variable);
+        let range = self.regression.table.space.range(start.variable);
         let span = range.1 - range.0;
         let mut best = (start, gain(&start));
         let mut step = match start.profile {

@@ -3,7 +3,7 @@
 
 use crate::effects::Survey;
 
-use super::ground::Ground;
+use super::shape_space::ShapeSpace;
 use crate::fit::regression::Rows;
 use crate::model::shapes::{Direction, Profile, Shape, Variable};
 
@@ -19,7 +19,7 @@ pub(crate) struct Missing {
 }
 
 pub(crate) fn shapes(
-    ground: &Ground,
+    space: &ShapeSpace,
     survey: &Survey,
     rows: &Rows,
     missing: Missing,
@@ -30,27 +30,27 @@ pub(crate) fn shapes(
     }
     for joint in 0..survey.joints.len() {
         if survey.joints[joint].values >= 6 {
-            over_angle(ground, joint, missing.gear, &mut all);
+            over_angle(space, joint, missing.gear, &mut all);
         }
     }
-    if ground.values(Variable::Time).is_some() {
-        over_time(ground, missing.shift, &mut all);
+    if space.values(Variable::Time).is_some() {
+        over_time(space, missing.shift, &mut all);
     }
-    over_conditions(ground, survey, &mut all);
+    over_conditions(space, survey, &mut all);
     all
 }
 
-fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) {
+fn over_angle(space: &ShapeSpace, joint: usize, waves: bool, all: &mut Vec<Shape>) {
     let variable = Variable::Joint(joint);
-    let (low, high) = ground.range(variable);
+    let (low, high) = space.range(variable);
     let span = high - low;
     let tangential = Direction::Tangential(joint);
     for width in [0.022, 0.045, 0.09] {
-        bumps(ground, variable, tangential, width * span, 1.0, all);
+        bumps(space, variable, tangential, width * span, 1.0, all);
     }
-    plateaus(ground, variable, tangential, 20, true, all);
-    kinks(ground, variable, tangential, 16, all);
-    let values = ground.values(variable).map_or(0, <[f64]>::len) as f64;
+    plateaus(space, variable, tangential, 20, true, all);
+    kinks(space, variable, tangential, 16, all);
+    let values = space.values(variable).map_or(0, <[f64]>::len) as f64;
     let turn = std::f64::consts::TAU;
     // Half a cycle over the range is as fine as the data can tell cycles apart.
     let step = 0.5 * turn / span;
@@ -98,8 +98,8 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
     ];
     for direction in directions {
         let missing = match direction {
-            Direction::Radial => ground.radial.is_none(),
-            Direction::Axial => ground.axial.is_none(),
+            Direction::Radial => space.radial.is_none(),
+            Direction::Axial => space.axial.is_none(),
             _ => false,
         };
         if missing {
@@ -112,8 +112,8 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
         smooth.extend((1..=6).map(|k| (direction, periodic(f64::from(k)))));
         if direction != tangential {
             smooth.push((direction, Profile::Ramp));
-            bumps(ground, variable, direction, 0.06 * span, 1.0, all);
-            plateaus(ground, variable, direction, 8, false, all);
+            bumps(space, variable, direction, 0.06 * span, 1.0, all);
+            plateaus(space, variable, direction, 8, false, all);
         }
     }
     let tried = smooth.len() as f64;
@@ -125,15 +125,15 @@ fn over_angle(ground: &Ground, joint: usize, waves: bool, all: &mut Vec<Shape>) 
     }));
 }
 
-fn over_time(ground: &Ground, shifts: bool, all: &mut Vec<Shape>) {
-    let (low, high) = ground.range(Variable::Time);
+fn over_time(space: &ShapeSpace, shifts: bool, all: &mut Vec<Shape>) {
+    let (low, high) = space.range(Variable::Time);
     let span = high - low;
     if span <= 0.0 {
         return;
     }
     for width in [0.04, 0.1] {
         bumps(
-            ground,
+            space,
             Variable::Time,
             Direction::Frame,
             width * span,
@@ -142,16 +142,16 @@ fn over_time(ground: &Ground, shifts: bool, all: &mut Vec<Shape>) {
         );
     }
     if shifts {
-        plateaus(ground, Variable::Time, Direction::Frame, 24, false, all);
+        plateaus(space, Variable::Time, Direction::Frame, 24, false, all);
     }
-    for joint in 0..ground.tangential.len() {
+    for joint in 0..space.tangential.len() {
         let direction = Direction::Tangential(joint);
-        bumps(ground, Variable::Time, direction, 0.06 * span, 1.0, all);
-        plateaus(ground, Variable::Time, direction, 16, false, all);
+        bumps(space, Variable::Time, direction, 0.06 * span, 1.0, all);
+        plateaus(space, Variable::Time, direction, 16, false, all);
     }
 }
 
-fn over_conditions(ground: &Ground, survey: &Survey, all: &mut Vec<Shape>) {
+fn over_conditions(space: &ShapeSpace, survey: &Survey, all: &mut Vec<Shape>) {
     let mut own = Vec::new();
     let mut push = |variable, direction, profile| {
         own.push(Shape {
@@ -162,11 +162,11 @@ fn over_conditions(ground: &Ground, survey: &Survey, all: &mut Vec<Shape>) {
         });
     };
     push(Variable::Joint(0), Direction::Frame, Profile::Constant);
-    if ground.axial.is_some() {
+    if space.axial.is_some() {
         push(Variable::Joint(0), Direction::Body, Profile::Constant);
     }
-    for (variable, values) in &ground.variables {
-        let (low, high) = ground.range(*variable);
+    for (variable, values) in &space.variables {
+        let (low, high) = space.range(*variable);
         if low >= high || matches!(variable, Variable::Joint(_)) {
             continue;
         }
@@ -189,10 +189,10 @@ fn over_conditions(ground: &Ground, survey: &Survey, all: &mut Vec<Shape>) {
                 push(*variable, Direction::Tangential(joint), Profile::Absolute);
             }
         }
-        if ground.radial.is_some() {
+        if space.radial.is_some() {
             push(*variable, Direction::Radial, Profile::Ramp);
         }
-        if ground.axial.is_some() {
+        if space.axial.is_some() {
             push(*variable, Direction::Axial, Profile::Ramp);
         }
         push(*variable, Direction::Frame, Profile::Ramp);
@@ -202,17 +202,17 @@ fn over_conditions(ground: &Ground, survey: &Survey, all: &mut Vec<Shape>) {
 }
 
 fn bumps(
-    ground: &Ground,
+    space: &ShapeSpace,
     variable: Variable,
     direction: Direction,
     width: f64,
     spacing: f64,
     all: &mut Vec<Shape>,
 ) {
-    let Some(values) = ground.values(variable) else {
+    let Some(values) = space.values(variable) else {
         return;
     };
-    let (low, high) = ground.range(variable);
+    let (low, high) = space.range(variable);
     let count = ((high - low) / (spacing * width)).round().max(1.0) as usize;
     let centre = |k: usize| low + (high - low) * (k as f64 + 0.5) / count as f64;
     let enough = |centre: f64| {
@@ -236,13 +236,13 @@ fn bumps(
 
 /// Slopes from up to `count` edges on, upwards and downwards.
 fn kinks(
-    ground: &Ground,
+    space: &ShapeSpace,
     variable: Variable,
     direction: Direction,
     count: usize,
     all: &mut Vec<Shape>,
 ) {
-    let Some(values) = ground.values(variable) else {
+    let Some(values) = space.values(variable) else {
         return;
     };
     let edges = edges(values, count);
@@ -259,14 +259,14 @@ fn kinks(
 
 /// Steps at up to `count` edges between values, and plateaus between pairs of them.
 fn plateaus(
-    ground: &Ground,
+    space: &ShapeSpace,
     variable: Variable,
     direction: Direction,
     count: usize,
     pairs: bool,
     all: &mut Vec<Shape>,
 ) {
-    let Some(values) = ground.values(variable) else {
+    let Some(values) = space.values(variable) else {
         return;
     };
     let edges = edges(values, count);

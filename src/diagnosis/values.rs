@@ -54,7 +54,7 @@ impl<'a> Values<'a> {
             problem.beside = prepared
                 .regression
                 .table
-                .ground
+                .space
                 .on_all(&problem, &fit.shapes);
         }
         let of_kinds = problem.observed.is_some();

@@ -7,7 +7,7 @@ use crate::gui::core::edit::Edit;
 use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
-use crate::gui::style::room::Room;
+use crate::gui::style::layout::Room;
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{Plane, Sheet, Step, What};
 use crate::gui::workbench::{Command, Workbench};

@@ -9,13 +9,13 @@ use egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, ViewportCommand};
 
 use crate::fonts::Library;
 
-use super::keeping::watcher;
+use super::file_state::watcher;
 use super::preferences::Preferences;
 use super::units::write_numbers;
 use super::view::{Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::jobs::{Jobs, Runner};
-use crate::gui::style::letters::Alphabet;
+use crate::gui::style::font_fallback::Alphabet;
 use crate::gui::style::tokens::{self, Palette, space};
 use crate::gui::view::{About, Plot, What};
 use crate::gui::views;

@@ -26,11 +26,11 @@ mod app;
 mod cache;
 mod core;
 mod dialogs;
+mod file_state;
 mod files;
-mod foreign;
 mod help;
+mod import_draft;
 mod jobs;
-mod keeping;
 mod layers;
 mod plots;
 mod preferences;
@@ -92,7 +92,7 @@ pub fn run(path: Option<PathBuf>) -> anyhow::Result<()> {
         Box::new(move |cc| {
             let app = App::new(&cc.egui_ctx, path, Runner::Threads);
             let app = app.drawn_by(cc.wgpu_render_state.as_ref());
-            Ok(Box::new(app.at_home(keeping::home())))
+            Ok(Box::new(app.at_home(file_state::home())))
         }),
     )
     .map_err(|error| {

@@ -1,5 +1,5 @@
 //! What the user wants to see: units, digits, light or dark, size of text. Kept from one day to the
-//! next by `keeping::settings`.
+//! next by `file_state::settings`.
 
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::simulation::unwatched;
 
+use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::core::simulate::{Chosen, Form};
-use crate::gui::core::subject::{Origin, Subject};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::views::pictures::drawing;
 use crate::gui::workbench::Workbench;

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use nalgebra::{Point3, Quaternion, UnitQuaternion};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::importers::beside::points_of;
 use crate::importers::columns::{Column, Columns};
+use crate::importers::companion_file::points_of;
 use crate::importers::formats::csv;
 use crate::importers::matching::{self, Matching, listed};
 use crate::importers::reference::{Alignment, Landmark, align};

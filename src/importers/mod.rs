@@ -14,12 +14,11 @@
 mod assembled;
 mod averages;
 mod base;
-mod beside;
-mod case;
 mod clock;
 mod clock_text;
 mod columns;
 mod commanded;
+mod companion_file;
 mod decimals;
 mod distances;
 mod formats;
@@ -28,6 +27,7 @@ mod headings;
 mod join;
 mod matching;
 mod path;
+mod reader;
 mod reference;
 mod rows;
 mod session;
@@ -50,9 +50,9 @@ pub use settings::{About, ColumnGuess, Inspection, Known, Question, Reading};
 pub use text::Encoding;
 pub use units::{AngleUnit, LengthUnit};
 
-use case::Case;
 use columns::Columns;
 use formats::{KnownBy, Suits, Trial};
+use reader::Case;
 
 use std::borrow::Cow;
 use std::ops::ControlFlow;

@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 
-use crate::importers::case::extent;
 use crate::importers::columns::Columns;
+use crate::importers::reader::extent;
 use crate::kinematics::Robot;
 use crate::sessions::columns::Quantity;
 

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::importers::beside::file_in_words;
 use crate::importers::clock::ClockOffset;
+use crate::importers::companion_file::file_in_words;
 use crate::importers::join::Motion;
 use crate::importers::matching::Matching;
 use crate::importers::reference::Alignment;

@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
 use crate::sessions::Samples;
 
 /// Measured point, deviation before, and load, temperature and time from 0 to 1, below 0 where

@@ -7,7 +7,7 @@ use crate::standards::axis::AxisTest;
 use crate::standards::pose::{Largest, PoseTest};
 use crate::standards::{Positioning, at_least, standards};
 
-use super::outcome::Outcome;
+use super::identified::Outcome;
 use crate::gui::units::{plain_number, significant};
 
 #[derive(Debug, Clone)]

@@ -16,7 +16,7 @@
 //! nominal robot's extent: a sample that was measured far away cannot stretch the map.
 
 use crate::gui::core::answer::Answer;
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::view::Plane;
 
 /// Cells along the longer side of what the robot reached.

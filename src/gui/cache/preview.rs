@@ -8,7 +8,7 @@ use crate::export::sidecar::measured_poses;
 use crate::export::{Document, Export, Job, find, gap_after_export};
 use crate::fit::gap::Spread;
 
-use super::outcome::Outcome;
+use super::identified::Outcome;
 use crate::gui::core::document::ExportChoice;
 
 /// What is to be exported.

@@ -11,9 +11,9 @@ use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
 use super::division::Division;
-use super::given::Given;
+use super::loaded_model::Given;
+use super::loaded_session::Subject;
 use super::search::{self, Search};
-use super::subject::Subject;
 
 /// How the robot is identified.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -15,7 +15,7 @@ use crate::sessions::regions::Assignment;
 
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{Asks, Found, Question};
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::jobs::Watch;
 
 use super::loaded;

@@ -10,8 +10,8 @@ use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 
 use super::answer::{Answer, Loaded};
-use super::given::Given;
-use super::subject::Subject;
+use super::loaded_model::Given;
+use super::loaded_session::Subject;
 
 /// The factor from a standard error to half of a 95 % interval: a model keeps its covariance and
 /// not the number of samples behind it.

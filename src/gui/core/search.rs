@@ -7,7 +7,7 @@ use crate::diagnosis::{DiagnoseError, Diagnosis, Found, Options, Progress};
 use crate::effects::Term;
 use crate::pipeline::diagnose;
 
-use super::subject::Subject;
+use super::loaded_session::Subject;
 use crate::gui::jobs::Watch;
 
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::gui::foreign::Beside;
+use crate::gui::import_draft::Beside;
 use crate::gui::view::What;
 
 /// Asks the user for a session file.

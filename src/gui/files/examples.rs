@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::gui::core::examples::EXAMPLES;
-use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::view::Message;
 use crate::progress::{Progress, ReadError, unwatched};
 use crate::sessions;

@@ -11,10 +11,10 @@ use crate::sessions::{self, Loaded};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::Print;
-use crate::gui::core::given::Given;
+use crate::gui::core::loaded_model::Given;
+use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::core::simulate::Form;
-use crate::gui::core::subject::{Origin, Subject};
-use crate::gui::foreign::Foreign;
+use crate::gui::import_draft::Foreign;
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
 

@@ -9,7 +9,7 @@ use crate::pipeline::diagnose;
 use crate::report::exported::sidecar_of;
 use crate::report::{self, ExportedTable, Extras};
 
-use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::identified::Outcome;
 use crate::gui::core::document::Document;
 use crate::gui::core::search::{self, Search};
 use crate::gui::files;

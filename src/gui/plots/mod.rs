@@ -3,11 +3,11 @@
 //! tested without pixels) and paint (egui)
 
 mod axes;
+pub(crate) mod chart_spec;
 mod drawing;
 pub(crate) mod gestures;
+pub(crate) mod legend;
 pub(crate) mod marks;
-pub(crate) mod sketch;
-pub(crate) mod strip;
 
 pub(crate) use axes::{axis, named_axis, steps};
 pub(crate) use drawing::Drawing;

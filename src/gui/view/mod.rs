@@ -13,10 +13,10 @@ pub(crate) use sheet::{Sheet, Then};
 
 use std::path::PathBuf;
 
+use crate::gui::core::boundary_entry::Typed;
 use crate::gui::core::disk::Fate;
-use crate::gui::core::placing::Typed;
+use crate::gui::core::loaded_session::Component;
 use crate::gui::core::setup::SetupForm;
-use crate::gui::core::subject::Component;
 use crate::gui::preferences::Preferences;
 
 /// The steps of the work, in order.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::gui::core::simulate::Form;
-use crate::gui::foreign::Foreign;
+use crate::gui::import_draft::Foreign;
 use crate::gui::view::What;
 
 /// A sheet over the window.

@@ -187,7 +187,7 @@ pub(crate) fn preview(ui: &mut Ui, workbench: &Workbench) {
     match workbench.export() {
         Some(Ok(made)) => made_preview(ui, workbench, made),
         Some(Err(because)) => widgets::hint(ui, because),
-        None if workbench.answer().is_none() => super::known::show(ui, workbench),
+        None if workbench.answer().is_none() => super::coverage::show(ui, workbench),
         None => widgets::hint(ui, "The table is being prepared"),
     }
     super::standards::show(ui, workbench);

@@ -2,13 +2,13 @@
 
 pub(super) mod charts;
 mod copies;
+mod coverage;
 mod disk;
 pub(super) mod dropped;
 mod export;
 mod findings;
 mod gap;
 mod identify;
-mod known;
 pub(super) mod menu;
 mod model;
 mod names;

@@ -4,10 +4,10 @@
 use std::sync::Arc;
 
 use crate::compensation::verify;
-use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::identified::Outcome;
 use crate::gui::core::document::Document;
-use crate::gui::core::subject::Component;
-use crate::gui::plots::sketch::Sketch;
+use crate::gui::core::loaded_session::Component;
+use crate::gui::plots::chart_spec::Sketch;
 use crate::gui::view::{Chart, Plot};
 use crate::gui::workbench::{Draw, Workbench};
 use crate::gui::workspace::polar_sheet;

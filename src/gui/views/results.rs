@@ -7,7 +7,7 @@ use crate::fit::noise::StatedNoise;
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
-use crate::gui::style::room::Room;
+use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{Units, grouped, number_of, trimmed};
 use crate::gui::view::{Side, Step};
@@ -66,7 +66,7 @@ pub(crate) fn samples(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Com
 fn summary(ui: &mut Ui, workbench: &Workbench) {
     ui.spacing_mut().item_spacing.y = space::ROW;
     match workbench.outcome().map(|o| &o.answer) {
-        None => super::known::show(ui, workbench),
+        None => super::coverage::show(ui, workbench),
         Some(Err(because)) => widgets::card(ui, |ui| {
             let color = Palette::of(ui).outside;
             let title = RichText::new("This could not be identified");

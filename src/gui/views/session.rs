@@ -4,8 +4,8 @@ use egui::{DragValue, RichText, TextEdit, Ui};
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::gui::core::edit::Edit;
+use crate::gui::core::loaded_session::Origin;
 use crate::gui::core::simulate::Form;
-use crate::gui::core::subject::Origin;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{grouped, number_of};
 use crate::gui::view::{Sheet, Step};

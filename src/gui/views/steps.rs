@@ -2,7 +2,7 @@
 
 use egui::{Panel, Ui, UiBuilder};
 
-use crate::gui::style::room::Room;
+use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::space;
 use crate::gui::widgets::{self, StepRow};
 use crate::gui::workbench::{Command, Workbench};

@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
-use crate::gui::cache::backdrop::{Backdrop, Scenery};
 use crate::gui::cache::heat::Heat;
+use crate::gui::cache::identified::{After, Outcome};
 use crate::gui::cache::nearest::Nearest;
-use crate::gui::cache::outcome::{After, Outcome};
+use crate::gui::cache::plot_cache::{Backdrop, Scenery};
 use crate::gui::cache::preview::{Made, Wanted};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::given::Given;
+use crate::gui::core::loaded_model::Given;
 use crate::gui::core::search::term_of;
 use crate::gui::view::{Canvas, Step};
 

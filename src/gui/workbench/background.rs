@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::gui::cache::backdrop::{Backdrop, Scenery};
-use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::identified::Outcome;
+use crate::gui::cache::plot_cache::{Backdrop, Scenery};
 use crate::gui::cache::preview::{Preview, Wanted};
 use crate::gui::core::document::Question;
 use crate::gui::core::edit::Edit;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::search::Search;
-use crate::gui::core::subject::Subject;
 use crate::gui::files::{self, Opened};
 use crate::gui::jobs::{Jobs, Kind, Running};
 use crate::gui::units::number_of;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::gui::cache::backdrop::Backdrop;
 use crate::gui::cache::charts::envelope::Envelope;
 use crate::gui::cache::charts::over::{Over, Variable};
 use crate::gui::cache::charts::{Asked, Charted, effect};
+use crate::gui::cache::plot_cache::Backdrop;
 use crate::gui::core::search::terms;
 use crate::gui::view::{Chart, Step};
 
@@ -157,7 +157,7 @@ impl Workbench {
 mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
-    use crate::gui::core::subject::Component;
+    use crate::gui::core::loaded_session::Component;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
 

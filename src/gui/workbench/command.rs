@@ -3,12 +3,12 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+use crate::gui::core::boundary_entry::End;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::placing::End;
+use crate::gui::core::loaded_session::Component;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
-use crate::gui::core::subject::Component;
-use crate::gui::foreign::{Beside, Said};
+use crate::gui::import_draft::{Beside, Said};
 use crate::gui::preferences::Preferences;
 use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
 

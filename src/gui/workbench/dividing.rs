@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use crate::gui::core::boundary_entry::{End, Typed};
 use crate::gui::core::division::{Decision, adapt};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::placing::{End, Typed};
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::jobs::Kind;
 use crate::sessions::Region;
 

@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use crate::diagnostic::Rejected;
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::identified::Outcome;
 use crate::gui::core::document::{Document, Question};
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
+use crate::gui::file_state::watcher::Order;
 use crate::gui::jobs::Watch;
-use crate::gui::keeping::watcher::Order;
 use crate::gui::view::Message;
 use crate::sessions::{Growing, Growth, Samples};
 

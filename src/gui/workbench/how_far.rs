@@ -11,7 +11,7 @@ use egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, Shape
 
 use super::under_way::{gate, idle, on_threads, until};
 use super::{Command, Workbench};
-use crate::gui::foreign::Foreign;
+use crate::gui::import_draft::Foreign;
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::testing::workbench;
 use crate::gui::view::{Sheet, Then};

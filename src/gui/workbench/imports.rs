@@ -7,7 +7,7 @@ use super::{Command, Workbench};
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::edit::Edit;
 use crate::gui::files;
-use crate::gui::foreign::{Beside, Foreign, Look, Said};
+use crate::gui::import_draft::{Beside, Foreign, Look, Said};
 use crate::gui::jobs::{Kind, Running, Watch};
 use crate::gui::view::Sheet;
 

@@ -4,10 +4,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::gui::core::document::Document;
-use crate::gui::core::subject::Origin;
+use crate::gui::core::loaded_session::Origin;
+use crate::gui::file_state::settings::Recent;
 use crate::gui::files::{self, NotSaved, Opened, Replace, Saved};
 use crate::gui::jobs::{Kind, Running, Watch};
-use crate::gui::keeping::settings::Recent;
 use crate::gui::view::{Message, Sheet, Then, What};
 
 use super::state::Place;

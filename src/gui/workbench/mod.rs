@@ -7,17 +7,17 @@ mod answers;
 mod background;
 mod charts;
 mod command;
-mod desk;
 mod dividing;
 mod exports;
 mod follow;
+mod font_fallback;
 #[cfg(test)]
 mod how_far;
 mod imports;
 mod leaving;
-mod letters;
 mod papers;
 mod recovering;
+mod recovery_writer;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -33,20 +33,20 @@ pub(crate) use command::Command;
 
 use state::{Asked, Desk};
 
-use crate::gui::cache::backdrop::Backdrop;
 use crate::gui::cache::figures::Figures;
-use crate::gui::cache::outcome::Outcome;
+use crate::gui::cache::identified::Outcome;
+use crate::gui::cache::plot_cache::Backdrop;
 use crate::gui::cache::preview::Preview;
 use crate::gui::core::document::{Document, ExportChoice, Question};
 use crate::gui::core::edit::Edit;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::search::Search;
-use crate::gui::core::subject::Subject;
 use crate::gui::core::undo::History;
+use crate::gui::file_state::settings::Recent;
+use crate::gui::file_state::watcher::Watcher;
 use crate::gui::files::Replace;
 use crate::gui::jobs::{Jobs, Kind};
-use crate::gui::keeping::settings::Recent;
-use crate::gui::keeping::watcher::Watcher;
-use crate::gui::style::letters::Letters;
+use crate::gui::style::font_fallback::Letters;
 use crate::gui::units::Units;
 use crate::gui::view::{Aspect, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState};
 use crate::report::drawing::Drawing;

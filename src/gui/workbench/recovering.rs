@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::gui::core::edit::Edit;
-use crate::gui::core::subject::{Origin, Subject};
-use crate::gui::keeping::recovery::{self, Kept, LeftBehind};
+use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::file_state::recovery::{self, Kept, LeftBehind};
 use crate::gui::view::{Message, Sheet};
 
 use super::{Command, Workbench};

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::gui::cache::backdrop::Scenery;
+use crate::gui::cache::plot_cache::Scenery;
 use crate::gui::cache::preview::Wanted;
 use crate::gui::core::disk::Print;
 use crate::gui::core::document::{Document, Question};
+use crate::gui::file_state::recovery::{Keeper, LeftBehind};
 use crate::gui::jobs::Latest;
-use crate::gui::keeping::recovery::{Keeper, LeftBehind};
 use crate::gui::view::Then;
 
 /// Where an opening stands on the disk.

@@ -1,6 +1,6 @@
 //! What is said about a sample: all of it, or what matters most.
 
-use crate::gui::core::subject::Component;
+use crate::gui::core::loaded_session::Component;
 use crate::gui::units::trimmed;
 use crate::gui::workbench::Workbench;
 

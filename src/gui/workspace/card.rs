@@ -12,7 +12,7 @@ use crate::gui::style::tokens::{DARK, LIGHT, size, strong};
 use crate::gui::workbench::Workbench;
 
 use super::about::{Line, about, brief};
-use super::room;
+use super::free_space;
 
 /// From the pointer to the card, points: a mark under the pointer is at most 14 away, and its ring
 /// has a radius of 9.
@@ -64,7 +64,7 @@ pub(super) fn show(
     let (places, wide, high) = places(&sizes, least);
     let all = vec2(wide, top + high) + 2.0 * MARGIN;
     let window = ctx.content_rect().shrink(4.0);
-    let card = room::card(pointer, all, GAP, frame, window);
+    let card = free_space::card(pointer, all, GAP, frame, window);
     let says = spoken(&title, &lines);
     let area = Area::new(Id::unique("sample card"))
         .order(Order::Tooltip)

@@ -10,15 +10,15 @@ use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::tally::Held;
+use crate::gui::core::region_sums::Held;
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{Units, number_of, trimmed};
 use crate::gui::workbench::{Command, Workbench};
 use crate::units::{deg_from_rad, rad_from_deg};
 
+use super::free_space;
 use super::layout::HANDLE;
 use super::model::Dial;
-use super::room;
 
 /// Size of a handle, points: large enough for a finger.
 const SIZE: f32 = 22.0;
@@ -184,10 +184,10 @@ fn follows(
     let wide = lines.iter().map(|l| l.size().x).fold(0.0, f32::max);
     let high: f32 = lines.iter().map(|l| l.size().y).sum();
     let size = Vec2::new(wide + 14.0, high + 8.0);
-    let places = room::around(handle, size, 22.0);
+    let places = free_space::around(handle, size, 22.0);
     // The angle itself stands above the handle.
     let chip = [handle - Vec2::new(0.0, 30.0)];
-    let Some(place) = room::freest(&places, frame, &[&chip]) else {
+    let Some(place) = free_space::freest(&places, frame, &[&chip]) else {
         return;
     };
     let painter = ui.painter();

@@ -3,9 +3,10 @@
 
 mod about;
 mod card;
-mod crowd;
 mod drawn;
+mod free_space;
 mod handles;
+mod label_layout;
 mod layers;
 mod layout;
 mod legend;
@@ -14,7 +15,6 @@ mod paint;
 mod pointer;
 mod polar;
 mod robot;
-mod room;
 mod scales;
 mod toolbar;
 

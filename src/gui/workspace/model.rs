@@ -1,9 +1,9 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane.
 
 use crate::gui::cache::cloud::Cloud;
-use crate::gui::cache::thinning::MOST;
+use crate::gui::cache::decimation::MOST;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::long_mm;
-use crate::gui::core::subject::Subject;
 use crate::gui::layers::Look;
 use crate::gui::view::{Canvas, Colouring, Plane, ViewState};
 use crate::gui::workbench::Workbench;

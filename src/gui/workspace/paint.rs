@@ -13,7 +13,7 @@ use super::model::Scene;
 use super::pointer::{hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
-use super::{crowd, handles, layers, layout, legend};
+use super::{handles, label_layout, layers, layout, legend};
 
 /// A sample is under the pointer within this many points.
 const REACH: f32 = 14.0;
@@ -129,7 +129,7 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if let Some(robot) = &robot {
         // Nobody asks where the crowd is while nothing is written.
         let crowd = if view.selected.is_some() && view.hovered.is_none() {
-            crowd::crowd(workbench, &scene, &transform)
+            label_layout::crowd(workbench, &scene, &transform)
         } else {
             Vec::new()
         };

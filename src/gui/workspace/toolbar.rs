@@ -2,7 +2,7 @@
 
 use egui::{Align, ComboBox, Layout, Popup, PopupCloseBehavior, RichText, Slider, Ui, vec2};
 
-use crate::gui::core::subject::Component;
+use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::units::{significant, trimmed};

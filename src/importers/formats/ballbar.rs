@@ -5,7 +5,7 @@
 //! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
 //! distances, the session declares: [`crate::importers::distances`].
 
-use crate::importers::case::{Case, fixed};
+use crate::importers::reader::{Case, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};

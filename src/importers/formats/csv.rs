@@ -1,6 +1,6 @@
 //! Any table: what its columns are is said by its header, or by the person.
 
-use crate::importers::case::Case;
+use crate::importers::reader::Case;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::headings::{Role, understand};

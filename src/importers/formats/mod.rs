@@ -6,8 +6,8 @@
 
 use std::fmt;
 
-use crate::importers::case::Case;
 use crate::importers::columns::Columns;
+use crate::importers::reader::Case;
 
 /// Makes the modules and the list of the names given, so that a format is registered in one line.
 macro_rules! register {

@@ -6,7 +6,7 @@
 //! occlusion; y points upwards unless the export was told otherwise.
 
 use crate::diagnostic::Diagnostic;
-use crate::importers::case::{Case, fixed, number};
+use crate::importers::reader::{Case, fixed, number};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::Decimal;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};

@@ -1,7 +1,7 @@
 //! A trajectory in the format of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw`, in
 //! seconds and metres, comments behind `#`. The quaternion's real part comes last.
 
-use crate::importers::case::{Case, fixed};
+use crate::importers::reader::{Case, fixed};
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
 use crate::importers::headings::Role;

@@ -15,9 +15,9 @@ use std::sync::Arc;
 use crate::diagnosis::Diagnosis;
 use crate::effects::{Inputs, JointValues, Over as Follows, Term};
 use crate::gui::cache::charts::over::{Over, Variable};
+use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::stride;
 use crate::gui::core::search::{Search, terms};
-use crate::gui::core::subject::{Component, Subject};
 use crate::model::{Model, Positions};
 
 /// Samples that are looked at to find out which component an effect has.

@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex};
 
 use crate::gui::cache::charts::over::Over;
 use crate::gui::core::answer::Answer;
-use crate::gui::core::subject::{Component, Subject};
+use crate::gui::core::loaded_session::{Component, Subject};
 
 /// How many of one level make one of the next.
 const FAN: usize = 16;

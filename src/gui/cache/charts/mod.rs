@@ -9,8 +9,8 @@ pub(crate) mod over;
 mod sums;
 
 use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::FEW;
-use crate::gui::core::subject::{Component, Subject};
 
 use crate::gui::cache::charts::effect::EffectCurve;
 use crate::gui::cache::charts::envelope::Envelope;

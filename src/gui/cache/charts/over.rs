@@ -1,7 +1,7 @@
 //! What a chart of samples stands over: the value of a joint, time, load, temperature; for an
 //! effect also the joint's speed and its travel since the last reversal.
 
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::units::{AngleUnit, Units, trimmed};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

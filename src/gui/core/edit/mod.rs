@@ -9,12 +9,12 @@ use crate::diagnosis::Mend;
 use crate::effects::Term;
 use crate::sessions::Region;
 
+use super::boundary_entry::Joint;
 use super::division::Decision;
 use super::document::{Choices, ExportChoice, Method};
-use super::given::Given;
-use super::placing::Joint;
+use super::loaded_model::Given;
+use super::loaded_session::Subject;
 use super::setup::SetupForm;
-use super::subject::Subject;
 
 #[derive(Debug, Clone)]
 pub(crate) enum Edit {

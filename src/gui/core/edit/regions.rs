@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::gui::core::division::Division;
 use crate::gui::core::document::{Document, Method};
-use crate::gui::core::{boundaries, placing};
+use crate::gui::core::{boundaries, boundary_entry};
 use crate::gui::units::Units;
 use crate::sessions::Region;
 use crate::sessions::division::RegionChoice;
@@ -59,7 +59,7 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
             "the boundary cannot be moved there",
         ),
         Edit::PlaceBoundary(joint, at_rad) => {
-            placing::placed(all, *joint, *at_rad, subject.travel(), Units::default())
+            boundary_entry::placed(all, *joint, *at_rad, subject.travel(), Units::default())
                 .map(|regions| (regions, Division::Given))
         }
         Edit::Split(region) => by_hand(
@@ -67,11 +67,11 @@ fn divided(edit: &Edit, document: &Document) -> Option<Result<(Vec<Region>, Divi
             "the region is too narrow to be split",
         ),
         Edit::Join(region) => by_hand(
-            placing::joined(all, *region),
+            boundary_entry::joined(all, *region),
             "no region begins where this one ends; type its end at the next one first",
         ),
         Edit::Delete(region) => by_hand(
-            placing::without(all, *region),
+            boundary_entry::without(all, *region),
             "the last region stays: without one nothing is corrected",
         ),
         _ => return None,

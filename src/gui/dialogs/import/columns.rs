@@ -2,7 +2,7 @@
 
 use egui::{ComboBox, Grid, RichText, ScrollArea, Ui};
 
-use crate::gui::foreign::{Foreign, Said};
+use crate::gui::import_draft::{Foreign, Said};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;

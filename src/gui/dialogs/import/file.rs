@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use egui::{ComboBox, DragValue, RichText, TextEdit, Ui};
 
-use crate::gui::foreign::{Foreign, Said, in_the_sheets_words};
+use crate::gui::import_draft::{Foreign, Said, in_the_sheets_words};
 use crate::gui::style::tokens::Palette;
 use crate::gui::widgets;
 use crate::importers::{

@@ -2,8 +2,8 @@
 //! first rows, what is not known is asked, and nothing is guessed in silence. What the import would
 //! bring stands at the end before it is done.
 
-mod beside;
 mod columns;
+mod companion_file;
 mod file;
 mod parts;
 mod result;
@@ -12,7 +12,7 @@ mod robot;
 use egui::text::LayoutJob;
 use egui::{Align, FontId, Layout, ProgressBar, ScrollArea, Ui, vec2};
 
-use crate::gui::foreign::{Foreign, LOOKING, Said, in_the_sheets_words};
+use crate::gui::import_draft::{Foreign, LOOKING, Said, in_the_sheets_words};
 use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
@@ -41,9 +41,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
         file::questions(ui, now, &mut next);
         findings(ui, now);
         robot::show(ui, workbench, now, &mut next, commands);
-        beside::commanded(ui, now, &mut next, commands);
-        beside::base_frame(ui, now, &mut next, commands);
-        beside::reflectors(ui, &mut next, commands);
+        companion_file::commanded(ui, now, &mut next, commands);
+        companion_file::base_frame(ui, now, &mut next, commands);
+        companion_file::reflectors(ui, &mut next, commands);
         result::show(ui, now);
         ui.max_rect().width()
     });

@@ -3,7 +3,7 @@
 use egui::{RichText, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
-use crate::gui::foreign::Beside;
+use crate::gui::import_draft::Beside;
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::workbench::Command;
 

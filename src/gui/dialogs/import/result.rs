@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::diagnostic::Severity;
-use crate::gui::foreign::{Foreign, Trial};
+use crate::gui::import_draft::{Foreign, Trial};
 use crate::gui::units::number_of;
 use crate::gui::widgets;
 

@@ -3,7 +3,7 @@
 use egui::{DragValue, TextEdit, Ui};
 
 use crate::gui::core::examples::EXAMPLES;
-use crate::gui::foreign::{Beside, Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::import_draft::{Beside, Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::{JointKind, Robot};

@@ -6,8 +6,8 @@ use egui_plot::{Axis, Line, PlotPoints};
 use crate::compensation::SortedTable;
 use crate::gui::cache::preview::Made;
 use crate::gui::core::scale::{LEAST_SPAN, MOST_POINTS, stride, thinned};
-use crate::gui::plots::sketch::{Ink, Sketch, Stands};
-use crate::gui::plots::{axis, gestures, steps, strip};
+use crate::gui::plots::chart_spec::{Ink, Sketch, Stands};
+use crate::gui::plots::{axis, gestures, legend, steps};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{cell, plain_number};
 use crate::gui::view::Chart;
@@ -26,7 +26,7 @@ pub(super) const VIEW: View = View {
     of_joint: false,
     show: |ui, workbench, commands| {
         if let Some(made) = made(workbench) {
-            strip::show(ui, &caption(made), &[], commands);
+            legend::show(ui, &caption(made), &[], commands);
             show(ui, workbench, made);
         }
     },

@@ -10,8 +10,8 @@ mod waterfall;
 
 use egui::{Align, ComboBox, Layout, Ui};
 
-use crate::gui::core::subject::Component;
-use crate::gui::plots::sketch::Sketch;
+use crate::gui::core::loaded_session::Component;
+use crate::gui::plots::chart_spec::Sketch;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::view::{Chart, Plot};

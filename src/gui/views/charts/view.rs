@@ -4,7 +4,7 @@
 use egui::Ui;
 
 use crate::gui::help::Word;
-use crate::gui::plots::sketch::Sketch;
+use crate::gui::plots::chart_spec::Sketch;
 use crate::gui::view::Chart;
 use crate::gui::workbench::{Command, Workbench};
 

@@ -5,7 +5,7 @@ use egui::{Align2, FontId, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::effects::find;
 use crate::gui::help;
-use crate::gui::plots::strip;
+use crate::gui::plots::legend;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::{plain_number, significant};
 use crate::gui::view::Chart;
@@ -22,7 +22,7 @@ pub(super) const VIEW: View = View {
     of_joint: false,
     show: |ui, workbench, commands| {
         let says = "root mean square over the samples that were fitted";
-        strip::show(ui, says, &[], commands);
+        legend::show(ui, says, &[], commands);
         show(ui, workbench);
     },
     // It is drawn as the report draws it.

@@ -23,7 +23,7 @@ pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: 
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
         match workbench.searched() {
-            None => crate::gui::views::known::show(ui, workbench),
+            None => crate::gui::views::coverage::show(ui, workbench),
             Some(Err(because)) => widgets::hint(ui, because),
             Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
         }

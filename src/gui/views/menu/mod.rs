@@ -6,7 +6,7 @@ mod lists;
 
 use egui::{Align, FontId, Label, Layout, MenuBar, RichText, Ui};
 
-use crate::gui::core::subject::Origin;
+use crate::gui::core::loaded_session::Origin;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};

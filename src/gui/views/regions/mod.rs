@@ -1,16 +1,16 @@
 //! Step 2: where the joint gets corrections of its own.
 
+mod bar;
 mod row;
 mod rows;
-mod strip;
 
 use egui::{Align, DragValue, Layout, Ui};
 
 use crate::gui::core::angles::Count;
+use crate::gui::core::boundary_entry;
 use crate::gui::core::division::Division;
 use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::placing;
 use crate::gui::style::tokens::space;
 use crate::gui::units::number_of;
 use crate::gui::view::Step;
@@ -71,7 +71,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         return;
     }
     ui.add_space(space::TIGHT);
-    strip::show(ui, workbench, &counts);
+    bar::show(ui, workbench, &counts);
     rows::show(ui, workbench, &counts, commands);
     left_out(ui, workbench, &counts);
 }
@@ -177,7 +177,7 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
 fn left_out(ui: &mut Ui, workbench: &Workbench, counts: &[Count]) {
     let subject = workbench.subject();
     let regions = &workbench.document().regions;
-    let gaps = placing::gaps(regions, subject.travel());
+    let gaps = boundary_entry::gaps(regions, subject.travel());
     let outside = subject.angles().total().all - counts.iter().map(|c| c.all).sum::<usize>();
     if let Some((from, to)) = gaps.first() {
         let units = workbench.units();

@@ -2,8 +2,8 @@
 
 use egui::{Button, Id, Key, Modifiers, Ui};
 
+use crate::gui::core::boundary_entry;
 use crate::gui::core::edit::Edit;
-use crate::gui::core::placing;
 use crate::gui::workbench::Command;
 use crate::sessions::Region;
 
@@ -35,7 +35,10 @@ enum Does {
 }
 
 fn deeds(regions: &[Region], k: usize) -> [Deed; 4] {
-    let (before, next) = (placing::before(regions, k), placing::next_to(regions, k));
+    let (before, next) = (
+        boundary_entry::before(regions, k),
+        boundary_entry::next_to(regions, k),
+    );
     let last = regions.len() < 2;
     [
         Deed {

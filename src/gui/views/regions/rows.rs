@@ -3,8 +3,8 @@
 use egui::{Align, Key, Layout, RichText, TextEdit, Ui, UiBuilder, vec2};
 
 use crate::gui::core::angles::Count;
+use crate::gui::core::boundary_entry::{self, End, Joint, Typed};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::placing::{self, End, Joint, Typed};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::units::{Units, number_of};
 use crate::gui::widgets;
@@ -177,7 +177,7 @@ fn angle(
     };
     let draft = draft_of(workbench, region, end);
     let refused = draft.and_then(|draft| judged(workbench, region, k, end, draft).err());
-    let before = draft.map_or_else(|| placing::shown(at_rad, units), str::to_owned);
+    let before = draft.map_or_else(|| boundary_entry::shown(at_rad, units), str::to_owned);
     let mut text = before.clone();
     let id = ui.scope_id().with(("boundary", k, end == End::From));
     let palette = Palette::of(ui);
@@ -207,7 +207,7 @@ fn angle(
     let mut typing: Option<Typing> = ui.data_mut(|data| data.get_temp(id));
     if field.gained_focus() {
         typing = Some(Typing {
-            joint: placing::joint_at(regions, k, end),
+            joint: boundary_entry::joint_at(regions, k, end),
             changed: false,
         });
     }
@@ -220,8 +220,9 @@ fn angle(
         text,
     };
     if text != before {
-        let placed = placing::angle(&text, units).and_then(|at| {
-            placing::placed(regions, now.joint, at, workbench.subject().travel(), units).map(|_| at)
+        let placed = boundary_entry::angle(&text, units).and_then(|at| {
+            boundary_entry::placed(regions, now.joint, at, workbench.subject().travel(), units)
+                .map(|_| at)
         });
         commands.push(draft_is(Some(text.clone())));
         if let Ok(at) = placed {
@@ -261,7 +262,7 @@ fn judged(
 ) -> Result<(), String> {
     let units = workbench.units();
     let regions = &workbench.document().regions;
-    let at_rad = placing::angle(text, units)?;
+    let at_rad = boundary_entry::angle(text, units)?;
     let now = match end {
         End::From => region.from_rad,
         End::To => region.to_rad,
@@ -270,8 +271,8 @@ fn judged(
         // It is there already.
         return Ok(());
     }
-    let joint = placing::joint_at(regions, k, end);
-    placing::placed(regions, joint, at_rad, workbench.subject().travel(), units).map(|_| ())
+    let joint = boundary_entry::joint_at(regions, k, end);
+    boundary_entry::placed(regions, joint, at_rad, workbench.subject().travel(), units).map(|_| ())
 }
 
 /// What is wrong with what was typed, below its row.

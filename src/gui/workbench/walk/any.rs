@@ -9,14 +9,14 @@ use rand_chacha::ChaCha8Rng;
 use crate::diagnosis::Mend;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
+use crate::gui::core::boundary_entry::{End, Joint};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
-use crate::gui::core::placing::{End, Joint};
+use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
-use crate::gui::core::subject::{Component, Subject};
-use crate::gui::foreign::{Foreign, RobotFrom, Said, TypedAxis};
+use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{

@@ -303,10 +303,10 @@ fn saved_is_read_again(bench: &mut Workbench, folder: &Path, step: usize) {
         let wanted = document.session_to_save();
         sessions::save(&wanted, &path, replacing).expect("it can be saved");
         let read = sessions::load(&path).expect("what was saved can be read");
-        let opened = Document::new(Arc::new(crate::gui::core::subject::Subject::new(
+        let opened = Document::new(Arc::new(crate::gui::core::loaded_session::Subject::new(
             read.session,
             Vec::new(),
-            crate::gui::core::subject::Origin::Simulated,
+            crate::gui::core::loaded_session::Origin::Simulated,
         )));
         if !document.regions.is_empty() {
             assert_eq!(opened.regions, document.regions, "regions");

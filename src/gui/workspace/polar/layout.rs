@@ -103,7 +103,7 @@ pub(crate) fn places(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gui::core::subject::Component;
+    use crate::gui::core::loaded_session::Component;
 
     fn polar() -> Polar {
         let spot = Spot {

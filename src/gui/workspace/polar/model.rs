@@ -10,8 +10,8 @@
 //! Source: ISO 230-4 (circular tests), where e is the radial deviation of a circular path.
 
 use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::{FEW, round_down, stride};
-use crate::gui::core::subject::{Component, Subject};
 use crate::gui::units::{Units, trimmed};
 use crate::gui::workbench::Workbench;
 

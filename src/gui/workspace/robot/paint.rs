@@ -8,7 +8,7 @@ use crate::gui::plots::marks;
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::trimmed;
 
-use super::super::room;
+use super::super::free_space;
 use super::model::{Drawn, Sign};
 
 /// Width of the nominal robot's tube, and of its wall, points.
@@ -207,7 +207,7 @@ pub(crate) fn values(
     let high: f32 = rows.iter().map(|r| r.size().y).sum();
     let wide = rows.iter().map(|r| r.size().x).fold(0.0, f32::max);
     let card = vec2(wide + 12.0, high + 6.0);
-    let places = room::everywhere(tool, card, 16.0, frame);
+    let places = free_space::everywhere(tool, card, 16.0, frame);
     let chain: Vec<Pos2> = drawn
         .nominal_mm
         .windows(2)
@@ -216,7 +216,7 @@ pub(crate) fn values(
             (0..=8_u8).map(move |k| ends[0].lerp(ends[1], f32::from(k) / 8.0))
         })
         .collect();
-    let Some(place) = room::freest(&places, frame, &[crowd, &chain, &chain, &chain]) else {
+    let Some(place) = free_space::freest(&places, frame, &[crowd, &chain, &chain, &chain]) else {
         said(ui, Rect::from_center_size(tool, Vec2::splat(1.0)), &says);
         return;
     };

@@ -1,7 +1,7 @@
 //! The units of such a table.
 
 use super::parts::Part;
-use crate::importers::case::Case;
+use crate::importers::reader::Case;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::settings::About;

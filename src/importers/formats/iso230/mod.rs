@@ -12,7 +12,7 @@ mod in_units;
 mod parts;
 
 use crate::diagnostic::Diagnostic;
-use crate::importers::case::{Case, direction, extent, fixed};
+use crate::importers::reader::{Case, direction, extent, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};

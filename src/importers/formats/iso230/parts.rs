@@ -1,6 +1,6 @@
 //! What the columns of such a table are.
 
-use crate::importers::case::{Case, direction};
+use crate::importers::reader::{Case, direction};
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::settings::About;

@@ -13,7 +13,7 @@ mod recorded;
 mod topics;
 
 use crate::diagnostic::Diagnostic;
-use crate::importers::case::Case;
+use crate::importers::reader::Case;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
 use crate::importers::settings::{About, ColumnGuess, Known};

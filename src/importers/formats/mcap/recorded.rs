@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::importers::case::{Case, fixed};
+use crate::importers::reader::{Case, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
 use crate::importers::matching::listed_up_to;

@@ -5,7 +5,7 @@ mod columns;
 mod layout;
 mod model;
 mod paint;
-mod paper;
+mod svg;
 
 use crate::gui::help::{self, Word};
 use crate::gui::view::Chart;
@@ -31,10 +31,10 @@ const fn over(chart: Chart, word: Word) -> View {
                 paint::show(ui, workbench, over, commands);
             }
         },
-        sketch: |workbench, chart| paper::sketch(workbench, workbench.over_in(chart)?),
+        sketch: |workbench, chart| svg::sketch(workbench, workbench.over_in(chart)?),
         numbers: |workbench| {
             let over = workbench.over();
-            over.map_or_else(String::new, |over| paper::numbers(workbench, over))
+            over.map_or_else(String::new, |over| svg::numbers(workbench, over))
         },
         has_picture: is_measured,
     }

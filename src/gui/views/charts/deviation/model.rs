@@ -95,7 +95,7 @@ impl Series {
 mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
-    use crate::gui::core::subject::Component;
+    use crate::gui::core::loaded_session::Component;
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
 

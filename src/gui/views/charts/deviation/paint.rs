@@ -4,10 +4,10 @@ use egui::{Color32, Shape, Stroke, Ui, pos2};
 use egui_plot::PlotTransform;
 
 use crate::gui::cache::charts::over::{Over, Variable};
+use crate::gui::core::loaded_session::Component;
 use crate::gui::core::scale::thinned;
-use crate::gui::core::subject::Component;
-use crate::gui::plots::sketch::Sketch;
-use crate::gui::plots::strip::{self, Entry, Sign};
+use crate::gui::plots::chart_spec::Sketch;
+use crate::gui::plots::legend::{self, Entry, Sign};
 use crate::gui::plots::{Drawing, figure, gestures, marks};
 use crate::gui::style::tokens::Palette;
 use crate::gui::workbench::{Command, Workbench};
@@ -157,14 +157,14 @@ pub(super) fn is_missing(workbench: &Workbench, over: Over) -> bool {
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, over: Over, commands: &mut Vec<Command>) {
     if is_missing(workbench, over) {
         let missing = over.needs();
-        return strip::empty(ui, missing.title, missing.why);
+        return legend::empty(ui, missing.title, missing.why);
     }
     let palette = Palette::of(ui);
     let view = workbench.view();
     let shown = Shown::of(workbench, over);
     let many = shown.envelope;
     let many = many.is_some_and(|envelope| layout::are_many(envelope, shown.extent.x));
-    strip::show(
+    legend::show(
         ui,
         &shown.note(many),
         &entries(&shown, many, &palette),

@@ -6,8 +6,8 @@ use egui_plot::PlotPoint;
 use crate::gui::cache::charts::Charted;
 use crate::gui::cache::charts::over::Scale;
 use crate::gui::core::scale::{FEW, LEAST_SPAN, stride, thinned};
-use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
-use crate::gui::plots::strip::{self, Entry, Sign};
+use crate::gui::plots::chart_spec::{Ink, Mark, Sketch, Stands};
+use crate::gui::plots::legend::{self, Entry, Sign};
 use crate::gui::plots::{figure, marks};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::plain_number;
@@ -138,7 +138,7 @@ fn says(workbench: &Workbench, curve: &EffectCurve) -> String {
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let curve = match curve(workbench) {
         Ok(curve) => curve,
-        Err((title, why)) => return strip::empty(ui, title, why),
+        Err((title, why)) => return legend::empty(ui, title, why),
     };
     let palette = Palette::of(ui);
     let view = workbench.view();
@@ -165,7 +165,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             entries.push(Entry::new("negative", line(true)));
         }
     }
-    strip::show(ui, &sketch.note, &entries, commands);
+    legend::show(ui, &sketch.note, &entries, commands);
     let component = view.component.name();
     let plot = sketch.plot((curve.effect, component, false), view, &palette);
     let emphasised = view.hovered.or(view.selected);

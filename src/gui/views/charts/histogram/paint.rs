@@ -4,10 +4,10 @@ use egui::{Align2, CursorIcon, Rect, Shape, Stroke, StrokeKind, Ui};
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::cache::charts::Charted;
-use crate::gui::core::subject::Component;
+use crate::gui::core::loaded_session::Component;
+use crate::gui::plots::chart_spec::{Ink, Sketch, Stands};
 use crate::gui::plots::figure;
-use crate::gui::plots::sketch::{Ink, Sketch, Stands};
-use crate::gui::plots::strip::{self, Entry, Sign};
+use crate::gui::plots::legend::{self, Entry, Sign};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{plain_number, significant};
 use crate::gui::widgets;
@@ -213,7 +213,7 @@ fn samples_in(workbench: &Workbench, bins: &Bins, bin: usize, after: bool) -> Ve
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let histogram = match histogram(workbench) {
         Ok(histogram) => histogram,
-        Err((title, why)) => return strip::empty(ui, title, why),
+        Err((title, why)) => return legend::empty(ui, title, why),
     };
     let palette = Palette::of(ui);
     let view = workbench.view();
@@ -228,7 +228,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     if curve(workbench, &bins).is_some() {
         entries.push(Entry::new("noise alone", Sign::Line(palette.muted, true)));
     }
-    strip::show(ui, &sketch.note, &entries, commands);
+    legend::show(ui, &sketch.note, &entries, commands);
     let name = view.component.name();
     let plot = sketch.plot(("histogram", name, only), view, &palette);
     let subject = workbench.subject();

@@ -4,9 +4,9 @@ use egui::{Align2, Ui};
 
 use crate::gui::cache::charts::Charted;
 use crate::gui::core::scale::LEAST_SPAN;
+use crate::gui::plots::chart_spec::{Ink, Sketch, Stands};
 use crate::gui::plots::figure;
-use crate::gui::plots::sketch::{Ink, Sketch, Stands};
-use crate::gui::plots::strip::{self, Entry, Sign};
+use crate::gui::plots::legend::{self, Entry, Sign};
 use crate::gui::style::tokens::Palette;
 use crate::gui::units::{plain_number, whole};
 use crate::gui::widgets;
@@ -213,7 +213,7 @@ fn says(workbench: &Workbench, spectrum: &Spectrum) -> String {
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let spectrum = match spectrum(workbench) {
         Ok(spectrum) => spectrum,
-        Err((title, why)) => return strip::empty(ui, &title, why),
+        Err((title, why)) => return legend::empty(ui, &title, why),
     };
     let palette = Palette::of(ui);
     let sketch = drawn(workbench, spectrum);
@@ -223,7 +223,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         entries.push(Entry::new("after", Sign::Bar(palette.after, true)));
     }
     entries.push(Entry::new("noise", Sign::Line(palette.muted, true)));
-    strip::show(ui, &sketch.note, &entries, commands);
+    legend::show(ui, &sketch.note, &entries, commands);
     let component = workbench.view().component.name();
     let id = ("orders", component, workbench.only_after());
     let plot = sketch.plot(id, workbench.view(), &palette);

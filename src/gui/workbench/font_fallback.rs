@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::fonts::{Library, Purpose};
-use crate::gui::style::letters::Letters;
+use crate::gui::style::font_fallback::Letters;
 
 use super::Workbench;
 

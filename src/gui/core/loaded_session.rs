@@ -18,9 +18,9 @@ use crate::sessions::Session;
 
 use super::angles::Angles;
 use super::attached::Attached;
-use super::known::Known;
+use super::coverage::Known;
 use super::overview::Overview;
-use super::tally::Tally;
+use super::region_sums::Tally;
 use crate::gui::core::disk::Print;
 
 /// Where a session came from.

@@ -7,11 +7,11 @@ use nalgebra::Point3;
 use sha2::{Digest, Sha256};
 
 use crate::diagnostic::Rejected;
-use crate::importers::case::Case;
 use crate::importers::columns::Columns;
 use crate::importers::formats::tracker;
 use crate::importers::headings::Role;
 use crate::importers::matching::listed;
+use crate::importers::reader::Case;
 use crate::importers::session::{Companion, Job};
 use crate::importers::settings::{About, Inspection, Reading};
 use crate::importers::text;

@@ -1,7 +1,7 @@
 //! The deviation charts as they leave the window: a picture, and a table.
 
 use crate::gui::cache::charts::over::Over;
-use crate::gui::plots::sketch::{Ink, Mark, Sketch, Stands};
+use crate::gui::plots::chart_spec::{Ink, Mark, Sketch, Stands};
 use crate::gui::units::plain_number;
 use crate::gui::workbench::Workbench;
 

@@ -6,7 +6,7 @@ use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
 use crate::effects::find;
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
-use crate::gui::core::known::Known;
+use crate::gui::core::coverage::Known;
 use crate::gui::core::search::STAGES;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::trimmed;

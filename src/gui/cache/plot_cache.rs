@@ -5,16 +5,16 @@
 
 use std::sync::Arc;
 
-use super::thinning::Thinned;
+use super::decimation::Thinned;
 use crate::gui::cache::charts::envelope::Envelope;
 use crate::gui::cache::charts::over::{Over, Variable};
 use crate::gui::cache::charts::{Asked, Charted};
 use crate::gui::cache::heat::Heat;
+use crate::gui::cache::identified::Outcome;
 use crate::gui::cache::nearest::Nearest;
-use crate::gui::cache::outcome::Outcome;
 use crate::gui::core::answer::Answer;
+use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::FEW;
-use crate::gui::core::subject::{Component, Subject};
 use crate::gui::view::Plane;
 
 /// What a backdrop is made of.

@@ -13,7 +13,7 @@ use crate::model::shapes::{Direction, Shape, Variable};
 
 /// What shapes are made from: the values of every variable and the directions, row by row.
 #[derive(Debug, Clone)]
-pub struct Ground {
+pub struct ShapeSpace {
     samples: usize,
     axes: Vec<usize>,
     /// What the rows show of a move along x, y, z, where they are not those.
@@ -27,7 +27,7 @@ pub struct Ground {
     survey: Survey,
 }
 
-impl Ground {
+impl ShapeSpace {
     /// Values of a variable, one for each sample.
     pub fn values(&self, variable: Variable) -> Option<&[f64]> {
         let found = self.variables.iter().find(|v| v.0 == variable);
@@ -100,7 +100,7 @@ impl Ground {
 
     /// The same over other rows of the same session.
     pub(crate) fn on(&self, rows: &Rows, base: &Model) -> Self {
-        let mut other = ground(rows, base, &self.survey);
+        let mut other = shape_space(rows, base, &self.survey);
         other.tangential = tangential(rows, base, self.survey.joints.len());
         other
     }
@@ -115,11 +115,11 @@ impl Ground {
         let mut all = problem.clone();
         all.used.clone_from(&all.usable);
         let rows = Rows::of(&all);
-        let ground = self.on(&rows, &self.base);
+        let space = self.on(&rows, &self.base);
         let n = rows.samples.len();
         let mut columns = Vec::new();
         for placed in shapes {
-            let own = ground.columns_in(&placed.shape, self.range(placed.shape.variable));
+            let own = space.columns_in(&placed.shape, self.range(placed.shape.variable));
             for k in 0..own.ncols() {
                 let mut column: [Vec<f64>; 3] =
                     std::array::from_fn(|_| vec![0.0; problem.used.len()]);
@@ -152,7 +152,7 @@ impl Ground {
     }
 }
 
-pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
+pub(crate) fn shape_space(rows: &Rows, base: &Model, survey: &Survey) -> ShapeSpace {
     let inputs = &rows.inputs;
     let pick = |column: &[f64]| column.to_vec();
     let mut variables = Vec::new();
@@ -186,7 +186,7 @@ pub(crate) fn ground(rows: &Rows, base: &Model, survey: &Survey) -> Ground {
         }
     }
     let (radial, axial) = across_the_axis(rows, base, survey);
-    Ground {
+    ShapeSpace {
         samples: rows.samples.len(),
         axes: rows.axes.clone(),
         frame: frame(rows, base),

@@ -5,8 +5,8 @@
 //! and the files beside it too, and where nothing is left to ask the whole import is tried. So the
 //! sheet shows what an import would bring before it is pressed, and pressing it only takes that.
 
+mod answers;
 mod robot;
-mod said;
 mod trial;
 
 use std::path::{Path, PathBuf};
@@ -20,8 +20,8 @@ use crate::sessions::files;
 
 use crate::gui::jobs::Watch;
 
+pub(crate) use answers::{Beside, Said};
 pub(crate) use robot::{RobotFrom, TypedAxis};
-pub(crate) use said::{Beside, Said};
 pub(crate) use trial::{Trial, in_the_sheets_words};
 
 /// A file that is longer, in bytes, is not read into memory.

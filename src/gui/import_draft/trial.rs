@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::said::Said;
+use super::answers::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
-use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings, import_watched};
 use crate::kinematics::Robot;
 use crate::progress::{Part, ReadError};

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use crate::gui::core::disk::Fate;
 use crate::gui::core::document::Document;
-use crate::gui::core::subject::{Origin, Subject};
+use crate::gui::core::loaded_session::{Origin, Subject};
+use crate::gui::file_state::recovery::{self, Keeper, LeftBehind};
+use crate::gui::file_state::settings::{self, Recent};
+use crate::gui::file_state::watcher::{Order, Seen, Watched, Watcher};
 use crate::gui::files;
 use crate::gui::jobs::{Jobs, Kind, Runner, Watch};
-use crate::gui::keeping::recovery::{self, Keeper, LeftBehind};
-use crate::gui::keeping::settings::{self, Recent};
-use crate::gui::keeping::watcher::{Order, Seen, Watched, Watcher};
 use crate::gui::view::{OnDisk, Sheet};
 
 use super::state::Place;

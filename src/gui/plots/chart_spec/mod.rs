@@ -1,7 +1,7 @@
 //! A chart as lines, bars and marks in its own coordinates, drawn by egui on the screen and as SVG
 //! in a file: what is saved is what is seen.
 
-mod paper;
+mod svg;
 
 use egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Shape, Stroke, StrokeKind, Ui, pos2,

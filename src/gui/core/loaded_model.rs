@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use crate::model::Calibration;
 use crate::sessions::{Instrument, Samples, Session, hash_of_samples};
 
-use super::subject::{Origin, Subject};
+use super::loaded_session::{Origin, Subject};
 
 /// A model and the file that it was read from.
 #[derive(Debug, Clone)]

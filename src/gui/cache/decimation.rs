@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use super::cloud::Cloud;
 use crate::gui::core::answer::Answer;
-use crate::gui::core::subject::Subject;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::view::Plane;
 
 /// So many samples are drawn by shapes; each is a point and up to two vectors.

@@ -2,7 +2,7 @@
 
 use egui::{DragValue, Grid, RichText, Ui};
 
-use crate::gui::foreign::{Beside, Foreign, Said};
+use crate::gui::import_draft::{Beside, Foreign, Said};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::widgets;
 use crate::gui::workbench::Command;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::document::Question;
 use crate::gui::core::identify::answer;
+use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::{Lengths, readable};
-use crate::gui::core::subject::Subject;
 use crate::gui::jobs::Watch;
 
 use super::cloud::{Cloud, Remainder};
