@@ -66,7 +66,7 @@ impl Conditions {
         inputs.dir.fill(constant(side.sign()));
         inputs.speed.fill(constant(side.sign() * self.speed));
         inputs.load_kg = constant(self.load_kg);
-        inputs.warmth_c = Some(vec![self.temperature_c - REFERENCE_TEMPERATURE_C; n]);
+        inputs.above_20_c = Some(vec![self.temperature_c - REFERENCE_TEMPERATURE_C; n]);
         inputs
     }
 

@@ -141,6 +141,6 @@ fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
         .map(|w| w.as_ref().map(|w| w[start..end].to_vec()))
         .collect();
     part.torque_nm = cuts(&inputs.torque_nm);
-    part.warmth_c = inputs.warmth_c.as_ref().map(|w| w[start..end].to_vec());
+    part.above_20_c = inputs.above_20_c.as_ref().map(|w| w[start..end].to_vec());
     part
 }

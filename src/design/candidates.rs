@@ -52,7 +52,7 @@ pub(crate) struct Candidate {
     pub(crate) arrival: Arrival,
     pub(crate) load_kg: f64,
     /// Above 20 °C, K.
-    pub(crate) warmth_c: f64,
+    pub(crate) above_20_c: f64,
     pub(crate) target: u32,
     pub(crate) time_s: f64,
     /// Which of several ways of measuring ([`super::arm`]).
@@ -68,7 +68,7 @@ impl Candidate {
             q,
             arrival: Arrival::Long,
             load_kg: 0.0,
-            warmth_c: 0.0,
+            above_20_c: 0.0,
             target: 0,
             time_s: 0.0,
             way: 0,
@@ -97,7 +97,7 @@ impl Writing<'_> {
     pub(crate) fn pose(&self, candidate: &Candidate, why: String) -> NextPose {
         let index = candidate.target as usize;
         let target = self.targets.get(index);
-        let (load_kg, warmth_c) = (candidate.load_kg, candidate.warmth_c);
+        let (load_kg, above_20_c) = (candidate.load_kg, candidate.above_20_c);
         let speed = || candidate.speed.clone();
         NextPose {
             q: candidate.q.clone(),
@@ -110,8 +110,8 @@ impl Writing<'_> {
                 .map(|t| t.position_mm.coords.into()),
             speed: (self.speeds || candidate.moves()).then(speed),
             load_kg: (self.loads || load_kg != 0.0).then_some(load_kg),
-            temperature_c: (self.temperatures || warmth_c != 0.0)
-                .then_some(warmth_c + REFERENCE_TEMPERATURE_C),
+            temperature_c: (self.temperatures || above_20_c != 0.0)
+                .then_some(above_20_c + REFERENCE_TEMPERATURE_C),
             why,
         }
     }
@@ -278,7 +278,7 @@ fn combinations(
     let all = each(&all, &conditions.arrivals, |c, arrival| c.arrival = arrival);
     let all = each(&all, &conditions.loads_kg, |c, load| c.load_kg = load);
     let all = each(&all, &conditions.warmths_c, |c, warmth| {
-        c.warmth_c = warmth;
+        c.above_20_c = warmth;
     });
     each(&all, &targets, |c, target| {
         c.target = target;
@@ -347,7 +347,7 @@ pub(crate) fn inputs(
         inputs.travel[j] = Some(column(&travel));
     }
     inputs.load_kg = Some(column(&|c| c.load_kg).into());
-    inputs.warmth_c = Some(column(&|c| c.warmth_c));
+    inputs.above_20_c = Some(column(&|c| c.above_20_c));
     inputs.target = Some(candidates.iter().map(|c| c.target).collect());
     inputs.time_s = Some(column(&|c| c.time_s).into());
     inputs.start_s = start_s;

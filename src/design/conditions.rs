@@ -117,11 +117,11 @@ impl Slots {
                 }
                 let dir = possible(arm, &own.q, &dir);
                 for s in 0..stretches {
-                    let warmth_c = WARMING_C * WARMTHS[s];
+                    let above_20_c = WARMING_C * WARMTHS[s];
                     candidates.push(Candidate {
                         dir: dir.clone(),
                         load_kg: varied.load_kg.map_or(0.0, |kg| kg * LOADS[s]),
-                        warmth_c: if varied.heats { warmth_c } else { 0.0 },
+                        above_20_c: if varied.heats { above_20_c } else { 0.0 },
                         ..own.clone()
                     });
                     pose.push(k);

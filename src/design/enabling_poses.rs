@@ -169,7 +169,7 @@ pub(crate) fn enable(
     // Warming up and changing the load take time: once each.
     order.sort_by(|a, b| {
         let (a, b) = (&offer.candidates[*a], &offer.candidates[*b]);
-        let warmth = a.warmth_c.total_cmp(&b.warmth_c);
+        let warmth = a.above_20_c.total_cmp(&b.above_20_c);
         warmth.then(a.load_kg.total_cmp(&b.load_kg))
     });
     let why = |k: usize| {
@@ -250,7 +250,7 @@ fn words(shown: &[&Untestable], choice: &Candidate) -> String {
     let matters = |need: &Need| match need {
         Need::Speeds => choice.moves(),
         Need::Loads => choice.load_kg != 0.0,
-        Need::Temperatures => choice.warmth_c != 0.0,
+        Need::Temperatures => choice.above_20_c != 0.0,
         Need::Reflector => choice.target > 0,
         _ => true,
     };

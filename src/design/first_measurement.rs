@@ -168,7 +168,7 @@ fn schedule(
                 _ => Arrival::Long,
             },
             load_kg: LOADS[part(LOADS.len())] * request.load_kg,
-            warmth_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
+            above_20_c: WARMTHS[part(WARMTHS.len())] * WARMING_C,
             target,
             time_s: SECONDS_PER_POSE * i as f64,
             ..Candidate::at(vec![0.0; units.len()])
@@ -215,7 +215,7 @@ impl Slots<'_> {
                 .filter(|(_, s)| s.load_kg == like.load_kg)
                 .filter(|(_, s)| !matches!(s.arrival, Arrival::Return(_)))
                 .map(|(k, s)| Candidate {
-                    warmth_c: like.warmth_c,
+                    above_20_c: like.above_20_c,
                     time_s: like.time_s,
                     arrival: Arrival::Return(k),
                     ..s.clone()

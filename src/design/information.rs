@@ -62,7 +62,7 @@ impl Columns {
                     dir,
                     arrival: [Arrival::Short(0.03), Arrival::Long][usize::from(k % 3 != 0)],
                     load_kg: f64::from(k % 2),
-                    warmth_c: WARMING_C * f64::from(k % 4) / 3.0,
+                    above_20_c: WARMING_C * f64::from(k % 4) / 3.0,
                     target: k % u32::try_from(targets.len()).unwrap_or(1),
                     time_s: SECONDS_PER_POSE * poses as f64 * f64::from(k) / 64.0,
                     ..Candidate::at(anywhere(ranges, random))

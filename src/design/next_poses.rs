@@ -90,7 +90,7 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
     if survey.loads > 0 && survey.largest_load_kg > 0.0 {
         conditions.loads_kg = vec![0.0, survey.largest_load_kg];
     }
-    let warmth = prepared.problem.inputs.warmth_c.as_ref();
+    let warmth = prepared.problem.inputs.above_20_c.as_ref();
     if let Some(warmth) = warmth.filter(|_| told_by(Condition::Temperature)) {
         let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
         let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);

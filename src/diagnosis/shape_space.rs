@@ -168,7 +168,7 @@ pub(crate) fn shape_space(rows: &Rows, base: &Model, survey: &Survey) -> ShapeSp
     let common = [
         (Variable::Time, inputs.time_s.as_deref()),
         (Variable::Load, inputs.load_kg.as_deref()),
-        (Variable::Warmth, inputs.warmth_c.as_deref()),
+        (Variable::Warmth, inputs.above_20_c.as_deref()),
     ];
     for (variable, column) in common {
         if let Some(column) = column {

@@ -39,9 +39,9 @@ impl Effect for Backlash {
         block.turn(me, |theta, at| {
             let lag = -0.5 * at.dir;
             Turned {
-                to: theta + lag * width,
-                carry: 1.0,
-                by: [lag],
+                value: theta + lag * width,
+                by_input: 1.0,
+                by_coefficient: [lag],
             }
         });
     }

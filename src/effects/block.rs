@@ -30,7 +30,7 @@ pub struct Lane {
     /// Load at the tool's origin, kg.
     pub load_kg: f64,
     /// Temperature over 20 °C, of the joint where it was measured, else of the machine.
-    pub warmth_c: f64,
+    pub above_20_c: f64,
     /// Time of the sample, s.
     pub time_s: f64,
     /// Index of the measuring frame.
@@ -45,33 +45,33 @@ pub struct Lane {
 #[derive(Debug, Clone, Copy)]
 pub struct Turned<const N: usize> {
     /// The value after the effect.
-    pub to: f64,
+    pub value: f64,
     /// Derivative with respect to the value before it.
-    pub carry: f64,
+    pub by_input: f64,
     /// Derivatives with respect to the effect's coefficients.
-    pub by: [f64; N],
+    pub by_coefficient: [f64; N],
 }
 
 /// [`Turned`] for every sample of a block.
 struct TurnedLanes<const N: usize> {
-    to: Lanes,
-    carry: Lanes,
-    by: [Lanes; N],
+    value: Lanes,
+    by_input: Lanes,
+    by_coefficient: [Lanes; N],
 }
 
 impl<const N: usize> TurnedLanes<N> {
     #[inline]
     fn of(f: impl Fn(usize) -> Turned<N>) -> Self {
         let mut lanes = Self {
-            to: [0.0; LANES],
-            carry: [0.0; LANES],
-            by: [[0.0; LANES]; N],
+            value: [0.0; LANES],
+            by_input: [0.0; LANES],
+            by_coefficient: [[0.0; LANES]; N],
         };
         for i in 0..LANES {
             let turned = f(i);
-            lanes.to[i] = turned.to;
-            lanes.carry[i] = turned.carry;
-            for (by, value) in lanes.by.iter_mut().zip(turned.by) {
+            lanes.value[i] = turned.value;
+            lanes.by_input[i] = turned.by_input;
+            for (by, value) in lanes.by_coefficient.iter_mut().zip(turned.by_coefficient) {
                 by[i] = value;
             }
         }
@@ -109,7 +109,7 @@ pub struct Block<'a> {
     speed: Vec<Lanes>,
     travel: Vec<Lanes>,
     load_kg: Lanes,
-    warmth_c: Vec<Lanes>,
+    above_20_c: Vec<Lanes>,
     /// Measured torques; NaN where there is none.
     torque_nm: Vec<Lanes>,
     time_s: Lanes,
@@ -158,7 +158,7 @@ impl<'a> Block<'a> {
             speed: per_joint(),
             travel: per_joint(),
             load_kg: [0.0; LANES],
-            warmth_c: per_joint(),
+            above_20_c: per_joint(),
             torque_nm: per_joint(),
             time_s: [0.0; LANES],
             setup: [0.0; LANES],
@@ -193,8 +193,8 @@ impl<'a> Block<'a> {
             let travel = inputs.travel[joint].as_deref();
             copy(&mut self.travel[joint], travel, f64::INFINITY);
             let own = inputs.joint_warmth_c.get(joint).and_then(Option::as_ref);
-            let warmth = own.or(inputs.warmth_c.as_ref());
-            copy(&mut self.warmth_c[joint], warmth.map(Vec::as_slice), 0.0);
+            let warmth = own.or(inputs.above_20_c.as_ref());
+            copy(&mut self.above_20_c[joint], warmth.map(Vec::as_slice), 0.0);
             let torque = inputs.torque_nm.get(joint).and_then(Option::as_deref);
             copy(&mut self.torque_nm[joint], torque, f64::NAN);
             self.theta[joint] = self.q[joint];
@@ -304,7 +304,7 @@ impl<'a> Block<'a> {
             speed: self.speed[joint][i],
             travel: self.travel[joint][i],
             load_kg: self.load_kg[i],
-            warmth_c: self.warmth_c[joint][i],
+            above_20_c: self.above_20_c[joint][i],
             time_s: self.time_s[i],
             setup: self.setup[i],
             target: self.target[i],
@@ -342,19 +342,19 @@ impl<'a> Block<'a> {
 
     fn take_turn<const N: usize>(&mut self, me: &Placed, turned: &TurnedLanes<N>) {
         let joint = me.joint;
-        self.theta[joint] = turned.to;
+        self.theta[joint] = turned.value;
         if self.by == Columns::None {
             return;
         }
         for tangent in self.tangents.iter_mut().filter(|t| t.joint == joint) {
-            for (value, carry) in tangent.lanes.iter_mut().zip(&turned.carry) {
+            for (value, carry) in tangent.lanes.iter_mut().zip(&turned.by_input) {
                 *value *= carry;
             }
         }
         if self.by == Columns::Commands {
             return;
         }
-        for (k, lanes) in turned.by.iter().enumerate() {
+        for (k, lanes) in turned.by_coefficient.iter().enumerate() {
             self.tangents.push(JointTangent {
                 column: me.first_column + k,
                 joint,

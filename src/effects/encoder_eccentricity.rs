@@ -47,9 +47,9 @@ impl Effect for EncoderEccentricity {
             let sine = (a * s - b * c).clamp(-0.999, 0.999);
             let slope = 1.0 / (1.0 - sine * sine).sqrt();
             Turned {
-                to: theta + sine.asin(),
-                carry: 1.0,
-                by: [s * slope, -c * slope],
+                value: theta + sine.asin(),
+                by_input: 1.0,
+                by_coefficient: [s * slope, -c * slope],
             }
         });
         block.turn_by_command(me, me.joint, |at| {

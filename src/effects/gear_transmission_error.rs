@@ -46,9 +46,9 @@ pub(super) fn add_sine_of_the_command(me: &Placed, block: &mut Block, order: f64
     block.turn(me, |theta, at| {
         let (s, c) = sin_cos(order * at.q);
         Turned {
-            to: theta + a * s + b * c,
-            carry: 1.0,
-            by: [s, c],
+            value: theta + a * s + b * c,
+            by_input: 1.0,
+            by_coefficient: [s, c],
         }
     });
     block.turn_by_command(me, me.joint, |at| {

@@ -33,8 +33,8 @@ pub struct Inputs<'a> {
     /// Load at the tool's origin, kg.
     pub load_kg: Option<Cow<'a, [f64]>>,
     /// Temperature over 20 °C.
-    pub warmth_c: Option<Vec<f64>>,
-    /// The same of each joint, which counts for that joint before `warmth_c`.
+    pub above_20_c: Option<Vec<f64>>,
+    /// The same of each joint, which counts for that joint before `above_20_c`.
     pub joint_warmth_c: Vec<Option<Vec<f64>>>,
     /// Measured torque about each joint, N·m.
     pub torque_nm: Vec<Option<Cow<'a, [f64]>>>,
@@ -75,7 +75,7 @@ impl<'a> Inputs<'a> {
                 .map(|c| or_fill(c.as_ref(), 0.0))
                 .collect(),
             load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
-            warmth_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
+            above_20_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
             joint_warmth_c: (0..q.len())
                 .map(|joint| of_joint(&samples.joint_temperature_c, joint).map(|t| warmth(t)))
                 .collect(),
@@ -113,7 +113,7 @@ impl<'a> Inputs<'a> {
             speed: each(&self.speed),
             travel: self.travel.iter().map(|t| t.as_deref().map(pick)).collect(),
             load_kg: self.load_kg.as_deref().map(owned),
-            warmth_c: self.warmth_c.as_deref().map(pick),
+            above_20_c: self.above_20_c.as_deref().map(pick),
             joint_warmth_c: self
                 .joint_warmth_c
                 .iter()
@@ -143,7 +143,7 @@ impl<'a> Inputs<'a> {
             speed: vec![None; joints],
             travel: vec![None; joints],
             load_kg: None,
-            warmth_c: None,
+            above_20_c: None,
             joint_warmth_c: vec![None; joints],
             torque_nm: vec![None; joints],
             time_s: None,

@@ -94,9 +94,9 @@ impl Effect for JointCompliance {
         block.turn(me, |start, at| {
             if let Some(tau) = measured[at.lane] {
                 return Turned {
-                    to: start + compliance * tau,
-                    carry: 1.0,
-                    by: [tau],
+                    value: start + compliance * tau,
+                    by_input: 1.0,
+                    by_coefficient: [tau],
                 };
             }
             let torque = &torques[at.lane];
@@ -108,9 +108,9 @@ impl Effect for JointCompliance {
             let (tau, slope) = torque.at(theta);
             let gain = 1.0 / (1.0 - compliance * slope);
             Turned {
-                to: theta,
-                carry: gain,
-                by: [tau * gain],
+                value: theta,
+                by_input: gain,
+                by_coefficient: [tau * gain],
             }
         });
         if block.by_command() {

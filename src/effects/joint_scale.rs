@@ -35,9 +35,9 @@ impl Effect for JointScale {
     fn act(&self, me: &Placed, block: &mut Block) {
         let k = me.coefficients[0];
         block.turn(me, |theta, _| Turned {
-            to: (1.0 + k) * theta,
-            carry: 1.0 + k,
-            by: [theta],
+            value: (1.0 + k) * theta,
+            by_input: 1.0 + k,
+            by_coefficient: [theta],
         });
     }
 }

@@ -38,9 +38,9 @@ impl Effect for JointZeroOffset {
     fn act(&self, me: &Placed, block: &mut Block) {
         let offset = me.coefficients[0];
         block.turn(me, |theta, _| Turned {
-            to: theta + offset,
-            carry: 1.0,
-            by: [1.0],
+            value: theta + offset,
+            by_input: 1.0,
+            by_coefficient: [1.0],
         });
     }
 }

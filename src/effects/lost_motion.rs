@@ -53,9 +53,9 @@ impl Effect for LostMotion {
                 0.0
             };
             Turned {
-                to: theta + lag * width,
-                carry: 1.0,
-                by: [lag, by_u * width],
+                value: theta + lag * width,
+                by_input: 1.0,
+                by_coefficient: [lag, by_u * width],
             }
         });
     }

@@ -79,9 +79,9 @@ impl Effect for ScrewPitch {
         block.turn(me, |q, at| {
             let (s, c) = sin_cos(per_mm * at.q);
             Turned {
-                to: q + a * s + b * c,
-                carry: 1.0,
-                by: [s, c],
+                value: q + a * s + b * c,
+                by_input: 1.0,
+                by_coefficient: [s, c],
             }
         });
         block.turn_by_command(me, me.joint, |at| {

@@ -66,7 +66,7 @@ impl Survey {
     /// Looks through a session.
     pub fn new(session: &Session, inputs: &Inputs) -> Self {
         let joints = 0..session.robot.joints.len();
-        let (coldest, warmest) = extremes(inputs.warmth_c.as_deref().unwrap_or(&[]));
+        let (coldest, warmest) = extremes(inputs.above_20_c.as_deref().unwrap_or(&[]));
         let (first, last) = extremes(inputs.time_s.as_deref().unwrap_or(&[]));
         let loads = inputs.load_kg.as_deref().unwrap_or(&[]);
         let gravity = session.robot.gravity_m_s2;
@@ -79,7 +79,7 @@ impl Survey {
                 .collect(),
             loads: distinct(loads),
             largest_load_kg: extremes(loads).1.max(0.0),
-            warming_c: inputs.warmth_c.as_ref().map(|_| warmest - coldest),
+            warming_c: inputs.above_20_c.as_ref().map(|_| warmest - coldest),
             duration_s: inputs.time_s.as_ref().map(|_| last - first),
             spatial: session.samples.z_mm.is_some(),
             gravity: gravity.is_some_and(|g| g.norm() > 0.0),

@@ -44,12 +44,12 @@ impl Effect for ThermalGrowth {
         block.transform(me, |x, at| {
             let arm = minus(x, origin);
             let radius = add_scaled(arm, along, -dot(arm, along));
-            let growth = alpha * at.warmth_c;
+            let growth = alpha * at.above_20_c;
             let carry = identity_plus_across(along, growth);
             (
                 add_scaled(x, radius, growth),
                 carry,
-                [scaled(radius, at.warmth_c)],
+                [scaled(radius, at.above_20_c)],
             )
         });
     }

@@ -35,9 +35,9 @@ impl Effect for ThermalZeroDrift {
     fn act(&self, me: &Placed, block: &mut Block) {
         let kappa = me.coefficients[0];
         block.turn(me, |theta, at| Turned {
-            to: theta + kappa * at.warmth_c,
-            carry: 1.0,
-            by: [at.warmth_c],
+            value: theta + kappa * at.above_20_c,
+            by_input: 1.0,
+            by_coefficient: [at.above_20_c],
         });
     }
 }

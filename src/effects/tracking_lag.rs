@@ -36,9 +36,9 @@ impl Effect for TrackingLag {
     fn act(&self, me: &Placed, block: &mut Block) {
         let delay_s = me.coefficients[0];
         block.turn(me, |theta, at| Turned {
-            to: theta - at.speed * delay_s,
-            carry: 1.0,
-            by: [-at.speed],
+            value: theta - at.speed * delay_s,
+            by_input: 1.0,
+            by_coefficient: [-at.speed],
         });
     }
 }

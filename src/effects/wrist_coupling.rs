@@ -80,9 +80,9 @@ impl Effect for WristCoupling {
         let commands: [f64; LANES] =
             std::array::from_fn(|lane| from.map_or(0.0, |from| block.command(from, lane)));
         block.turn(me, |theta, at| Turned {
-            to: theta + ratio * commands[at.lane],
-            carry: 1.0,
-            by: [commands[at.lane]],
+            value: theta + ratio * commands[at.lane],
+            by_input: 1.0,
+            by_coefficient: [commands[at.lane]],
         });
         if let Some(from) = from {
             block.turn_by_command(me, from, |_| ratio);

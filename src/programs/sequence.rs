@@ -151,7 +151,7 @@ impl Sequence {
             inputs.travel[j] = Some(column(&|k| self.travel[k][j]));
         }
         inputs.load_kg = Some(Cow::Owned(column(&|k| self.load_kg[k])));
-        inputs.warmth_c = Some(column(&|k| self.temperature_c[k] - REFERENCE_TEMPERATURE_C));
+        inputs.above_20_c = Some(column(&|k| self.temperature_c[k] - REFERENCE_TEMPERATURE_C));
         inputs
     }
 }

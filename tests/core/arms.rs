@@ -178,7 +178,7 @@ fn levers_are_those_of_the_measured_poses() {
     let mut q = vec![vec![0.0]; 7];
     q[1][0] = quarter;
     let mut inputs = Inputs::at_poses(q, vec![home.into()]);
-    inputs.warmth_c = Some(vec![10.0]);
+    inputs.above_20_c = Some(vec![10.0]);
     let moved = |id: &str, joint: usize, values: &[(&str, f64)]| -> f64 {
         let term = Term::from_parameters(id, joint, values, 7).unwrap();
         let nominal = Model::nominal(robot.clone());

@@ -77,7 +77,7 @@ fn inputs(robot: &Robot) -> Inputs<'static> {
         .travel
         .fill(Some(wave(1.1, 0.5).iter().map(|v| v.abs()).collect()));
     inputs.load_kg = Some(wave(0.77, 3.0).iter().map(|v| v + 3.0).collect());
-    inputs.warmth_c = Some(wave(0.5, 8.0));
+    inputs.above_20_c = Some(wave(0.5, 8.0));
     inputs.time_s = Some((0..SAMPLES).map(|i| 10.0 + 6.0 * i as f64).collect());
     inputs.setup = Some(
         (0..SAMPLES)

@@ -64,9 +64,9 @@ impl Effect for UnknownMasses {
             let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
             let by = |part: &Torque| part.at(theta).0 * gain;
             Turned::<SIZE> {
-                to: theta,
-                carry: gain,
-                by: std::array::from_fn(|k| by(&sag.by[k])),
+                value: theta,
+                by_input: gain,
+                by_coefficient: std::array::from_fn(|k| by(&sag.by[k])),
             }
         });
         if block.by_command() {

@@ -147,7 +147,7 @@ fn predictions(calibration: &Calibration) -> Vec<[u64; 3]> {
         .travel
         .fill(Some(wave(1.3).iter().map(|v| v.abs()).collect()));
     inputs.load_kg = Some(wave(0.9).into());
-    inputs.warmth_c = Some(wave(0.4));
+    inputs.above_20_c = Some(wave(0.4));
     inputs.time_s = Some((0..40).map(f64::from).collect());
     let positions = calibration.model.predict(&inputs);
     (0..40)

@@ -280,7 +280,7 @@ fn between(
         Variable::Load => poses.load_kg = Some(column.into()),
         Variable::Temperature => {
             let warmth = |t: f64| t - crate::effects::inputs::REFERENCE_TEMPERATURE_C;
-            poses.warmth_c = Some(column.into_iter().map(warmth).collect());
+            poses.above_20_c = Some(column.into_iter().map(warmth).collect());
         }
         Variable::Speed => poses.speed[over.joint] = Some(column.into()),
         // The first sample has come from infinitely far.

@@ -113,7 +113,7 @@ fn note(workbench: &Workbench, curve: &EffectCurve) -> String {
     notes.extend(thinned(stride(curve.spots.len(), FEW), "point"));
     let problems = workbench.diagnosis().map(|d| &d.data_problems);
     if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
-        notes.push("a mistake in the data is not mended yet and shows here too".to_owned());
+        notes.push("a set-up error is not corrected yet and shows here too".to_owned());
     }
     notes.join(" · ")
 }
