@@ -37,8 +37,8 @@ const LONG: usize = 600;
 const MOST_SAMPLES: usize = 500;
 
 /// Twice the logarithm by which a slow part has to be likelier beside a frame that stands still
-/// elsewhere: a rival has to be possible, not proved, and the evidence of the two ends decides.
-const LEAST_MOVE: f64 = 0.0;
+/// elsewhere: the 5 % point of its likelihood ratio, as a rival has to be possible, not proved.
+const LEAST_MOVE: f64 = 6.0;
 
 /// See the module.
 pub(crate) struct Prepared<'a> {
