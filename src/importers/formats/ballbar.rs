@@ -5,11 +5,11 @@
 //! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
 //! distances, the session declares: [`crate::importers::distances`].
 
-use crate::importers::reader::{Case, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
 use crate::importers::headings::{Role, understand, words_and_unit};
+use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};

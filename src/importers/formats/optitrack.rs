@@ -6,12 +6,12 @@
 //! occlusion; y points upwards unless the export was told otherwise.
 
 use crate::diagnostic::Diagnostic;
-use crate::importers::reader::{Case, fixed, number};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::Decimal;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::grid::{Complaints, MOST_COLUMNS, open_quote};
 use crate::importers::headings::Role;
+use crate::importers::reader::{Case, fixed, number};
 use crate::importers::rows::{Row, Rows, Separator};
 use crate::importers::settings::{About, ColumnGuess, Known};
 use crate::importers::units::{self, Word};

@@ -4,12 +4,12 @@
 //! Names come first. A first column of whole numbers before columns with fractions holds names too
 //! (points are often numbered). Where the columns do not tell, the person does.
 
-use crate::importers::reader::Case;
 use crate::importers::columns::Columns;
 use crate::importers::decimals::{Shape, shape};
 use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::{Role, understand};
+use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::sessions::columns::Quantity;
 

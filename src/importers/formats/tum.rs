@@ -1,10 +1,10 @@
 //! A trajectory in the format of the TUM RGB-D benchmark: `timestamp tx ty tz qx qy qz qw`, in
 //! seconds and metres, comments behind `#`. The quaternion's real part comes last.
 
-use crate::importers::reader::{Case, fixed};
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, Trial};
 use crate::importers::headings::Role;
+use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::Known;
 use crate::importers::units::LengthUnit;
 use crate::sessions::columns::{Quantity, Unit};

@@ -1,9 +1,9 @@
 //! The units of such a table.
 
 use super::parts::Part;
-use crate::importers::reader::Case;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
+use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::columns::Unit;

@@ -12,12 +12,12 @@ mod in_units;
 mod parts;
 
 use crate::diagnostic::Diagnostic;
-use crate::importers::reader::{Case, direction, extent, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
 use crate::importers::grid::{Complaints, Grid};
 use crate::importers::headings::Role;
+use crate::importers::reader::{Case, direction, extent, fixed};
 use crate::importers::settings::{ColumnGuess, Known};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};

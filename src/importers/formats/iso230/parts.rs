@@ -1,8 +1,8 @@
 //! What the columns of such a table are.
 
-use crate::importers::reader::{Case, direction};
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
+use crate::importers::reader::{Case, direction};
 use crate::importers::settings::About;
 use crate::sessions::number::quoted;
 

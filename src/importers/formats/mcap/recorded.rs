@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::importers::reader::{Case, fixed};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
 use crate::importers::matching::listed_up_to;
+use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
