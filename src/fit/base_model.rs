@@ -2,7 +2,7 @@
 //! diagnosis alike: the measuring frame, the zero offset and the link geometry of every joint, and
 //! the tool with its targets. A robot with a single joint keeps its zero offset and link length.
 //!
-//! What the samples cannot tell apart is held by the gauge ([`super::gauge`]).
+//! What the samples cannot tell apart is held by the gauge (`gauge.rs`).
 //!
 //! # The way there
 //! An instrument that stands anywhere is brought near by the best rigid motion; frame, tool and
