@@ -135,8 +135,8 @@ fn part_of(inputs: &Inputs, start: usize, most: usize) -> Inputs<'static> {
         .map(|t| t.as_ref().map(|t| t[start..end].to_vec()))
         .collect();
     part.load_kg = inputs.load_kg.as_ref().map(cut);
-    part.joint_warmth_c = inputs
-        .joint_warmth_c
+    part.joint_above_20_c = inputs
+        .joint_above_20_c
         .iter()
         .map(|w| w.as_ref().map(|w| w[start..end].to_vec()))
         .collect();

@@ -125,7 +125,7 @@ pub(crate) struct Conditions {
     /// rad/s or mm/s, one for each joint.
     pub(crate) unit_of_speed: Vec<f64>,
     pub(crate) loads_kg: Vec<f64>,
-    pub(crate) warmths_c: Vec<f64>,
+    pub(crate) above_20_c: Vec<f64>,
     pub(crate) arrivals: Vec<Arrival>,
     pub(crate) time_s: f64,
 }
@@ -147,7 +147,7 @@ impl Conditions {
             speeds: vec![0.0],
             unit_of_speed: joints.zip(&prepared.survey.joints).map(unit).collect(),
             loads_kg: vec![0.0],
-            warmths_c: vec![0.0],
+            above_20_c: vec![0.0],
             arrivals: vec![Arrival::Long],
             time_s: times.iter().copied().fold(0.0, f64::max) + LATER_S,
         }
@@ -277,7 +277,7 @@ fn combinations(
     });
     let all = each(&all, &conditions.arrivals, |c, arrival| c.arrival = arrival);
     let all = each(&all, &conditions.loads_kg, |c, load| c.load_kg = load);
-    let all = each(&all, &conditions.warmths_c, |c, warmth| {
+    let all = each(&all, &conditions.above_20_c, |c, warmth| {
         c.above_20_c = warmth;
     });
     each(&all, &targets, |c, target| {

@@ -81,7 +81,7 @@ fn offer_for(prepared: &Prepared, needs: &[Need]) -> Offer {
         conditions.loads_kg.push(load);
     }
     if needs.contains(&Need::Temperatures) {
-        conditions.warmths_c.push(WARMING_C);
+        conditions.above_20_c.push(WARMING_C);
     }
     Offer::new(prepared, targets, &conditions)
 }

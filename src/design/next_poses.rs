@@ -94,8 +94,8 @@ pub(crate) fn conditions(prepared: &Prepared, terms: &[&Term]) -> Conditions {
     if let Some(warmth) = warmth.filter(|_| told_by(Condition::Temperature)) {
         let low = warmth.iter().copied().fold(f64::INFINITY, f64::min);
         let high = warmth.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        conditions.warmths_c = vec![low, high];
-        conditions.warmths_c.dedup();
+        conditions.above_20_c = vec![low, high];
+        conditions.above_20_c.dedup();
     }
     if told_by(Condition::Approach) {
         let short = [0.01, 0.05].map(Arrival::Short);

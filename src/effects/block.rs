@@ -8,13 +8,17 @@
 //!
 //! All points are in the base frame, at home behind the joints that have not acted yet, mm.
 
-use crate::kinematics::{JointKind, Robot};
-use crate::lanes::{LANES, Lanes, Lanes3, add_scaled, cross, minus, times, turned};
-use crate::sincos::sin_cos_small as sin_cos;
-use crate::wide::{Loop, wide};
+use crate::kinematics::Robot;
+use crate::lanes::{LANES, Lanes, Lanes3};
+use crate::wide::wide;
 
 use super::inputs::Inputs;
 use super::term::Placed;
+
+mod moving;
+
+use moving::Carrying;
+pub(super) use moving::RigidMotion;
 
 /// What one sample brings with it, as the joint of the effect sees it.
 #[derive(Debug, Clone, Copy)]
@@ -192,7 +196,7 @@ impl<'a> Block<'a> {
             copy(&mut self.speed[joint], inputs.speed[joint].as_deref(), 0.0);
             let travel = inputs.travel[joint].as_deref();
             copy(&mut self.travel[joint], travel, f64::INFINITY);
-            let own = inputs.joint_warmth_c.get(joint).and_then(Option::as_ref);
+            let own = inputs.joint_above_20_c.get(joint).and_then(Option::as_ref);
             let warmth = own.or(inputs.above_20_c.as_ref());
             copy(&mut self.above_20_c[joint], warmth.map(Vec::as_slice), 0.0);
             let torque = inputs.torque_nm.get(joint).and_then(Option::as_deref);
@@ -427,94 +431,10 @@ impl<'a> Block<'a> {
         self.mark_live::<N>(me);
     }
 
-    /// The same for a motion that is one and the same for all samples.
-    pub(super) fn move_rigidly<const N: usize>(&mut self, me: &Placed, by: &RigidMotion<N>) {
-        wide(MovingRigidly {
-            block: self,
-            first_column: me.first_column,
-            by,
-        });
-        self.mark_live::<N>(me);
-    }
-
     fn mark_live<const N: usize>(&mut self, me: &Placed) {
         if self.by == Columns::Coefficients {
             for column in me.first_column..me.first_column + N {
                 self.live[column] = !self.held[column];
-            }
-        }
-    }
-
-    /// Lets a joint move everything behind it, and turns its tangents into columns:
-    /// ∂x/∂θ = ω × (x − c) for a revolute joint, ω for a prismatic one.
-    pub fn move_joint(&mut self, index: usize) {
-        wide(Moving { block: self, index });
-    }
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
-    fn move_behind(&mut self, index: usize) {
-        let joint = &self.robot.joints[index];
-        let axis: [f64; 3] = joint.axis.direction.into_inner().into();
-        let origin: [f64; 3] = joint.axis.point_mm.coords.into();
-        match joint.kind {
-            JointKind::Revolute => self.rotate(index, axis, origin),
-            JointKind::Prismatic => {
-                for i in 0..LANES {
-                    for k in 0..3 {
-                        self.point[k][i] += axis[k] * self.theta[index][i];
-                    }
-                }
-            }
-        }
-        let held = &self.held;
-        let moves = |t: &&JointTangent| t.joint == index && !held[t.column];
-        if !self.tangents.iter().any(|t| moves(&t)) {
-            return;
-        }
-        let mut direction = [[0.0; LANES]; 3];
-        for i in 0..LANES {
-            let along = match joint.kind {
-                JointKind::Revolute => {
-                    let x = [self.point[0][i], self.point[1][i], self.point[2][i]];
-                    cross(axis, minus(x, origin))
-                }
-                JointKind::Prismatic => axis,
-            };
-            for k in 0..3 {
-                direction[k][i] = along[k];
-            }
-        }
-        for tangent in self.tangents.iter().filter(moves) {
-            let column = &mut self.columns[tangent.column];
-            if !self.live[tangent.column] {
-                *column = [[0.0; LANES]; 3];
-                self.live[tangent.column] = true;
-            }
-            for (axis, direction) in column.iter_mut().zip(&direction) {
-                for i in 0..LANES {
-                    axis[i] += direction[i] * tangent.lanes[i];
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "a part of a wide loop")]
-    fn rotate(&mut self, index: usize, axis: [f64; 3], origin: [f64; 3]) {
-        let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
-        for i in 0..LANES {
-            (sin[i], cos[i]) = sin_cos(self.theta[index][i]);
-        }
-        let [px, py, pz] = &mut self.point;
-        for i in 0..LANES {
-            let arm = minus([px[i], py[i], pz[i]], origin);
-            [px[i], py[i], pz[i]] = add_scaled(turned(arm, axis, sin[i], cos[i]), origin, 1.0);
-        }
-        for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| *c.1) {
-            let [cx, cy, cz] = column;
-            for i in 0..LANES {
-                [cx[i], cy[i], cz[i]] = turned([cx[i], cy[i], cz[i]], axis, sin[i], cos[i]);
             }
         }
     }
@@ -534,107 +454,5 @@ impl<'a> Block<'a> {
         for (column, _) in self.columns.iter_mut().zip(&self.live).filter(|c| !*c.1) {
             *column = [[0.0; LANES]; 3];
         }
-    }
-}
-
-/// The loop of [`Block::transform`]: the columns go through the derivative of every sample.
-struct Carrying<'b> {
-    columns: &'b mut [Lanes3],
-    live: &'b [bool],
-    by: &'b [Lanes3; 3],
-}
-
-impl Loop for Carrying<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) {
-        let [mx, my, mz] = self.by;
-        for (column, _) in self.columns.iter_mut().zip(self.live).filter(|c| *c.1) {
-            let [cx, cy, cz] = column;
-            for i in 0..LANES {
-                let rows = [mx, my, mz].map(|row| [row[0][i], row[1][i], row[2][i]]);
-                [cx[i], cy[i], cz[i]] = times(rows, [cx[i], cy[i], cz[i]]);
-            }
-        }
-    }
-}
-
-/// A rigid motion about a point, mm and rad, with the screws (turn and shift) by which each coefficient
-/// moves what it has moved.
-pub(super) struct RigidMotion<const N: usize> {
-    pub(super) origin_mm: [f64; 3],
-    /// By rows.
-    pub(super) rotation: [[f64; 3]; 3],
-    pub(super) shift_mm: [f64; 3],
-    pub(super) by: [([f64; 3], [f64; 3]); N],
-}
-
-/// The loop of [`Block::move_rigidly`].
-struct MovingRigidly<'b, 'a, const N: usize> {
-    block: &'b mut Block<'a>,
-    first_column: usize,
-    by: &'b RigidMotion<N>,
-}
-
-impl<const N: usize> Loop for MovingRigidly<'_, '_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) {
-        let RigidMotion {
-            origin_mm,
-            rotation,
-            shift_mm,
-            by,
-        } = *self.by;
-        let Block {
-            point,
-            columns,
-            live,
-            ..
-        } = self.block;
-        let [px, py, pz] = point;
-        let mut arm = [[0.0; LANES]; 3];
-        for i in 0..LANES {
-            let from = minus([px[i], py[i], pz[i]], origin_mm);
-            let own = add_scaled(times(rotation, from), shift_mm, 1.0);
-            [arm[0][i], arm[1][i], arm[2][i]] = own;
-            [px[i], py[i], pz[i]] = add_scaled(own, origin_mm, 1.0);
-        }
-        for (column, _) in columns.iter_mut().zip(live.iter()).filter(|c| *c.1) {
-            let [cx, cy, cz] = column;
-            for i in 0..LANES {
-                [cx[i], cy[i], cz[i]] = times(rotation, [cx[i], cy[i], cz[i]]);
-            }
-        }
-        if self.block.by != Columns::Coefficients {
-            return;
-        }
-        for (k, (turn, shift)) in by.into_iter().enumerate() {
-            let [cx, cy, cz] = &mut columns[self.first_column + k];
-            for i in 0..LANES {
-                let own = cross(turn, [arm[0][i], arm[1][i], arm[2][i]]);
-                [cx[i], cy[i], cz[i]] = add_scaled(own, shift, 1.0);
-            }
-        }
-    }
-}
-
-/// The loop of [`Block::move_joint`].
-struct Moving<'b, 'a> {
-    block: &'b mut Block<'a>,
-    index: usize,
-}
-
-impl Loop for Moving<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "see Loop")]
-    fn run(self) {
-        self.block.move_behind(self.index);
     }
 }

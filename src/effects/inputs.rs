@@ -35,7 +35,7 @@ pub struct Inputs<'a> {
     /// Temperature over 20 °C.
     pub above_20_c: Option<Vec<f64>>,
     /// The same of each joint, which counts for that joint before `above_20_c`.
-    pub joint_warmth_c: Vec<Option<Vec<f64>>>,
+    pub joint_above_20_c: Vec<Option<Vec<f64>>>,
     /// Measured torque about each joint, N·m.
     pub torque_nm: Vec<Option<Cow<'a, [f64]>>>,
     /// Time, s.
@@ -76,7 +76,7 @@ impl<'a> Inputs<'a> {
                 .collect(),
             load_kg: or_fill(samples.load_kg.as_ref(), 0.0),
             above_20_c: samples.temperature_c.as_ref().map(|t| warmth(t)),
-            joint_warmth_c: (0..q.len())
+            joint_above_20_c: (0..q.len())
                 .map(|joint| of_joint(&samples.joint_temperature_c, joint).map(|t| warmth(t)))
                 .collect(),
             torque_nm: (0..q.len())
@@ -114,8 +114,8 @@ impl<'a> Inputs<'a> {
             travel: self.travel.iter().map(|t| t.as_deref().map(pick)).collect(),
             load_kg: self.load_kg.as_deref().map(owned),
             above_20_c: self.above_20_c.as_deref().map(pick),
-            joint_warmth_c: self
-                .joint_warmth_c
+            joint_above_20_c: self
+                .joint_above_20_c
                 .iter()
                 .map(|t| t.as_deref().map(pick))
                 .collect(),
@@ -144,7 +144,7 @@ impl<'a> Inputs<'a> {
             travel: vec![None; joints],
             load_kg: None,
             above_20_c: None,
-            joint_warmth_c: vec![None; joints],
+            joint_above_20_c: vec![None; joints],
             torque_nm: vec![None; joints],
             time_s: None,
             setup: None,

@@ -133,7 +133,12 @@ fn survey_joint(robot: &Robot, inputs: &Inputs, joint: usize) -> JointSurvey {
         speeds: distinct(speeds),
         largest_speed: slowest.abs().max(fastest.abs()),
         gravity_lever: lever,
-        warming_c: range(inputs.joint_warmth_c.get(joint).and_then(Option::as_deref)),
+        warming_c: range(
+            inputs
+                .joint_above_20_c
+                .get(joint)
+                .and_then(Option::as_deref),
+        ),
         torque_range_nm: range(inputs.torque_nm.get(joint).and_then(Option::as_deref)),
     }
 }
