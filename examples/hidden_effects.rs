@@ -3,7 +3,8 @@
 //!
 //! `cargo run --release --no-default-features --example hidden_effects [SESSIONS PER CELL] [ROW]`
 //!
-//! With `DETAILS` in the environment every session that went wrong is told on the error stream.
+//! With `DETAILS` in the environment every session that went wrong is told on the error stream, and with
+//! `SESSIONS=FOLDER` written there as well.
 
 #![allow(clippy::print_stdout, reason = "the table is what this program is for")]
 #![allow(

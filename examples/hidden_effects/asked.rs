@@ -70,7 +70,7 @@ pub fn in_short(rig: &Rig, answer: &Diagnosis) -> String {
     // A form has dozens of waves.
     let hidden: Vec<_> = rig.hidden.iter().filter(|h| h.id() != "form").collect();
     format!(
-        "{} samples, span {} shuffled {}, {hidden:?}\n    found {:?} {:?} '{}' p {:.4} {:?} set {rivals:?} slow {:?}",
+        "{} samples, span {} shuffled {}, {hidden:?}\n    found {:?} {:?} '{}' p {:.4} {:?} set {rivals:?} slow {:?}{}",
         rig.shots.len(),
         design.span_deg,
         design.shuffled,
@@ -80,5 +80,22 @@ pub fn in_short(rig: &Rig, answer: &Diagnosis) -> String {
         answer.unexplained.p,
         answer.unexplained.resembles,
         answer.noise.slow,
+        written(rig),
     )
+}
+
+/// Writes the session into the folder that `SESSIONS` in the environment names, if it does.
+fn written(rig: &Rig) -> String {
+    use std::hash::{DefaultHasher, Hash, Hasher};
+    let Some(folder) = std::env::var_os("SESSIONS") else {
+        return String::new();
+    };
+    let json = rig.json("hidden");
+    let mut hasher = DefaultHasher::new();
+    json.hash(&mut hasher);
+    let path = std::path::Path::new(&folder).join(format!("{:016x}.json", hasher.finish()));
+    match std::fs::write(&path, json) {
+        Ok(()) => format!(" in {}", path.display()),
+        Err(error) => format!(" not written: {error}"),
+    }
 }

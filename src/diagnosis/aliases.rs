@@ -2,6 +2,7 @@
 //! are taken out and every name, and every pair of names, is tried in their place, singles against
 //! pairs and pairs against pairs. What comes close is refitted before it is judged.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use nalgebra::{DMatrix, DVector};
@@ -21,6 +22,10 @@ const CLOSE: f64 = 6.0;
 const MOST_REFITTED: usize = 16;
 /// Settings of one name that pairs are made from.
 const SETTINGS: usize = 3;
+/// Settings of one name that are tried alone, and single names: neighbours of a step's time are not to
+/// crowd out the next name.
+const SETTINGS_ALONE: usize = 2;
+const ALONE: usize = 8;
 /// In a larger model only single terms are taken out.
 const MOST_FOR_PAIRS: usize = 5;
 
@@ -167,41 +172,46 @@ fn try_without(regression: &Regression, fit: &Fit, removed: &[Term], trials: &mu
         });
     };
     by_odds(&mut scores);
-    for score in scores.iter().filter(|s| s.ln_odds > enough).take(6) {
+    let close = scores.iter().filter(|s| s.ln_odds > enough);
+    let alone = best_of_each(regression, close, |_| SETTINGS_ALONE);
+    for score in alone.into_iter().take(ALONE) {
         push(vec![score.candidate], score.ln_odds);
     }
-    let short = short_list(regression, &scores, removed);
+    let others = scores.iter().filter(|s| {
+        let term = regression.table.candidates[s.candidate].what.term();
+        term.is_some_and(|t| !removed.iter().any(|r| name(r) == name(t)))
+    });
+    let short = best_of_each(regression, others, |term| {
+        match term.effect.about().setting {
+            Setting::Order { to, .. } if to <= 6 => 5,
+            _ => SETTINGS,
+        }
+    });
+    let short: Vec<usize> = short.into_iter().map(|s| s.candidate).collect();
     for (a, b, ln_odds) in best_pairs(regression, &projected, &rest, &short, enough) {
         push(vec![a, b], ln_odds);
     }
 }
 
-/// The best settings of every name that is not among the removed ones.
-fn short_list(regression: &Regression, scores: &[Score], removed: &[Term]) -> Vec<usize> {
-    let mut counts: Vec<((&str, usize), usize)> = Vec::new();
-    let mut list = Vec::new();
+/// Of scores in order, at most so many settings of every name.
+fn best_of_each<'s>(
+    regression: &Regression,
+    scores: impl Iterator<Item = &'s Score>,
+    most: impl Fn(&Term) -> usize,
+) -> Vec<&'s Score> {
+    let mut counts: BTreeMap<(&str, usize), usize> = BTreeMap::new();
+    let mut kept = Vec::new();
     for score in scores {
         let Some(term) = regression.table.candidates[score.candidate].what.term() else {
             continue;
         };
-        if removed.iter().any(|r| name(r) == name(term)) {
-            continue;
-        }
-        let limit = match term.effect.about().setting {
-            Setting::Order { to, .. } if to <= 6 => 5,
-            _ => SETTINGS,
-        };
-        let at = counts.iter().position(|c| c.0 == name(term));
-        let at = at.unwrap_or_else(|| {
-            counts.push((name(term), 0));
-            counts.len() - 1
-        });
-        if counts[at].1 < limit {
-            counts[at].1 += 1;
-            list.push(score.candidate);
+        let count = counts.entry(name(term)).or_default();
+        if *count < most(term) {
+            *count += 1;
+            kept.push(score);
         }
     }
-    list
+    kept
 }
 
 /// A candidate with orthonormal columns.
