@@ -33,6 +33,7 @@ mod filter;
 mod restricted;
 mod slow_part;
 
+use crate::answers::noise::Trial;
 pub use crate::answers::noise::{Noise, Slow, StatedNoise};
 pub(crate) use filter::carried;
 pub use filter::{Filter, Step};
@@ -96,9 +97,19 @@ impl Noise {
         let mut sums = restricted.sums(0.0, [0.0; 3]);
         let enough = rows.samples.len() >= FEWEST_SAMPLES;
         if enough {
+            let alike = noise.clone();
             noise.balance_axes(&restricted, &sums);
             let white = restricted.likelihood(&sums, &noise.sigma_mm);
-            let best = noise.slowest(&restricted, white);
+            let mut best = noise.slowest(&restricted, white);
+            // What wanders along some axes only makes them look unequal as well.
+            if noise.unequal && !alike.unequal {
+                let other = alike.slowest(&restricted, white);
+                let slow = |trial: &Trial| 2.0 * (trial.0 - white) > SLOW_EVIDENCE;
+                let better = |trial: &Trial| best.is_none_or(|b| trial.0 > b.0);
+                if let Some(other) = other.filter(|t| slow(t) && better(t)) {
+                    (noise, best) = (alike, Some(other));
+                }
+            }
             if with_alternatives {
                 noise.alternatives = noise.alternatives(&restricted, white, best);
             }
