@@ -19,7 +19,7 @@ use crate::fit::Estimate;
 const FAR: f64 = 5.0;
 /// Steps of the correction of the value: further ones take out more than there is, of the mean
 /// (`hidden_effects small`).
-const STEPS: usize = 4;
+const STEPS: usize = 5;
 
 /// Factors from the estimated size to the corrected one and to the ends of its interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
