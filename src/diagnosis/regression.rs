@@ -308,17 +308,20 @@ impl<'a> Regression<'a> {
                     return f64::NEG_INFINITY;
                 }
             }
-            if !vector || !own.clone().all(|k| basis.kept.contains(&k)) {
+            // Components that the samples do not show pay nothing.
+            let own: Vec<usize> = own.filter(|k| basis.kept.contains(k)).collect();
+            if !vector || own.len() < 2 {
                 continue;
             }
+            let first = first - term.coefficients.len();
             let all = covariance.get_or_insert_with(|| basis.inverse_gram());
             let best = subsets(own.len())
                 .filter_map(|dropped| {
-                    let at: Vec<usize> = dropped.iter().map(|k| own.start + k).collect();
+                    let at: Vec<usize> = dropped.iter().map(|k| own[*k]).collect();
                     let c = all.select_rows(&at).select_columns(&at);
                     let b = DVector::from_iterator(
                         at.len(),
-                        dropped.iter().map(|k| term.coefficients[*k]),
+                        at.iter().map(|k| term.coefficients[k - first]),
                     );
                     let lost = b.dot(&c.cholesky()?.solve(&b));
                     Some(
@@ -421,9 +424,10 @@ impl<'a> Regression<'a> {
                 let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
                 -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln()
             };
+            let known = rank.min(k);
             let best_part = parts
                 .iter()
-                .map(|(size, gain)| worth(*gain, *size) - choices(k, *size))
+                .map(|(size, gain)| worth(*gain, *size) - choices(known, *size))
                 .fold(worth(gain, rank), f64::max);
             scores.push(Score {
                 candidate: index,
@@ -461,13 +465,13 @@ impl<'a> Regression<'a> {
         let all = small_gain(&factor, k, &mut pull.to_vec());
         let vector = about.is_some_and(|a| matches!(a.form, Form::Plain(q) if q.len() > 1));
         let mut parts = Vec::new();
-        if vector && rank == k {
+        if vector {
             let gram = |i: usize, j: usize| -> f64 {
                 (0..=i.min(j))
                     .map(|l| factor[i * k + l] * factor[j * k + l])
                     .sum()
             };
-            for kept in subsets(k).filter(|s| s.len() < k) {
+            for kept in subsets(k).filter(|s| s.len() < rank || s.len() == rank && rank < k) {
                 let size = kept.len();
                 let mut own: Vec<f64> = (0..size * size)
                     .map(|x| gram(kept[x / size], kept[x % size]))

@@ -51,7 +51,9 @@ const TORQUE: Need = Need {
     what: "a measured torque of the joint, or gravity across its axis with a load or link masses",
     unmet: |survey, joint| {
         let own = &survey.joints[joint];
-        let weightless = survey.largest_load_kg <= 0.0 && !survey.link_masses;
+        // Of several joints the sag can be fitted whatever weighs on them.
+        let several = survey.joints.len() > 1;
+        let weightless = !several && survey.largest_load_kg <= 0.0 && !survey.link_masses;
         let reason = match own.torque_range_nm {
             Some(range) if range > 0.0 => return None,
             Some(_) => "the measured torque never changed",
@@ -77,14 +79,21 @@ impl Effect for JointCompliance {
         &ABOUT
     }
 
-    fn other_form(&self) -> Option<&'static dyn Effect> {
-        Some(&unknown_masses::UnknownMasses)
+    fn other_forms(&self) -> &'static [&'static dyn Effect] {
+        &[&unknown_masses::WITH_LOAD, &unknown_masses::SAG]
     }
 
-    fn takes_other_form(&self, survey: &Survey, joint: usize) -> bool {
+    fn takes_form(&self, survey: &Survey, joint: usize) -> Option<&'static dyn Effect> {
         let measured = survey.joints[joint].torque_range_nm.is_some();
-        let loads = survey.loads >= 2 && survey.largest_load_kg > 0.0;
-        survey.joints.len() > 1 && loads && !survey.link_masses && !measured
+        if survey.joints.len() == 1 || survey.link_masses || measured {
+            return None;
+        }
+        let told_by_load = survey.loads >= 2 && survey.largest_load_kg > 0.0;
+        Some(if told_by_load {
+            &unknown_masses::WITH_LOAD
+        } else {
+            &unknown_masses::SAG
+        })
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {

@@ -92,14 +92,14 @@ pub trait Effect: Sync {
     }
 
     /// The same effect with other parameters, for sessions that know less of the machine.
-    fn other_form(&self) -> Option<&'static dyn Effect> {
-        None
+    fn other_forms(&self) -> &'static [&'static dyn Effect] {
+        &[]
     }
 
-    /// Whether a session like this one takes [`Effect::other_form`] for a joint.
-    fn takes_other_form(&self, survey: &Survey, joint: usize) -> bool {
+    /// Which of [`Effect::other_forms`] a session like this one takes for a joint, if any.
+    fn takes_form(&self, survey: &Survey, joint: usize) -> Option<&'static dyn Effect> {
         let _ = (survey, joint);
-        false
+        None
     }
 
     /// Why this session cannot show the effect on this joint; `None` where it can: the first of
@@ -116,6 +116,18 @@ pub trait Effect: Sync {
     fn remedy(&self, robot: &Robot, term: &Term) -> Option<String> {
         let _ = (robot, term);
         None
+    }
+
+    /// Figures of the effect in a session that are no parameters of it: name with its unit, and the
+    /// value where the samples show it.
+    fn figures(
+        &self,
+        me: &Placed,
+        robot: &Robot,
+        inputs: &Inputs,
+    ) -> Vec<(&'static str, Option<f64>)> {
+        let _ = (me, robot, inputs);
+        Vec::new()
     }
 
     /// Changes a block of samples as the effect does, and sets the columns of its coefficients.
@@ -152,9 +164,7 @@ pub const CATALOGUE: &[&dyn Effect] = &[
 
 /// The form of an effect in which a session shows it on a joint.
 pub fn form_in(effect: &'static dyn Effect, survey: &Survey, joint: usize) -> &'static dyn Effect {
-    let other = effect.other_form();
-    let takes = |_: &&dyn Effect| effect.takes_other_form(survey, joint);
-    other.filter(takes).unwrap_or(effect)
+    effect.takes_form(survey, joint).unwrap_or(effect)
 }
 
 /// The form of an effect that has such parameters or so many coefficients.
@@ -165,7 +175,8 @@ pub fn form_with(
     if is_it(effect) {
         return effect;
     }
-    effect.other_form().filter(|e| is_it(*e)).unwrap_or(effect)
+    let mut others = effect.other_forms().iter().copied();
+    others.find(|e| is_it(*e)).unwrap_or(effect)
 }
 
 /// What models carry beside the catalogue's effects: the geometry of every calibration of a robot

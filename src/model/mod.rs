@@ -237,6 +237,22 @@ impl Model {
         block.settle();
     }
 
+    /// Figures of an effect in a session beside its parameters; see [`crate::effects::Effect::figures`].
+    pub fn figures_of(
+        &self,
+        effect: &str,
+        joint: usize,
+        inputs: &Inputs,
+    ) -> Vec<(&'static str, Option<f64>)> {
+        let own =
+            |(term, _): &(&Term, Placed)| term.effect.about().id == effect && term.joint == joint;
+        let mut placed = self.terms.iter().zip(self.placed(inputs));
+        let found = placed.find(own);
+        found.map_or_else(Vec::new, |(term, me)| {
+            term.effect.figures(&me, &self.robot, inputs)
+        })
+    }
+
     fn placed(&self, inputs: &Inputs) -> Vec<Placed> {
         let down = self.robot.gravity_m_s2.and_then(|g| {
             let norm = g.norm();

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::effects::{Inputs, JointValues};
 use crate::fit::Estimate;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::Session;
@@ -72,7 +73,7 @@ struct HeldOut {
 #[derive(Debug, Serialize)]
 struct Parameter {
     name: &'static str,
-    value: f64,
+    value: Option<f64>,
     ci95: Option<[f64; 2]>,
 }
 
@@ -240,6 +241,7 @@ impl Document {
     /// The document of a diagnosis.
     pub fn new(diagnosis: &Diagnosis, session: &Session) -> Self {
         let d = diagnosis;
+        let inputs = Inputs::new(session, JointValues::Commanded);
         Self {
             format: "truepose-diagnosis/1",
             session: d.session.clone(),
@@ -283,7 +285,7 @@ impl Document {
                     because: n.because.clone(),
                 })
                 .collect(),
-            found: d.found.iter().map(found).collect(),
+            found: d.found.iter().map(|f| found(f, d, &inputs)).collect(),
             equivalent: d
                 .equivalent
                 .iter()
@@ -384,7 +386,7 @@ fn gap(gaps: Option<Gaps>) -> Gap {
 fn parameter(estimate: &Estimate) -> Parameter {
     Parameter {
         name: estimate.name,
-        value: estimate.value,
+        value: Some(estimate.value),
         ci95: estimate.ci95,
     }
 }
@@ -413,11 +415,18 @@ fn grouped(estimates: &[Estimate]) -> Vec<Identified> {
     all
 }
 
-fn found(f: &crate::diagnosis::Found) -> Found {
+fn found(f: &crate::diagnosis::Found, d: &Diagnosis, inputs: &Inputs) -> Found {
+    let joint = f.joint.map_or(0, |joint| joint - 1);
+    let figures = d.model.figures_of(f.effect, joint, inputs).into_iter();
+    let figures = figures.map(|(name, value)| Parameter {
+        name,
+        value,
+        ci95: None,
+    });
     Found {
         effect: f.effect,
         joint: f.joint,
-        parameters: f.parameters.iter().map(parameter).collect(),
+        parameters: f.parameters.iter().map(parameter).chain(figures).collect(),
         p_family: f.p_family.p,
         p_family_is_a_bound: f.p_family.bound,
         share: f.share,

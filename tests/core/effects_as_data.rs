@@ -9,6 +9,7 @@ use truepose::diagnosis::{Diagnosis, Found, Options};
 use truepose::effects::JointValues;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, identify_exact};
 use truepose::pipeline::diagnose;
+use truepose::present::diagnosis_v1::Document;
 use truepose::sessions::{Session, load};
 use truepose::simulation::{parse_scenario, simulate, unwatched};
 
@@ -100,15 +101,24 @@ fn a_measured_torque_shows_wind_up_without_any_mass() {
     assert!(names.contains(&"moment_1_u_mrad"), "{names:?}");
     assert!(!answer.unexplained.present, "{:?}", answer.unexplained);
 
-    // Without a load either there is nothing that it could be told by.
+    // Without a load either it is still what the links make of it that is named; how much the joint
+    // gives for a torque is not known then.
     session.samples.load_kg = None;
     let answer = diagnosed(&session);
-    let mut all = answer.not_testable.iter();
-    let why = all.find(|n| n.effect == "joint-compliance" && n.joint == Some(1));
-    assert_eq!(
-        why.unwrap().because,
-        "neither a load nor a link mass is given"
-    );
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
+    let mut names = found.parameters.iter().map(|p| p.name);
+    assert!(names.all(|name| name.starts_with("moment")));
+    let document = serde_json::to_value(Document::new(&answer, &session)).expect("JSON");
+    let parameters = document["found"][0]["parameters"]
+        .as_array()
+        .expect("a list");
+    let value = |name: &str| {
+        let own = parameters.iter().find(|p| p["name"] == name);
+        own.expect("a parameter")["value"].clone()
+    };
+    assert!(value("compliance_urad_per_nm").is_null());
+    assert!(value("sag_rms_mrad").as_f64().is_some_and(|sag| sag > 0.05));
 }
 
 #[test]

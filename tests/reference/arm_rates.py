@@ -31,7 +31,7 @@ SECONDS_PER_POSE = 12.0
 class Session:
     """An arm with geometry errors, its poses and conditions, and effects of unit size times `size`."""
 
-    def __init__(self, name, poses, rng, side=None):
+    def __init__(self, name, poses, rng, side=None, load=None):
         self.name, self.arm, self.poses = name, Arm(name), poses
         arm = self.arm
         x = np.zeros(arm.size)
@@ -62,6 +62,8 @@ class Session:
         self.target[: min(3, poses)] = range(min(3, poses))
         self.dir = rng.choice([-1, 1], (poses, arm.n))
         self.load = rng.choice([0.0, 3.0, 6.0], poses)
+        if load is not None:
+            self.load[:] = load
         self.time = np.arange(poses) * SECONDS_PER_POSE
         self.warmth = 6 * (1 - np.exp(-self.time / 1200)) + rng.normal(0, 0.05, poses)
         self.noise = rng.normal(0, SIGMA_MM, (poses, 3))
@@ -278,9 +280,9 @@ def diagnose(binary, path):
     return json.loads(done.stdout), time.time() - start
 
 
-def one_session(binary, folder, task, name, poses, rng):
+def one_session(binary, folder, task, name, poses, rng, load):
     """(right, in the answer's set, wrongly named, seconds, what was seen)."""
-    session = Session(name, poses, rng)
+    session = Session(name, poses, rng, load=load)
     effects, change, words = [], None, []
     if task == "sag":
         for _ in range(40):
@@ -330,6 +332,7 @@ def main():
     parser.add_argument("--poses", default="60,200")
     parser.add_argument("--tasks", default="one,three,none,bump,setup")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--load", type=float, help="one load for all poses, kg; without: 0, 3 and 6")
     args = parser.parse_args()
     folder = Path(tempfile.mkdtemp())
     for poses in map(int, args.poses.split(",")):
@@ -339,7 +342,7 @@ def main():
                 for i in range(args.count):
                     rng = np.random.default_rng([args.seed, poses, sum(map(ord, task)), k, i])
                     right, in_set, false, seconds, seen = one_session(
-                        args.binary, folder, task, name, poses, rng
+                        args.binary, folder, task, name, poses, rng, args.load
                     )
                     totals += [1, right, in_set, false, seconds]
                     if not right:

@@ -10,30 +10,37 @@
 //!
 //! with `a_k`, `b_k` across axis k at home. u and v are compliance times moment times |g|: the angle by
 //! which the joint sags where that part stands out level. Parts farther out than two joints are light
-//! and near; they count with the second. C comes from the load alone, which therefore has to change.
+//! and near; they count with the second. C comes from the load alone, which therefore has to change;
+//! where it does not, the sag is what can be fitted ([`SAG`]), and C stays unknown.
 //!
 //! Source: Khalil & Dombre, ch. 9 (base parameters of gravity); Nubiola & Bonev 2013.
 
 use crate::effects::about::{About, Form, Quantity};
 use crate::effects::block::{Block, Turned};
+use crate::effects::inputs::Inputs;
 use crate::effects::term::JointFrame;
 use crate::effects::units::Unit;
 use crate::effects::{Effect, Placed};
-use crate::kinematics::JointKind;
+use crate::kinematics::{JointKind, Robot};
 use crate::lanes::{LANES, add_scaled, cross, dot, turned};
 use crate::sincos::sin_cos_small as sin_cos;
 
 use super::{NEWTON_STEPS, Torque};
 
-/// See the module.
-pub(super) struct UnknownMasses;
+/// See the module: with `N` coefficients, C first where there is one more than the parts have.
+pub(super) struct UnknownMasses<const N: usize>;
 
 /// Joints whose parts count, the joint itself among them.
 const PARTS: usize = 3;
-/// Coefficients: C, and two for each part.
-const SIZE: usize = 1 + 2 * PARTS;
+/// Two coefficients for each part.
+const OF_PARTS: usize = 2 * PARTS;
 
-const ABOUT: About = About {
+/// C from a load that changes, and what the links weigh.
+pub(super) const WITH_LOAD: UnknownMasses<{ 1 + OF_PARTS }> = UnknownMasses;
+/// What links and an unchanging load weigh together: C is in every moment.
+pub(super) const SAG: UnknownMasses<OF_PARTS> = UnknownMasses;
+
+const ABOUT_WITH_LOAD: About = About {
     form: Form::Plain(&[
         Quantity::new("compliance_urad_per_nm", Unit::MICRORADIAN_PER_NM),
         Quantity::new("moment_1_u_mrad", Unit::MILLIRADIAN),
@@ -47,13 +54,46 @@ const ABOUT: About = About {
     ..super::ABOUT
 };
 
-impl Effect for UnknownMasses {
+const ABOUT_SAG: About = About {
+    form: Form::Plain(&[
+        Quantity::new("moment_1_u_mrad", Unit::MILLIRADIAN),
+        Quantity::new("moment_1_v_mrad", Unit::MILLIRADIAN),
+        Quantity::new("moment_2_u_mrad", Unit::MILLIRADIAN),
+        Quantity::new("moment_2_v_mrad", Unit::MILLIRADIAN),
+        Quantity::new("moment_3_u_mrad", Unit::MILLIRADIAN),
+        Quantity::new("moment_3_v_mrad", Unit::MILLIRADIAN),
+    ]),
+    equation: "θ = q + σ(θ), σ what links and load sag, by moments that are fitted",
+    // A moment may point anywhere.
+    never_negative: false,
+    implausible_above: Some(50.0),
+    ..super::ABOUT
+};
+
+impl<const N: usize> Effect for UnknownMasses<N> {
     fn about(&self) -> &'static About {
-        &ABOUT
+        if with_load(N) {
+            &ABOUT_WITH_LOAD
+        } else {
+            &ABOUT_SAG
+        }
+    }
+
+    fn figures(
+        &self,
+        me: &Placed,
+        robot: &Robot,
+        inputs: &Inputs,
+    ) -> Vec<(&'static str, Option<f64>)> {
+        let sag = ("sag_rms_mrad", Some(1e3 * sag_rms::<N>(me, robot, inputs)));
+        if with_load(N) {
+            return vec![sag];
+        }
+        vec![("compliance_urad_per_nm", None), sag]
     }
 
     fn act(&self, me: &Placed, block: &mut Block) {
-        let sags: [Sag; LANES] = std::array::from_fn(|lane| Sag::of(block, me, lane));
+        let sags: [Sag<N>; LANES] = std::array::from_fn(|lane| Sag::of(block, me, lane));
         block.turn(me, |start, at| {
             let sag = &sags[at.lane];
             let mut theta = start;
@@ -63,7 +103,7 @@ impl Effect for UnknownMasses {
             }
             let gain = 1.0 / (1.0 - sag.whole.at(theta).1);
             let by = |part: &Torque| part.at(theta).0 * gain;
-            Turned::<SIZE> {
+            Turned::<N> {
                 value: theta,
                 by_input: gain,
                 by_coefficient: std::array::from_fn(|k| by(&sag.by[k])),
@@ -76,9 +116,16 @@ impl Effect for UnknownMasses {
                     let theta = block.value(me.joint, lane);
                     let whole = &sags[lane].whole;
                     let gain = 1.0 / (1.0 - whole.at(theta).1);
-                    let load = sags[lane].by[0].by_other(block, me.joint, other, lane, theta);
-                    let links = links_by_other(whole, block, me, other, lane, theta);
-                    (me.coefficients[0] * load + links) * gain
+                    let compliance = if with_load(N) {
+                        me.coefficients[0]
+                    } else {
+                        0.0
+                    };
+                    let load = sags[lane]
+                        .load
+                        .by_other(block, me.joint, other, lane, theta);
+                    let links = links_by_other::<N>(whole, block, me, other, lane, theta);
+                    (compliance * load + links) * gain
                 });
                 block.turn_by_command_of(me, other, &slopes);
             }
@@ -87,41 +134,74 @@ impl Effect for UnknownMasses {
 }
 
 /// What winds the joint up in one sample.
-struct Sag {
+struct Sag<const N: usize> {
     /// As an angle, rad.
     whole: Torque,
-    /// By each coefficient: the load's torque, N·m, and one for each direction of a part.
-    by: [Torque; SIZE],
+    /// The load's torque, N·m.
+    load: Torque,
+    /// By each coefficient: the load's torque where C is one, and one for each direction of a part.
+    by: [Torque; N],
 }
 
-impl Sag {
+/// Whether C is the first of so many coefficients.
+const fn with_load(coefficients: usize) -> bool {
+    coefficients > OF_PARTS
+}
+
+impl<const N: usize> Sag<N> {
     fn of(block: &Block, me: &Placed, lane: usize) -> Self {
         let load = Torque::of(block, me.joint, lane);
         let per_g = 1.0 / length(load.gravity).max(f64::MIN_POSITIVE);
         let part = |k: usize| Torque {
-            moment: match k {
-                0 => load.moment,
-                _ => direction(block, me.joint, k, lane, None).map(|v| v * per_g),
+            moment: match (with_load(N), k) {
+                (true, 0) => load.moment,
+                (true, _) => direction(block, me.joint, k - 1, lane, None).map(|v| v * per_g),
+                (false, _) => direction(block, me.joint, k, lane, None).map(|v| v * per_g),
             },
             ..load
         };
-        let by: [Torque; SIZE] = std::array::from_fn(part);
+        let by: [Torque; N] = std::array::from_fn(part);
         let mut moment = [0.0; 3];
         for (coefficient, part) in me.coefficients.iter().zip(&by) {
             moment = add_scaled(moment, part.moment, *coefficient);
         }
         Self {
             whole: Torque { moment, ..load },
+            load,
             by,
         }
     }
+}
+
+/// By how much what the links weigh turns the joint in the poses of a session: root mean square about
+/// the mean, which is a zero offset, rad.
+fn sag_rms<const N: usize>(me: &Placed, robot: &Robot, inputs: &Inputs) -> f64 {
+    let compliance = if with_load(N) {
+        me.coefficients[0]
+    } else {
+        0.0
+    };
+    let mut block = Block::new(robot, 0, false);
+    let (mut sum, mut squares) = (0.0, 0.0);
+    for start in (0..inputs.len()).step_by(LANES) {
+        block.load(inputs, start);
+        for lane in 0..LANES.min(inputs.len() - start) {
+            let sag = Sag::<N>::of(&block, me, lane);
+            let theta = block.command(me.joint, lane);
+            let links = sag.whole.at(theta).0 - compliance * sag.load.at(theta).0;
+            sum += links;
+            squares += links * links;
+        }
+    }
+    let count = inputs.len().max(1) as f64;
+    (squares / count - (sum / count).powi(2)).max(0.0).sqrt()
 }
 
 fn length(v: [f64; 3]) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// The direction that belongs to a coefficient, as the joint carries it with the joint itself at zero;
+/// The direction that belongs to one of the parts' coefficients, as the joint carries it with the joint itself at zero;
 /// with `slope` its derivative by the command of that joint. Zero where there is no such part.
 fn direction(
     block: &Block,
@@ -131,14 +211,14 @@ fn direction(
     slope: Option<usize>,
 ) -> [f64; 3] {
     let robot = block.robot;
-    let k = joint + (coefficient - 1) / 2;
+    let k = joint + coefficient / 2;
     let turns = |k: usize| robot.joints[k].kind == JointKind::Revolute;
     let moves = slope.is_none_or(|other| other > joint && other <= k && turns(other));
     if k >= robot.joints.len() || !turns(k) || !moves {
         return [0.0; 3];
     }
     let frame = JointFrame::new(robot, k);
-    let mut v = if coefficient % 2 == 1 {
+    let mut v = if coefficient.is_multiple_of(2) {
         frame.across_1
     } else {
         frame.across_2
@@ -155,7 +235,7 @@ fn direction(
 }
 
 /// The derivative of what the links sag by another joint's command.
-fn links_by_other(
+fn links_by_other<const N: usize>(
     whole: &Torque,
     block: &Block,
     me: &Placed,
@@ -166,7 +246,8 @@ fn links_by_other(
     let per_g = 1.0 / length(whole.gravity).max(f64::MIN_POSITIVE);
     let slope = (other > me.joint).then_some(other);
     let mut moment = [0.0; 3];
-    for (k, coefficient) in me.coefficients.iter().enumerate().skip(1) {
+    let of_parts = me.coefficients.iter().skip(N - OF_PARTS);
+    for (k, coefficient) in of_parts.enumerate() {
         let v = direction(block, me.joint, k, lane, slope);
         moment = add_scaled(moment, v, coefficient * per_g);
     }
