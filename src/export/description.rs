@@ -9,11 +9,11 @@ use super::euler::Frame;
 use super::sidecar::sha256;
 use super::{Document, Export, ExportError, Job};
 use crate::compensation::Compensation;
+use crate::document::write_document;
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Model;
 use crate::model::format_v1::model_hash;
-use crate::sessions::format_v1::layout::write_document;
 
 /// Less than this is nothing, mm.
 const WORTH_A_NUMBER_MM: f64 = 5e-5;

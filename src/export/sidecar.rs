@@ -10,10 +10,10 @@ use super::sheet::Sheet;
 use crate::compensation::conditions::Side;
 use crate::compensation::inverse::{closest_commands, places};
 use crate::compensation::{Compensation, Remainder};
+use crate::document::write_document;
 use crate::effects::Inputs;
 use crate::kinematics::Range;
 use crate::model::format_v1::model_hash;
-use crate::sessions::format_v1::layout::write_document;
 
 /// See the module.
 #[derive(Debug, Serialize)]

@@ -5,9 +5,9 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use super::scenario::{Noise, NoiseKind};
+use crate::document::write_document;
 use crate::effects::{Parameter, Term};
 use crate::model::Positions;
-use crate::sessions::format_v1::layout::write_document;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,7 @@ use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 
 const NOMINAL_LENGTH: &str = "nominal-length";
 

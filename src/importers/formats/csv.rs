@@ -5,7 +5,7 @@ use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::headings::{Role, understand};
 use crate::importers::reader::Case;
 use crate::importers::settings::About;
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {

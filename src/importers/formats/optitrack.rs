@@ -17,7 +17,7 @@ use crate::importers::settings::{About, ColumnGuess, Known};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 use crate::sessions::table::{Cells, Names};
 
 /// Lines between the first one and that of the frames.

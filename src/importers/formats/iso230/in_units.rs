@@ -7,7 +7,7 @@ use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::columns::Unit;
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 
 /// Units of targets and of what was measured.
 #[derive(Debug, Clone, Copy)]

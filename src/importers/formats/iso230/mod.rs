@@ -21,7 +21,7 @@ use crate::importers::reader::{Case, direction, extent, fixed};
 use crate::importers::settings::{ColumnGuess, Known};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 use crate::sessions::table::Cells;
 
 use in_units::{Units, units_of};

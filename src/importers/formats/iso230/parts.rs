@@ -4,7 +4,7 @@ use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::reader::{Case, direction};
 use crate::importers::settings::About;
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 
 /// What a column of the table is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,7 +17,7 @@ use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
 use crate::importers::reader::Case;
 use crate::importers::settings::{About, ColumnGuess, Known};
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 
 use messages::Type;
 use topics::{Topic, Topics};

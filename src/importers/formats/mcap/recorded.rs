@@ -9,7 +9,7 @@ use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 use crate::sessions::table::{Cells, Names};
 
 use super::messages::Measured;
