@@ -9,6 +9,7 @@
 //! RFC 8259, strictly; besides, a key may occur only once in an object, and nesting ends at
 //! 64 levels. A number that overflows is infinite here and refused where it is used.
 
+mod at;
 mod degrees;
 mod fields;
 pub(crate) mod kinds;
