@@ -236,13 +236,11 @@ fn pointing(o: &mut Object<'_, '_>, own: &mut Pointing, stations: &[Station]) {
                 Value::Text(name) => stations.iter().position(|s| s.name == *name),
                 _ => None,
             };
-            match place {
-                Some(place) => all.push(place),
-                None => {
-                    let expected = "a station of the session";
-                    at.fields.mismatch(node, &at.path.index(index), expected);
-                }
+            if place.is_none() {
+                let expected = "a station of the session";
+                at.fields.mismatch(node, &at.path.index(index), expected);
             }
+            all.extend(place);
         }
         Some(Some(all))
     };

@@ -92,7 +92,9 @@ fn of_joints(
 /// A mass and its centre, unless both are null.
 fn mass(o: &mut Object<'_, '_>, link: &mut Option<LinkMass>) {
     let keys = ["mass_kg", "centre_mm"];
-    keys.iter().for_each(|key| o.know(key));
+    for key in keys {
+        o.know(key);
+    }
     if keys.iter().any(|key| o.is_given(key)) {
         let mut own = LinkMass {
             mass_kg: 0.0,
