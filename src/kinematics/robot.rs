@@ -313,7 +313,6 @@ impl Robot {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{revolute, robot_of, z_axis_at};
     use super::*;
 
     #[test]
