@@ -202,7 +202,7 @@ fn standing_at(named: &Path, force: bool) -> Result<PathBuf, WriteError> {
     }
 }
 
-fn folder_of(path: &Path) -> &Path {
+pub(crate) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

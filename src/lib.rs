@@ -36,6 +36,7 @@
 
 pub mod atomic;
 pub mod diagnostic;
+pub(crate) mod document;
 pub mod fonts;
 pub mod lanes;
 pub(crate) mod linear;

@@ -8,7 +8,7 @@
 
 use std::io::{self, Write};
 
-use crate::sessions::number::quoted;
+use crate::document::number::quoted;
 
 /// A line is shorter, bytes.
 const LONGEST_LINE: usize = 1 << 20;

@@ -54,26 +54,6 @@ fn are_small(angles_rad: &[f64]) -> bool {
         .fold(true, |small, angle| small & (angle.abs() <= LARGEST_RAD))
 }
 
-/// Sines and cosines of `N` angles, rad; a fixed number of lanes is what the compiler vectorises.
-#[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code only where the arrays stay in registers"
-)]
-pub fn sin_cos_lanes<const N: usize>(angles_rad: &[f64; N]) -> ([f64; N], [f64; N]) {
-    let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
-    if are_small(angles_rad) {
-        for i in 0..N {
-            (sines[i], cosines[i]) = sin_cos_small(angles_rad[i]);
-        }
-    } else {
-        for i in 0..N {
-            (sines[i], cosines[i]) = sin_cos(angles_rad[i]);
-        }
-    }
-    (sines, cosines)
-}
-
 /// Sine and cosine of one angle, rad.
 #[inline]
 pub fn sin_cos(angle_rad: f64) -> (f64, f64) {

@@ -3,17 +3,18 @@
 
 use nalgebra::Vector3;
 use serde::Serialize;
+use sha2::{Digest, Sha256};
 
 use super::chain::{Chain, apart, rms};
 use super::euler::Frame;
-use super::sidecar::sha256;
 use super::{Document, Export, ExportError, Job};
 use crate::compensation::Compensation;
+use crate::document::number::hexadecimal;
+use crate::document::text_of;
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Pose, Robot};
 use crate::model::Model;
 use crate::model::format_v1::model_hash;
-use crate::sessions::format_v1::layout::write_document;
 
 /// Less than this is nothing, mm.
 const WORTH_A_NUMBER_MM: f64 = 5e-5;
@@ -165,8 +166,7 @@ pub(super) fn finish(job: &Job, chain: &Chain, written: Written) -> Result<Expor
     notes.extend(sidecar.notes.iter().cloned());
     notes.extend(sidecar.cannot_say.iter().cloned());
     notes.extend(sidecar.left_out.iter().cloned());
-    let mut json = Vec::new();
-    write_document(&mut json, &sidecar).expect("writing to memory does not fail");
+    let json = text_of(&sidecar).into_bytes();
     let mut documents = Document::with_sidecar(job.file_name, written.text.into_bytes(), json);
     documents.extend(written.beside.into_iter().map(|(ending, text)| Document {
         name: format!("{}{ending}", job.file_name),
@@ -208,7 +208,7 @@ fn sidecar<'a>(
         format: "truepose-table/1",
         table: job.file_name,
         table_format: written.format,
-        table_sha256: sha256(written.text.as_bytes()),
+        table_sha256: hexadecimal(&Sha256::digest(&written.text)),
         program_version: env!("CARGO_PKG_VERSION"),
         session: &calibration.session,
         samples_hash: &calibration.samples_hash,

@@ -14,18 +14,18 @@
 //!
 //! Sources: Denavit & Hartenberg 1955; Hayati & Mirmirani 1985.
 
-use serde::Serialize;
-
 use super::chain::Chain;
 use super::description::{Level, Written, finish, frames};
 use super::dh_rows::{nominal_rows, parallel};
 use super::steps::{Step, fit, motion, ranges};
 use super::urdf::SIGN;
 use super::{Export, ExportError, Exporter, Format, Job, several_joints};
+use crate::document::kinds::{TEXT, VECTOR};
+use crate::document::object::written;
+use crate::document::{Value, degrees, text_of};
 use crate::kinematics::{DhConvention, DhRow, JointKind, Pose, Robot, RobotSource};
-use crate::sessions::format_v1::degrees::degrees;
-use crate::sessions::format_v1::layout::write_document;
-use crate::sessions::format_v1::robot_source::{FrameTwin, RowTwin};
+use crate::sessions::format_v1::robot::{POSE, outer};
+use crate::sessions::format_v1::robot_source::DH_ROWS;
 use crate::sessions::parse_robot;
 use crate::units::rad_from_deg;
 
@@ -42,18 +42,6 @@ struct Dh;
 
 /// Rows that lead to the same place up to this say everything, mm.
 const FOUND_MM: f64 = 1e-7;
-
-#[derive(Serialize)]
-struct RobotTwin<'a> {
-    name: &'a str,
-    dh: Vec<RowTwin>,
-    base: FrameTwin,
-    /// At home, in the base frame.
-    tool: FrameTwin,
-    limits: Vec<Option<[f64; 2]>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    gravity_m_s2: Option<[f64; 3]>,
-}
 
 /// Rows and what stands before and behind them.
 struct Rows {
@@ -229,28 +217,22 @@ fn rows_motion(rows: &[DhRow]) -> Pose {
 }
 
 fn write(job: &Job, found: &Rows) -> String {
-    let nominal = &job.calibration.model.robot;
+    let mut nominal = job.calibration.model.robot.clone();
     let limits = nominal.joints.iter().map(|joint| {
-        let outer = |inner| match joint.kind {
-            JointKind::Revolute => degrees(inner),
-            JointKind::Prismatic => inner,
-        };
-        joint
-            .limits
-            .map(|range| [outer(range.from), outer(range.to)])
+        let ends = joint.limits.map(|range| [range.from, range.to]);
+        ends.map(|ends| ends.map(|end| outer(joint.kind, end)))
     });
+    let limits: Value = limits.collect();
+    // At home, in the base frame.
     let tool = found.base * rows_motion(&found.rows) * found.tool;
-    let twin = RobotTwin {
-        name: &nominal.name,
-        dh: found.rows.iter().map(RowTwin::of).collect(),
-        base: FrameTwin::of(&found.base),
-        tool: FrameTwin::of(&tool),
-        limits: limits.collect(),
-        gravity_m_s2: nominal.gravity_m_s2.map(Into::into),
-    };
-    let mut json = Vec::new();
-    write_document(&mut json, &twin).expect("writing to memory does not fail");
-    String::from_utf8(json).expect("JSON is UTF-8")
+    text_of(&written(&mut nominal, |o, robot| {
+        o.required("name", &mut robot.name, &TEXT);
+        o.field("dh", &mut found.rows.clone(), &DH_ROWS);
+        o.field("base", &mut found.base.clone(), &POSE);
+        o.field("tool", &mut tool.clone(), &POSE);
+        o.with("limits", &mut (), "", |_| None, |()| Some(limits));
+        o.optional("gravity_m_s2", &mut robot.gravity_m_s2, &VECTOR);
+    }))
 }
 
 fn read(text: &str) -> Result<Robot, ExportError> {

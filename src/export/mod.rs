@@ -1,8 +1,8 @@
 //! Files that a controller, or a program around it, reads.
 //!
 //! # To add a format
-//! Write one file like its neighbours and add one line to [`EXPORTERS`]; the terminal, the window
-//! and the report find it there. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
+//! Write one file like its neighbours and add one line to the register; the terminal, the window
+//! and the report find it there. `docs/adding-an-export.md` goes through an example. A table says what it is in a [`Rules`] (sign, digits, grid, limits,
 //! directions, ends, turns) and brings a function that writes and one that reads; choosing the
 //! entries, checking, and saying what the controller leaves is the same for all. A description of
 //! the corrected robot writes a `chain` and reads it back (`description`), as the URDF does.
@@ -14,34 +14,22 @@
 //! And each reads its own bytes back: [`Export::reads_as`] is what the controller will make of them,
 //! [`gap_left`] the RMS error that it leaves on a session, [`Left`] what it leaves over the measured range.
 
-mod c_header;
 mod chain;
 mod corrected;
-mod csv;
 mod description;
-mod dh;
 mod dh_rows;
 mod euler;
-mod frames;
 mod grid;
 mod knots;
 mod left;
-mod lerobot;
-mod linuxcnc;
-mod mjcf;
 mod names;
 mod options;
 mod read_back;
 mod rules;
 mod sheet;
 pub(crate) mod sidecar;
-mod sinumerik;
 mod steps;
 mod table_file;
-mod twincat_cnc;
-mod twincat_nc;
-mod ur_kinematics;
-mod urdf;
 
 pub use left::{Allowance, Left};
 pub use lerobot::lerobot_calibration;
@@ -82,21 +70,30 @@ pub struct Format {
     pub exporter: &'static dyn Exporter,
 }
 
-/// Every format.
-pub const EXPORTERS: &[Format] = &[
-    csv::FORMAT,
-    c_header::FORMAT,
-    linuxcnc::FORMAT,
-    twincat_nc::FORMAT,
-    twincat_cnc::FORMAT,
-    sinumerik::FORMAT,
-    urdf::FORMAT,
-    mjcf::FORMAT,
-    dh::FORMAT,
-    ur_kinematics::FORMAT,
-    frames::FORMAT,
-    lerobot::FORMAT,
-];
+/// Makes the modules and the list of the names given, so that a format is registered in one line.
+macro_rules! register {
+    ($($name:ident),* $(,)?) => {
+        $(mod $name;)*
+        /// Every format, in the order in which lists show them.
+        pub const EXPORTERS: &[Format] = &[$($name::FORMAT),*];
+    };
+}
+
+// rustfmt does not see through the macro: scripts/check names the files to it.
+register! {
+    csv,
+    c_header,
+    linuxcnc,
+    twincat_nc,
+    twincat_cnc,
+    sinumerik,
+    urdf,
+    mjcf,
+    dh,
+    ur_kinematics,
+    frames,
+    lerobot,
+}
 
 fn any_robot(_: &Robot) -> bool {
     true

@@ -1,6 +1,5 @@
 //! What a table cannot say of itself: `FILE.meta.json`, `truepose-table/1`.
 
-use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::Job;
@@ -10,201 +9,135 @@ use super::sheet::Sheet;
 use crate::compensation::conditions::Side;
 use crate::compensation::inverse::{closest_commands, places};
 use crate::compensation::{Compensation, Remainder};
+use crate::document::number::hexadecimal;
+use crate::document::{Value, object, text_of};
 use crate::effects::Inputs;
 use crate::kinematics::Range;
 use crate::model::format_v1::model_hash;
-use crate::sessions::format_v1::layout::write_document;
 
 /// See the module.
-#[derive(Debug, Serialize)]
-pub(super) struct Sidecar {
-    format: &'static str,
-    table: String,
-    table_format: &'static str,
-    table_sha256: String,
-    program_version: &'static str,
-    session: String,
-    samples_hash: String,
-    model_hash: String,
-    joint: usize,
-    joint_name: String,
-    unit: &'static str,
-    unit_of_the_numbers: &'static str,
-    sign: &'static str,
-    /// How much of what was identified it carries.
-    level: &'static str,
-    level_in_words: &'static str,
-    example: Example,
-    in_the_controller: Vec<String>,
-    tried: Option<&'static str>,
-    grid: Grid,
-    interpolation: &'static str,
-    outside_the_table: &'static str,
-    direction: &'static str,
-    full_turn: &'static str,
-    repeats_after_a_turn: bool,
-    measured_range: [f64; 2],
-    outside_the_measured_range: &'static str,
-    conditions: ConditionsTwin,
-    leaves: Leaves,
-    stays: Stays,
-    notes: Vec<String>,
+pub(super) struct Sidecar<'a> {
+    pub(super) job: &'a Job<'a>,
+    pub(super) sheet: &'a Sheet,
+    pub(super) rules: &'a Rules,
+    pub(super) left: &'a Left,
+    /// What to enter besides the table.
+    pub(super) in_the_controller: Vec<String>,
 }
 
-#[derive(Debug, Serialize)]
+/// Poses over which what stays is stated, per joint.
+const POSES: usize = 181;
+
+impl Sidecar<'_> {
+    fn stays(&self) -> Remainder {
+        Remainder::new(self.job.calibration, &measured_poses(self.job))
+    }
+
+    /// The document beside a table of these bytes.
+    pub(super) fn to_json(&self, table: &[u8]) -> Vec<u8> {
+        let Self {
+            job,
+            sheet,
+            rules,
+            left,
+            ..
+        } = self;
+        let calibration = job.calibration;
+        let remainder = self.stays();
+        let [from, to] = sheet.ends();
+        let measured = [sheet.measured.from, sheet.measured.to].map(|end| sheet.outer(end));
+        let example = Example::new(job, sheet, rules);
+        let texts = |texts: &[String]| texts.iter().collect::<Value>();
+        let document = object! {
+            "format": "truepose-table/1",
+            "table": job.file_name,
+            "table_format": rules.format,
+            "table_sha256": hexadecimal(&Sha256::digest(table)),
+            "program_version": env!("CARGO_PKG_VERSION"),
+            "session": &calibration.session,
+            "samples_hash": &calibration.samples_hash,
+            "model_hash": model_hash(calibration),
+            "joint": sheet.joint + 1,
+            "joint_name": &sheet.name,
+            "unit": sheet.unit(),
+            "unit_of_the_numbers": rules.unit(sheet.kind),
+            "sign": rules.says.sentence(),
+            // How much of what was identified it carries.
+            "level": "effects-of-a-joint",
+            "level_in_words": "everything that this joint can correct, its zero offset included",
+            "example": object! {
+                "commanded": example.commanded,
+                "robot_reaches": example.robot_reaches,
+                "table_says": example.table_says,
+                "command_to_send": example.command_to_send,
+                "says": &example.says,
+            },
+            "in_the_controller": texts(&self.in_the_controller),
+            "tried": rules.label,
+            "grid": object! {
+                "from": from,
+                "to": to,
+                // Null where the entries stand where they are needed.
+                "step": sheet.step,
+                "rows": sheet.places.len(),
+                "most_rows": (rules.most_entries < usize::MAX).then_some(rules.most_entries),
+            },
+            "interpolation": rules.interpolation,
+            "outside_the_table": rules.outside,
+            "direction": rules.direction,
+            "full_turn": rules.full_turn,
+            "repeats_after_a_turn": sheet.repeats,
+            "measured_range": measured,
+            "outside_the_measured_range": "the correction at the end of the measured range is held",
+            "conditions": object! {
+                "speed_per_s": sheet.outer(sheet.conditions.speed),
+                "load_kg": sheet.conditions.load_kg,
+                "temperature_c": sheet.conditions.temperature_c,
+            },
+            // What the controller leaves with this table, over the measured range.
+            "leaves": object! {
+                "gap_mm": left.gap_mm.map(|gap| gap[0]),
+                "gap_of_an_exact_correction_mm": left.gap_mm.map(|gap| gap[1]),
+                "added_rms_mm": left.added_rms_mm,
+                "added_max_mm": left.added_max_mm,
+                "allowed_mm": left.allowance.mm,
+                "allowed_is": left.allowance.is,
+                "within": left.met(),
+            },
+            // What no joint removes, over the measured range.
+            "stays": object! {
+                "rms_mm": remainder.rms_mm,
+                "max_mm": remainder.max_mm,
+                "says": texts(&remainder.says()),
+            },
+            "notes": texts(&sheet.notes),
+        };
+        text_of(&document).into_bytes()
+    }
+
+    /// What a user should hear besides the file: the example, what to enter, the table's notes,
+    /// what stays.
+    pub(super) fn notes(&self) -> Vec<String> {
+        let remainder = self.stays();
+        let mut notes = vec![Example::new(self.job, self.sheet, self.rules).says];
+        notes.extend(self.in_the_controller.iter().cloned());
+        notes.extend(self.rules.label.map(str::to_owned));
+        notes.extend(self.sheet.notes.iter().cloned());
+        notes.push(format!(
+            "no joint removes {:.4} mm (root mean square over the measured range)",
+            remainder.rms_mm
+        ));
+        notes.extend(remainder.says());
+        notes
+    }
+}
+
 struct Example {
     commanded: f64,
     robot_reaches: f64,
     table_says: f64,
     command_to_send: f64,
     says: String,
-}
-
-#[derive(Debug, Serialize)]
-struct Grid {
-    from: f64,
-    to: f64,
-    /// None where the entries stand where they are needed.
-    step: Option<f64>,
-    rows: usize,
-    most_rows: Option<usize>,
-}
-
-#[derive(Debug, Serialize)]
-struct ConditionsTwin {
-    speed_per_s: f64,
-    load_kg: f64,
-    temperature_c: f64,
-}
-
-/// What the controller leaves with this table, over the measured range.
-#[derive(Debug, Serialize)]
-struct Leaves {
-    gap_mm: Option<f64>,
-    gap_of_an_exact_correction_mm: Option<f64>,
-    added_rms_mm: f64,
-    added_max_mm: f64,
-    allowed_mm: f64,
-    allowed_is: &'static str,
-    within: bool,
-}
-
-/// What no joint removes, over the measured range.
-#[derive(Debug, Serialize)]
-struct Stays {
-    rms_mm: f64,
-    max_mm: f64,
-    says: Vec<String>,
-}
-
-/// Poses over which what stays is stated, per joint.
-const POSES: usize = 181;
-
-impl Sidecar {
-    pub(super) fn new(
-        job: &Job,
-        sheet: &Sheet,
-        rules: &Rules,
-        left: &Left,
-        in_the_controller: Vec<String>,
-    ) -> Self {
-        let calibration = job.calibration;
-        let remainder = Remainder::new(calibration, &measured_poses(job));
-        let [from, to] = sheet.ends();
-        Self {
-            format: "truepose-table/1",
-            table: job.file_name.to_owned(),
-            table_format: rules.format,
-            table_sha256: String::new(),
-            program_version: env!("CARGO_PKG_VERSION"),
-            session: calibration.session.clone(),
-            samples_hash: calibration.samples_hash.clone(),
-            model_hash: model_hash(calibration),
-            joint: sheet.joint + 1,
-            joint_name: sheet.name.clone(),
-            unit: sheet.unit(),
-            unit_of_the_numbers: rules.unit(sheet.kind),
-            sign: rules.says.sentence(),
-            level: "effects-of-a-joint",
-            level_in_words: "everything that this joint can correct, its zero offset included",
-            example: Example::new(job, sheet, rules),
-            in_the_controller,
-            tried: rules.label,
-            grid: Grid {
-                from,
-                to,
-                step: sheet.step,
-                rows: sheet.places.len(),
-                most_rows: (rules.most_entries < usize::MAX).then_some(rules.most_entries),
-            },
-            interpolation: rules.interpolation,
-            outside_the_table: rules.outside,
-            direction: rules.direction,
-            full_turn: rules.full_turn,
-            repeats_after_a_turn: sheet.repeats,
-            measured_range: [
-                sheet.outer(sheet.measured.from),
-                sheet.outer(sheet.measured.to),
-            ],
-            outside_the_measured_range: "the correction at the end of the measured range is held",
-            conditions: ConditionsTwin {
-                speed_per_s: sheet.outer(sheet.conditions.speed),
-                load_kg: sheet.conditions.load_kg,
-                temperature_c: sheet.conditions.temperature_c,
-            },
-            leaves: Leaves {
-                gap_mm: left.gap_mm.map(|gap| gap[0]),
-                gap_of_an_exact_correction_mm: left.gap_mm.map(|gap| gap[1]),
-                added_rms_mm: left.added_rms_mm,
-                added_max_mm: left.added_max_mm,
-                allowed_mm: left.allowance.mm,
-                allowed_is: left.allowance.is,
-                within: left.met(),
-            },
-            stays: Stays {
-                rms_mm: remainder.rms_mm,
-                max_mm: remainder.max_mm,
-                says: remainder.says(),
-            },
-            notes: sheet.notes.clone(),
-        }
-    }
-
-    /// What a user should hear besides the file: the example, what to enter, the table's notes,
-    /// what stays.
-    pub(super) fn notes(&self) -> Vec<String> {
-        let mut notes = vec![self.example.says.clone()];
-        notes.extend(self.in_the_controller.iter().cloned());
-        notes.extend(self.tried.map(str::to_owned));
-        notes.extend(self.notes.iter().cloned());
-        notes.push(format!(
-            "no joint removes {:.4} mm (root mean square over the measured range)",
-            self.stays.rms_mm
-        ));
-        notes.extend(self.stays.says.iter().cloned());
-        notes
-    }
-
-    /// Binds the sidecar to the bytes of its table.
-    pub(super) fn fingerprint(&mut self, table: &[u8]) {
-        self.table_sha256 = sha256(table);
-    }
-
-    pub(super) fn to_json(&self) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        write_document(&mut bytes, self).expect("writing to memory does not fail");
-        bytes
-    }
-}
-
-/// SHA-256 as 64 hexadecimal digits.
-pub(super) fn sha256(bytes: &[u8]) -> String {
-    let digits = |byte: &u8| [byte >> 4, byte & 15];
-    let all = Sha256::digest(bytes);
-    let digits = all.iter().flat_map(digits);
-    digits
-        .map(|d| char::from(b"0123456789abcdef"[usize::from(d)]))
-        .collect()
 }
 
 impl Example {

@@ -46,15 +46,21 @@ impl Exporter for TableFile {
         sheet
             .notes
             .push(left.says(rules, &sheet, job.step.is_some()));
-        let mut sidecar = Sidecar::new(job, &sheet, rules, &left, (self.enter)(job, &sheet));
+        let sidecar = Sidecar {
+            job,
+            sheet: &sheet,
+            rules,
+            left: &left,
+            in_the_controller: (self.enter)(job, &sheet),
+        };
         let notes = sidecar.notes();
         let text = (self.write)(job, &sheet, &notes);
         if self.read_back(&sheet, &text)? != reads_as {
             return Err(ExportError::ReadBack("comments change it".to_owned()));
         }
-        sidecar.fingerprint(text.as_bytes());
+        let beside = sidecar.to_json(text.as_bytes());
         Ok(Export {
-            documents: Document::with_sidecar(job.file_name, text.into_bytes(), sidecar.to_json()),
+            documents: Document::with_sidecar(job.file_name, text.into_bytes(), beside),
             reads_as: Some(reads_as),
             robot: None,
             left: Some(left),

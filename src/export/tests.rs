@@ -269,3 +269,23 @@ int main(void)
     }
     assert_eq!(lines, 4001);
 }
+
+#[test]
+fn every_file_with_a_format_is_registered() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/export");
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        // A folder holds more of the format whose name it has.
+        let Ok(text) = std::fs::read_to_string(&path) else {
+            continue;
+        };
+        let has_format = text.contains("\npub(super) const FORMAT: Format");
+        let id = path
+            .file_stem()
+            .unwrap()
+            .to_str()
+            .unwrap()
+            .replace('_', "-");
+        assert_eq!(find(&id).is_some(), has_format, "{}", path.display());
+    }
+}

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use nalgebra::{Point3, Quaternion, UnitQuaternion};
 
 use crate::diagnostic::{Diagnostic, Place, Rejected};
+use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::companion_file::points_of;
 use crate::importers::formats::csv;
@@ -12,7 +13,6 @@ use crate::importers::matching::{self, Matching, listed};
 use crate::importers::reference::{Alignment, Landmark, align};
 use crate::importers::session::Job;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
 
 impl Job<'_> {
     /// Where the instrument had lost its reflector it says (0, 0, 0): once points are moved or

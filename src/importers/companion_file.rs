@@ -7,6 +7,7 @@ use nalgebra::Point3;
 use sha2::{Digest, Sha256};
 
 use crate::diagnostic::Rejected;
+use crate::document::number::{hexadecimal, quoted};
 use crate::importers::columns::Columns;
 use crate::importers::formats::tracker;
 use crate::importers::headings::Role;
@@ -17,8 +18,7 @@ use crate::importers::settings::{About, Inspection, Reading};
 use crate::importers::text;
 use crate::sessions::Target;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::format_v1::read::default_targets;
-use crate::sessions::number::quoted;
+use crate::sessions::format_v1::head::default_targets;
 
 impl Job<'_> {
     /// Reads a file beside the measured one.
@@ -178,11 +178,7 @@ fn at_origin(name: &str) -> Target {
 pub(crate) fn file_in_words(file: Option<&PathBuf>, bytes: &[u8]) -> String {
     let name = file.and_then(|file| file.file_name());
     let name = name.map_or("a file".into(), |name| name.to_string_lossy());
-    let digest = Sha256::digest(bytes);
-    let mut hash = String::new();
-    for byte in digest {
-        hash += &format!("{byte:02x}");
-    }
+    let hash = hexadecimal(&Sha256::digest(bytes));
     format!("{name} (sha256 {hash})")
 }
 

@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::sessions::number::{NotANumber, any_decimal};
+use crate::document::number::{NotANumber, any_decimal};
 
 /// The sign between the whole part of a number and its fraction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,12 +7,12 @@
 use std::collections::BTreeSet;
 
 use crate::diagnostic::Rejected;
+use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
 use crate::importers::matching::{counted, listed};
 use crate::importers::session::Job;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
 use crate::sessions::table::{Cells, Names};
 use crate::sessions::{Anchor, References};
 

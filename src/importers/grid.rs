@@ -5,6 +5,7 @@
 //! it that has as many cells and no numbers. A line of units below the header belongs to it.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::quoted;
 use crate::importers::decimals::{Decimal, Decision, Votes, shape};
 use crate::importers::headings::{Role, understand};
 use crate::importers::rows::{OpenQuote, Row, Rows, Separator};
@@ -12,7 +13,6 @@ use crate::importers::settings::{About, Question};
 use crate::importers::units;
 use crate::progress::Part;
 use crate::sessions::columns::Unit;
-use crate::sessions::number::quoted;
 
 /// Lines that are looked at for the separator and the start of the table.
 const LOOKED_AT: usize = 400;

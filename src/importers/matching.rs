@@ -6,9 +6,9 @@
 
 use std::collections::BTreeMap;
 
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::headings::Role;
-use crate::sessions::number::quoted;
 
 /// How commands find their measurements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

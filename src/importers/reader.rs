@@ -2,6 +2,7 @@
 //! are known.
 
 use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::document::number::{NotANumber, quoted};
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::grid::{Complaints, Grid};
@@ -12,7 +13,6 @@ use crate::importers::{clock_text, units};
 use crate::progress::Part;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::{NotANumber, quoted};
 use crate::sessions::table::{Cells, Names};
 
 /// Rows that are kept to be shown.

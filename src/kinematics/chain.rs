@@ -11,7 +11,7 @@
 //! Source: Lynch & Park, *Modern Robotics*, 2017, eq. 4.14.
 //!
 //! All functions here panic if a pose does not have one value per joint: poses are checked where
-//! they enter the program ([`Robot::check_joint_values`]).
+//! they enter the program.
 
 use nalgebra::Point3;
 

@@ -11,8 +11,6 @@
 //!
 //! Source: Grassia, *Practical parameterization of rotations using the exponential map*, 1998.
 
-use std::f64::consts::TAU;
-
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// Below this angle (rad) the quotients are computed by their series; the terms left out are
@@ -36,8 +34,7 @@ pub fn exp(rotation_rad: &Vector3<f64>) -> UnitQuaternion<f64> {
 /// The rotation vector of `rotation`, rad, of length 0…π.
 ///
 /// At a half turn the vector and its opposite are the same rotation; the one whose first component
-/// that is not zero is positive is returned. Where the neighbour is known, [`log_near`] is
-/// continuous there.
+/// that is not zero is positive is returned.
 pub fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
     let vector = rotation.imag();
     let (w, vector) = if rotation.w < 0.0 || (rotation.w == 0.0 && is_negative(&vector)) {
@@ -54,24 +51,6 @@ pub fn log(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
         2.0 * sine.atan2(w) / sine
     };
     vector * angle_over_sine
-}
-
-/// The rotation vector of `rotation` nearest to `reference_rad`, so that a slowly turning body has
-/// a slowly changing vector, through π and beyond.
-pub fn log_near(rotation: &UnitQuaternion<f64>, reference_rad: &Vector3<f64>) -> Vector3<f64> {
-    let principal = log(rotation);
-    let angle = principal.norm();
-    let direction = if angle > 0.0 {
-        principal / angle
-    } else {
-        match reference_rad.try_normalize(0.0) {
-            Some(direction) => direction,
-            None => return principal,
-        }
-    };
-    // The same rotation is every θ + 2πk about the same direction.
-    let turns = ((reference_rad.dot(&direction) - angle) / TAU).round();
-    direction * (angle + TAU * turns)
 }
 
 fn is_negative(vector: &Vector3<f64>) -> bool {
@@ -130,15 +109,6 @@ mod tests {
             let matrix = nalgebra::Rotation3::from_axis_angle(&axis, angle);
             let difference = rotation.to_rotation_matrix().matrix() - matrix.matrix();
             prop_assert!(difference.norm() < 2e-15);
-        }
-
-        #[test]
-        fn the_near_logarithm_follows_a_body_through_many_turns(
-            n in direction(), angle in -20.0..20.0_f64, step in -1e-3..1e-3_f64,
-        ) {
-            let rotation = n * angle;
-            let near = log_near(&exp(&rotation), &(n * (angle + step)));
-            prop_assert!((near - rotation).norm() < 1e-13, "{near} {rotation}");
         }
     }
 

@@ -32,14 +32,6 @@ pub enum KinematicsError {
     /// A robot without joints.
     #[error("a robot needs at least one joint")]
     NoJoints,
-    /// The pose does not have one value per joint.
-    #[error("{found} joint values for a robot with {expected} joints")]
-    WrongJointCount {
-        /// How many joints the robot has.
-        expected: usize,
-        /// How many values came.
-        found: usize,
-    },
 }
 
 /// What a joint does with its value.
@@ -317,30 +309,10 @@ impl Robot {
         robot.source = RobotSource::Axes;
         robot
     }
-
-    /// Whether `q` has one finite value per joint.
-    ///
-    /// # Errors
-    /// Another number of values, or one that is not finite.
-    pub fn check_joint_values(&self, q: &[f64]) -> Result<(), KinematicsError> {
-        if q.len() != self.joints.len() {
-            return Err(KinematicsError::WrongJointCount {
-                expected: self.joints.len(),
-                found: q.len(),
-            });
-        }
-        match q.iter().position(|value| !value.is_finite()) {
-            None => Ok(()),
-            Some(index) => Err(KinematicsError::NotFinite {
-                what: format!("the value of joint {}", index + 1),
-            }),
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{revolute, robot_of, z_axis_at};
     use super::*;
 
     #[test]
@@ -362,17 +334,5 @@ mod tests {
         ));
         assert!(pose_from_parts([0.0; 3], [0.0; 4]).is_err());
         assert!(pose_from_parts([0.0, f64::INFINITY, 0.0], [1.0, 0.0, 0.0, 0.0]).is_err());
-    }
-
-    #[test]
-    fn a_pose_with_another_number_of_values_is_named_as_such() {
-        let robot = robot_of(vec![revolute(z_axis_at(0.0))]);
-        let wrong = robot.check_joint_values(&[0.0, 1.0]).unwrap_err();
-        assert_eq!(
-            wrong.to_string(),
-            "2 joint values for a robot with 1 joints"
-        );
-        assert!(robot.check_joint_values(&[f64::NAN]).is_err());
-        assert!(robot.check_joint_values(&[0.5]).is_ok());
     }
 }

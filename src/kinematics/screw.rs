@@ -40,14 +40,6 @@ impl Twist {
         Self::new(Vector3::zeros(), Vector3::zeros())
     }
 
-    /// From the six components (ω, v).
-    pub fn from_vector(components: &Vector6<f64>) -> Self {
-        Self::new(
-            components.fixed_rows::<3>(0).into(),
-            components.fixed_rows::<3>(3).into(),
-        )
-    }
-
     /// The six components (ω, v).
     pub fn to_vector(&self) -> Vector6<f64> {
         let (w, v) = (&self.angular, &self.linear);

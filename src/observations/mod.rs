@@ -7,8 +7,8 @@
 //! measured.
 //!
 //! # To add a kind
-//! Write one file like its neighbours in `kinds` and add one line to [`KINDS`]; the columns it
-//! reads are in [`crate::sessions`].
+//! Write one file like its neighbours in `kinds` and add one line to the register there; the columns it
+//! reads are in [`crate::sessions`]. `docs/adding-a-measurement.md` goes through an example.
 //!
 //! # How it works
 //! - [`kinds`](Kind): residual and derivatives of one observation.
@@ -42,19 +42,9 @@ use crate::effects::places::{MOST, Place};
 use crate::sessions::{Instrument, Session};
 
 pub use block::RowBlock;
+pub use kinds::KINDS;
 pub use layer::Layer;
 pub use streams::Item;
-
-/// Every kind, in the order in which they are listed.
-pub const KINDS: &[&dyn Kind] = &[
-    &kinds::point::Point,
-    &kinds::orientation::Orientation,
-    &kinds::distance::Distance,
-    &kinds::bearing::Bearing,
-    &kinds::pointing::Pointing,
-    &kinds::socket::Socket,
-    &kinds::touch::Touch,
-];
 
 /// Where an angle has no distance of its own it is as many mm as at one metre.
 pub const ANGLES_AT_MM: f64 = 1000.0;

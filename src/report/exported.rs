@@ -1,11 +1,12 @@
 //! Tables that were written for a controller, as a report names them: the file with its hash, and
 //! what `FILE.meta.json` beside it says it came from.
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use sha2::{Digest, Sha256};
+
+use crate::document::number::hexadecimal;
 
 /// A table file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -102,11 +103,4 @@ pub fn sidecar_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".meta.json");
     PathBuf::from(name)
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }

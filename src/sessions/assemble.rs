@@ -4,9 +4,9 @@
 //! cannot be (a direction of 2, a target that nobody declared) is said with its place.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::quoted;
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Samples, Setups, Target, UnknownColumn};
-use crate::sessions::number::quoted;
 use crate::sessions::observed::{self, NamedColumn};
 use crate::sessions::references::References;
 use crate::sessions::table::{Cells, Names, Table};

@@ -5,8 +5,8 @@
 //! rad. A revolute joint takes angles only and a prismatic one lengths only.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::quoted;
 use crate::kinematics::JointKind;
-use crate::sessions::number::quoted;
 use crate::units::rad_from_deg;
 
 /// What a column holds. Joints count from 0 here and from 1 in headings.

@@ -106,14 +106,6 @@ pub(crate) fn beside(folder: &Path, name: &str) -> Result<PathBuf, Refusal> {
     Ok(path)
 }
 
-/// The folder of a file; the current one for a bare name.
-pub(crate) fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    }
-}
-
 /// A JSON document as text.
 pub(crate) fn as_text<'a>(bytes: &'a [u8], file: &Place) -> Result<&'a str, Rejected> {
     const EXPECTED: &str = "a JSON document in UTF-8";

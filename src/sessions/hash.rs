@@ -8,6 +8,7 @@
 
 use sha2::{Digest, Sha256};
 
+use crate::document::number::hexadecimal;
 use crate::sessions::domain::{Samples, Session};
 use crate::sessions::references::ObservedColumns;
 
@@ -17,13 +18,7 @@ pub fn hash_of_samples(session: &Session) -> String {
     canonical.label("truepose-samples/1");
     robot(&mut canonical, session);
     samples(&mut canonical, &session.samples);
-    let mut hash = String::with_capacity(64);
-    for byte in canonical.0.finalize() {
-        for digit in [byte >> 4, byte & 15] {
-            hash.push(char::from(b"0123456789abcdef"[usize::from(digit)]));
-        }
-    }
-    hash
+    hexadecimal(&canonical.0.finalize())
 }
 
 fn robot(canonical: &mut Canonical, session: &Session) {

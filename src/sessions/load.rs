@@ -5,15 +5,16 @@ use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::document::{Fields, Path as JsonPath};
 use crate::kinematics::{JointKind, Robot};
 use crate::progress::{Part, Progress, ReadError, unwatched};
 use crate::sessions::assemble::Declared;
 use crate::sessions::domain::{Samples, Session};
+use crate::sessions::format_v1::head::{self, SamplesAt};
 use crate::sessions::format_v1::inline;
-use crate::sessions::format_v1::read::{self, SamplesAt};
-use crate::sessions::format_v1::robot;
-use crate::sessions::json::{Fields, Path as JsonPath};
+use crate::sessions::format_v1::robot::ROBOT;
 use crate::sessions::{assemble, csv, files, validation};
 
 /// A session and the notes and warnings that came up on the way.
@@ -45,15 +46,6 @@ enum Beside<'a> {
     Csv(&'a [u8]),
 }
 
-impl<'a> Beside<'a> {
-    fn folder(self) -> Option<&'a Path> {
-        match self {
-            Self::Folder(folder) => Some(folder),
-            _ => None,
-        }
-    }
-}
-
 /// Reads the session at `path` and the samples beside it.
 ///
 /// # Errors
@@ -78,7 +70,7 @@ pub fn load_watched(
     let is_large = std::fs::metadata(path).is_ok_and(|document| document.len() > LARGE_DOCUMENT);
     let read = if is_large { 0.2 } else { 0.01 };
     let bytes = files::read_document_in(path, whole.part(0.0, read))?;
-    let beside = Beside::Folder(files::folder_of(path));
+    let beside = Beside::Folder(folder_of(path));
     let mut loaded = read_session(Some(path), &bytes, beside, whole.part(read, 1.0))?;
     loaded.session.path = Some(path.to_path_buf());
     loaded.files.insert(0, path.to_path_buf());
@@ -115,7 +107,7 @@ pub fn parse_with_csv(document: &[u8], samples: &[u8]) -> Result<Loaded, Rejecte
 pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
     let path = path.as_ref();
     let bytes = files::read_document(path)?;
-    read_robot(Some(path), &bytes, Some(files::folder_of(path)))
+    read_robot(Some(path), &bytes)
 }
 
 /// Reads a robot that needs no other file.
@@ -123,18 +115,14 @@ pub fn load_robot(path: impl AsRef<Path>) -> Result<LoadedRobot, Rejected> {
 /// # Errors
 /// As [`load`].
 pub fn parse_robot(document: &[u8]) -> Result<LoadedRobot, Rejected> {
-    read_robot(None, document, None)
+    read_robot(None, document)
 }
 
-fn read_robot(
-    path: Option<&Path>,
-    bytes: &[u8],
-    folder: Option<&Path>,
-) -> Result<LoadedRobot, Rejected> {
+fn read_robot(path: Option<&Path>, bytes: &[u8]) -> Result<LoadedRobot, Rejected> {
     let place = path.map(Place::file).unwrap_or_default();
     let text = files::as_text(bytes, &place)?;
     let (mut fields, root) = Fields::open(place, text)?;
-    let robot = robot::read(&mut fields, &root, &JsonPath::Root, folder);
+    let robot = ROBOT.read(&mut fields, &root, &JsonPath::Root);
     if let Some(robot) = &robot {
         validation::robot(
             robot,
@@ -163,14 +151,14 @@ fn read_session(
     let parsed = if is_large { 0.8 } else { 0.01 };
     let (mut fields, root) = Fields::open_in(place, text, part.part(0.0, parsed))?;
     let refused = |diagnostics| Err(Rejected { diagnostics }.into());
-    let Some(head) = read::head(&mut fields, root, beside.folder()) else {
+    let Some((head, samples)) = head::read(&mut fields, root) else {
         return refused(fields.findings);
     };
     let kinds: Option<Vec<JointKind>> = head
         .robot
         .as_ref()
         .map(|robot| robot.joints.iter().map(|joint| joint.kind).collect());
-    let samples = match head.samples {
+    let samples = match samples {
         None => None,
         Some(SamplesAt::Inline(node)) => {
             inline::read(&mut fields, node, kinds.as_deref()).map(|inline| {

@@ -5,7 +5,7 @@
 //! [`save`] writes it back, whole or not at all, so that loading gives the same session to the last
 //! bit.
 //!
-//! The way in: bytes → `json` (a tree that knows places) → `format_v1` (units, ranges, the
+//! The way in: bytes → [`document`](crate::document) (a tree that knows places) → `format_v1` (units, ranges, the
 //! robot) → `csv` or inline columns → `columns` (what headings mean) → `assemble` (samples in
 //! inner units) → `validation` (what spans fields). The types that the program thinks in are in
 //! `domain`; they know nothing of files.
@@ -20,11 +20,9 @@ pub(crate) mod files;
 pub(crate) mod format_v1;
 mod growing;
 mod hash;
-pub(crate) mod json;
 mod lines;
 mod load;
 mod mend;
-pub(crate) mod number;
 mod observed;
 mod references;
 pub mod regions;

@@ -2,10 +2,10 @@
 //! rows lack what they need: a distance needs its anchor, a direction both of its angles.
 
 use crate::diagnostic::Diagnostic;
+use crate::document::number::quoted;
 use crate::sessions::assemble::Locate;
 use crate::sessions::columns::{Heading, Quantity};
 use crate::sessions::domain::{Session, has_missing};
-use crate::sessions::number::quoted;
 use crate::sessions::references::{ObservedColumns, References};
 use crate::sessions::table::Names;
 

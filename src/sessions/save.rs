@@ -18,12 +18,12 @@ use serde::ser::{SerializeMap, Serializer};
 use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_one_file_for_two, refuse_to_replace_inputs,
 };
+use crate::document::{Value, object, write_document, write_number};
 use crate::kinematics::Robot;
 use crate::progress::{Cancelled, Part, Progress, unwatched};
 use crate::sessions::domain::Session;
-use crate::sessions::format_v1::layout::write_document;
-use crate::sessions::format_v1::number;
-use crate::sessions::format_v1::write::{FileTwin, RobotTwin, SessionTwin};
+use crate::sessions::format_v1::head;
+use crate::sessions::format_v1::robot::ROBOT;
 use crate::sessions::saved_columns::{Column, Values, columns};
 
 /// What an output may replace.
@@ -79,7 +79,10 @@ pub fn save_watched(
             ),
         });
     };
-    let document = SessionTwin::of(session, FileTwin { file: csv_name });
+    let document = Document {
+        head: head::write(session),
+        samples: object! { "file": csv_name },
+    };
     let samples = Prepared::write(&csv, replacing.force, |output| {
         write_rows(session, output, whole.part(0.0, 0.9))
     })?;
@@ -97,12 +100,11 @@ pub fn save_watched(
 /// # Errors
 /// What writing to `output` says.
 pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
-    let document = SessionTwin::of(
-        session,
-        InlineTwin {
-            columns: ColumnsTwin(columns(session)),
-        },
-    );
+    let columns = ColumnsTwin(columns(session));
+    let document = Document {
+        head: head::write(session),
+        samples: InlineTwin { columns },
+    };
     write_document(output, &document)
 }
 
@@ -111,7 +113,7 @@ pub fn write_inline(session: &Session, output: impl Write) -> io::Result<()> {
 /// # Errors
 /// What writing to `output` says.
 pub fn write_robot(robot: &Robot, output: impl Write) -> io::Result<()> {
-    write_document(output, &RobotTwin::of(robot))
+    write_document(output, &(ROBOT.write)(robot))
 }
 
 /// Writes the samples as CSV.
@@ -147,7 +149,7 @@ fn write_rows(session: &Session, output: &mut dyn Write, part: Part<'_>) -> io::
             match column.values {
                 Values::Numbers { values, outside } => {
                     if !values[row].is_nan() {
-                        number::write(output, outside(values[row]))?;
+                        write_number(output, outside(values[row]))?;
                     }
                 }
                 _ => write_text(output, column.values.text(row))?,
@@ -168,6 +170,13 @@ fn write_text(output: &mut dyn Write, text: &str) -> io::Result<()> {
     output.write_all(b"\"")?;
     output.write_all(text.replace('"', "\"\"").as_bytes())?;
     output.write_all(b"\"")
+}
+
+#[derive(Serialize)]
+struct Document<S> {
+    #[serde(flatten)]
+    head: Value,
+    samples: S,
 }
 
 #[derive(Serialize)]

@@ -3,9 +3,9 @@
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 
+use crate::document::degrees;
 use crate::kinematics::JointKind;
 use crate::sessions::domain::{Session, Setups, Target};
-use crate::sessions::format_v1::degrees::degrees;
 use crate::sessions::references::References;
 
 /// From an inner to an outer unit.

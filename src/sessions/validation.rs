@@ -5,9 +5,9 @@
 //! a wrong unit) need a fit and are not looked for here.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::quoted;
 use crate::kinematics::{JointKind, Robot};
 use crate::sessions::domain::{Region, Samples, Session};
-use crate::sessions::number::quoted;
 use crate::units::deg_from_rad;
 
 /// How many samples are named before the rest is counted.

@@ -1,13 +1,10 @@
 //! What was in a simulated session, for whoever checks the answer; the session itself says nothing
 //! of it.
 
-use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
-
 use super::scenario::{Noise, NoiseKind};
-use crate::effects::{Parameter, Term};
+use crate::document::{Member, Value, object, text_of};
+use crate::effects::Term;
 use crate::model::Positions;
-use crate::sessions::format_v1::layout::write_document;
 
 /// See the module.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,47 +23,10 @@ pub struct Truth {
     pub exact: Positions,
 }
 
-#[derive(Serialize)]
-struct TruthTwin<'a> {
-    format: &'static str,
-    session: &'a str,
-    seed: u64,
-    effects: Vec<EffectTwin>,
-    noise: Option<NoiseTwin>,
-    /// Counted from 1, as the rows of the session.
-    outliers: Vec<usize>,
-}
-
-#[derive(Serialize)]
-struct EffectTwin {
-    effect: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    joint: Option<usize>,
-    parameters: ParametersTwin,
-}
-
-struct ParametersTwin(Vec<Parameter>);
-
-impl Serialize for ParametersTwin {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for parameter in &self.0 {
-            map.serialize_entry(parameter.name, &as_given(parameter.value))?;
-        }
-        map.end()
-    }
-}
-
 /// Twelve digits: an amplitude and a phase lose their last bits on the way through sine and cosine,
 /// and the truth should look as it was given.
 fn as_given(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
-}
-
-#[derive(Serialize)]
-struct NoiseTwin {
-    sigma_mm: f64,
-    kind: &'static str,
 }
 
 impl NoiseKind {
@@ -83,31 +43,30 @@ impl NoiseKind {
 impl Truth {
     /// The truth as a JSON document, `truepose-truth/1`. Samples are counted from 1 in it, as the
     /// rows of the session.
-    ///
-    /// # Panics
-    /// Never: writing to memory does not fail.
     pub fn to_json(&self) -> String {
         let effect = |term: &Term| {
             let about = term.effect.about();
-            EffectTwin {
-                effect: about.id,
-                joint: about.per_joint.then_some(term.joint + 1),
-                parameters: ParametersTwin(term.parameters()),
-            }
+            let mut all = vec![Member::new("effect", about.id)];
+            all.extend(
+                about
+                    .per_joint
+                    .then(|| Member::new("joint", term.joint + 1)),
+            );
+            let own = term.parameters();
+            let own = own.iter().map(|p| Member::new(p.name, as_given(p.value)));
+            all.push(Member::new("parameters", Value::Object(own.collect())));
+            Value::Object(all)
         };
-        let twin = TruthTwin {
-            format: "truepose-truth/1",
-            session: &self.name,
-            seed: self.seed,
-            effects: self.effects.iter().map(effect).collect(),
-            noise: self.noise.map(|noise| NoiseTwin {
-                sigma_mm: noise.sigma_mm,
-                kind: noise.kind.name(),
-            }),
-            outliers: self.outliers.iter().map(|i| i + 1).collect(),
+        let noise = |noise: Noise| {
+            object! { "sigma_mm": noise.sigma_mm, "kind": noise.kind.name() }
         };
-        let mut text = Vec::new();
-        write_document(&mut text, &twin).expect("writing to memory does not fail");
-        String::from_utf8(text).expect("JSON is UTF-8")
+        text_of(&object! {
+            "format": "truepose-truth/1",
+            "session": &self.name,
+            "seed": self.seed,
+            "effects": self.effects.iter().map(effect).collect::<Value>(),
+            "noise": self.noise.map(noise),
+            "outliers": self.outliers.iter().map(|i| i + 1).collect::<Value>(),
+        })
     }
 }

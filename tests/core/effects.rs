@@ -162,7 +162,8 @@ fn worst_column(model: &Model, inputs: &Inputs) -> (f64, usize) {
 fn all_effects() -> impl Iterator<Item = &'static dyn Effect> {
     let beside = BESIDE_THE_CATALOGUE.iter().copied();
     let all = CATALOGUE.iter().copied().chain(beside);
-    let all = all.flat_map(|effect| [Some(effect), effect.other_form()].into_iter().flatten());
+    let all =
+        all.flat_map(|effect| std::iter::once(effect).chain(effect.other_forms().iter().copied()));
     all.filter(|effect| effect.about().id != UNEXPLAINED)
 }
 

@@ -5,8 +5,8 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use crate::diagnostic::{Place, Rejected};
+use crate::document::{Fields, Member, Node, Path, Value};
 use crate::sessions::files::as_text;
-use crate::sessions::json::{Fields, Member, Node, Path, Value};
 
 /// Ticks of a turn.
 pub(super) const TICKS_PER_TURN: i64 = 4096;

@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::atomic::{WriteError, write_atomically};
+use crate::document::number::hexadecimal;
 use crate::effects::{Term, find, form_with};
 use crate::gui::core::document::{Added, Choices, Document, Method};
 use crate::kinematics::Robot;
@@ -191,7 +192,7 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
         effects: kept.effects.clone(),
         added: kept.added.clone(),
         bytes: document.len() as u64,
-        sha256: hex(&Sha256::digest(&document)),
+        sha256: hexadecimal(&Sha256::digest(&document)),
     };
     let header = serde_json::to_vec(&header).map_err(|e| failed(e.into()))?;
     write_atomically(path, true, |output| {
@@ -199,16 +200,6 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
         output.write_all(b"\n")?;
         output.write_all(&document)
     })
-}
-
-fn hex(bytes: &[u8]) -> String {
-    let mut text = String::with_capacity(2 * bytes.len());
-    for byte in bytes {
-        for digit in [byte >> 4, byte & 15] {
-            text.push(char::from(b"0123456789abcdef"[usize::from(digit)]));
-        }
-    }
-    text
 }
 
 fn read(path: &Path) -> Result<Kept, String> {
@@ -227,7 +218,7 @@ fn read(path: &Path) -> Result<Kept, String> {
             header.bytes
         ));
     }
-    if hex(&Sha256::digest(document)) != header.sha256 {
+    if hexadecimal(&Sha256::digest(document)) != header.sha256 {
         return Err("its contents do not agree with their hash".to_owned());
     }
     let loaded = sessions::parse(document).map_err(|e| e.to_string())?;

@@ -5,6 +5,7 @@
 //! that length (`--nominal-length`). Where the anchors are, and whether the instrument shows true
 //! distances, the session declares: [`crate::importers::distances`].
 
+use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::distances::{ANCHOR, ANCHOR_OFFSET};
 use crate::importers::formats::{Asks, Importer, KnownBy, OwnOption};
@@ -13,7 +14,6 @@ use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::importers::units::Word;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
 
 const NOMINAL_LENGTH: &str = "nominal-length";
 

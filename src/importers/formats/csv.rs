@@ -1,11 +1,11 @@
 //! Any table: what its columns are is said by its header, or by the person.
 
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy};
 use crate::importers::headings::{Role, understand};
 use crate::importers::reader::Case;
 use crate::importers::settings::About;
-use crate::sessions::number::quoted;
 
 /// See the module.
 pub(crate) static IMPORTER: Importer = Importer {

@@ -6,6 +6,7 @@
 //! occlusion; y points upwards unless the export was told otherwise.
 
 use crate::diagnostic::Diagnostic;
+use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::Decimal;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
@@ -17,7 +18,6 @@ use crate::importers::settings::{About, ColumnGuess, Known};
 use crate::importers::units::{self, Word};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
 use crate::sessions::table::{Cells, Names};
 
 /// Lines between the first one and that of the frames.

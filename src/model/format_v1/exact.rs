@@ -1,13 +1,14 @@
 //! The numbers that the program computes with, and whether they are those that people read.
 
-use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3};
-use std::path::Path as FilePath;
+use nalgebra::{Quaternion, Unit, UnitQuaternion};
 
+use crate::document::Value;
+use crate::document::kinds::{NUMBER, components, wxyz};
+use crate::document::object::{At, Kind, Object, written};
 use crate::effects::term::setting_quantity;
 use crate::effects::{Setting, Term};
-use crate::kinematics::{Range, Robot};
-use crate::sessions::format_v1::robot;
-use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
+use crate::kinematics::{Joint, Range, Robot};
+use crate::sessions::format_v1::robot::ROBOT;
 use crate::sessions::validation;
 
 /// Exact and readable numbers may differ by this part through conversion, not by more.
@@ -20,142 +21,125 @@ pub(super) fn agrees(exact: f64, readable: f64) -> bool {
     (exact - readable).abs() <= AGREES * readable.abs().max(1e-3)
 }
 
-/// The robot, with the exact numbers in place of the readable ones.
-pub(super) fn robot_of(
-    fields: &mut Fields<'_>,
-    members: &[Member],
-    at: usize,
-    folder: Option<&FilePath>,
-) -> Option<Robot> {
-    let path = &Path::Root;
-    let expected = "an object that describes the robot";
-    let node = fields.required(members, at, path, "robot", expected)?;
-    let mut robot = robot::read(fields, node, &path.key("robot"), folder)?;
-    let place = fields.place(node.at, &path.key("robot"));
-    validation::robot(&robot, &place, &mut fields.findings);
-    if fields.has_errors() {
-        return None;
+/// The exact number in place of the readable one.
+pub(super) fn exact(o: &mut Object<'_, '_>, key: &'static str, own: &mut f64) {
+    let readable = *own;
+    o.required(key, own, &NUMBER);
+    if o.is_read() && !agrees(*own, readable) {
+        o.error_in(key, own.to_string(), DISAGREES);
     }
-    let Some(exact) = optional(members, "robot_exact") else {
-        return Some(robot);
-    };
-    let path = &path.key("robot_exact");
-    let members = fields.object(
-        exact,
-        path,
-        "an object with joints and tool_quaternion_wxyz",
-    )?;
-    let joints = fields.required(members, exact.at, path, "joints", "an array")?;
-    let list = match &joints.value {
-        Value::List(list) if list.len() == robot.joints.len() => list,
-        _ => {
-            let expected = format!("an array of {} objects", robot.joints.len());
-            fields.mismatch(joints, &path.key("joints"), &expected);
-            return None;
-        }
-    };
-    for (index, (joint, node)) in robot.joints.iter_mut().zip(list).enumerate() {
-        let joints = path.key("joints");
-        let path = &joints.index(index);
-        let members = fields.object(node, path, "an object with axis and limits_inner")?;
-        let axis = fields.required_numbers::<3>(members, node.at, path, "axis", "3 numbers")?;
-        let readable = joint.axis.direction.into_inner();
-        if !axis.iter().zip(&readable).all(|(a, b)| agrees(*a, *b)) {
-            fields.error(node.at, &path.key("axis"), format!("{axis:?}"), DISAGREES);
-        }
-        joint.axis.direction = Unit::new_unchecked(Vector3::from(axis));
-        let limits = match optional(members, "limits_inner") {
-            None => None,
-            Some(node) => {
-                Some(fields.numbers::<2>(node, &path.key("limits_inner"), "2 numbers")?)
-            }
-        };
-        let same = match (limits, joint.limits) {
-            (None, None) => true,
-            (Some([from, to]), Some(l)) => agrees(from, l.from) && agrees(to, l.to) && from < to,
-            _ => false,
-        };
-        if !same {
-            let found = format!("{limits:?}");
-            fields.error(node.at, &path.key("limits_inner"), found, DISAGREES);
-        }
-        joint.limits = limits.map(|[from, to]| Range { from, to });
-    }
-    let key = "tool_quaternion_wxyz";
-    let exact_turn = fields.required_numbers::<4>(members, exact.at, path, key, "4 numbers")?;
-    let readable = robot.base_from_tool.rotation.quaternion();
-    let readable = [readable.w, readable.i, readable.j, readable.k];
-    if !exact_turn
-        .iter()
-        .zip(&readable)
-        .all(|(a, b)| agrees(*a, *b))
-    {
-        fields.error(
-            exact.at,
-            &path.key(key),
-            format!("{exact_turn:?}"),
-            DISAGREES,
-        );
-    }
-    let [w, x, y, z] = exact_turn;
-    robot.base_from_tool.rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z));
-    Some(robot)
 }
 
-/// An effect with its exact numbers in place of the readable ones.
-pub(super) fn exact_term(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    mut term: Term,
-) -> Option<Term> {
-    let members = fields.object(node, path, "an object with setting and coefficients")?;
-    let setting = fields.required_number(members, node.at, path, "setting")?;
-    let about = term.effect.about();
-    let shown = setting_quantity(about.setting);
-    // A model from before the effect had a setting means the usual one.
-    let before = matches!(about.setting, Setting::Listed(_)) && setting == 0.0;
-    let setting = if before { term.setting } else { setting };
-    if shown.is_some() && !agrees(setting, term.setting) {
-        fields.error(
-            node.at,
-            &path.key("setting"),
-            setting.to_string(),
-            DISAGREES,
-        );
-        return None;
+/// Exact numbers in place of readable ones.
+fn exact_each<const N: usize>(at: &mut At<'_, '_>, readable: [f64; N]) -> Option<[f64; N]> {
+    let exact = at.numbers::<N>()?;
+    if exact.iter().zip(&readable).all(|(a, b)| agrees(*a, *b)) {
+        return Some(exact);
     }
-    let key = "coefficients";
-    let wanted = term.coefficients.len();
-    let expected = format!("an array of {wanted} numbers");
-    let list = fields.required(members, node.at, path, key, &expected)?;
-    let coefficients = match &list.value {
-        Value::Numbers(values)
-            if values.len() == wanted && values.iter().all(|v| v.is_finite()) =>
-        {
-            values
-        }
-        _ => {
-            fields.mismatch(list, &path.key(key), &expected);
-            return None;
-        }
+    at.error(format!("{exact:?}"), DISAGREES)
+}
+
+/// A robot that a model can be of.
+pub(super) fn robot_of(at: &mut At<'_, '_>) -> Option<Robot> {
+    let robot = ROBOT.read(at.fields, at.node, at.path)?;
+    let place = at.fields.place(at.node.at, at.path);
+    validation::robot(&robot, &place, &mut at.fields.findings);
+    (!at.fields.has_errors()).then_some(robot)
+}
+
+/// What of a robot the session's form may round or normalise.
+pub(super) fn exact_robot(o: &mut Object<'_, '_>, robot: &mut Robot) {
+    if o.needs("joints", "an array") {
+        let expected = format!("an array of {} objects", robot.joints.len());
+        let own = robot.joints.clone();
+        let element = "an object with axis and limits_inner";
+        let read = |at: &mut At<'_, '_>| at.each(own, element, |own, at| at.fill(own, exact_joint));
+        let write = |all: &Vec<Joint>| {
+            let one = |own: &Joint| written(own.clone(), exact_joint);
+            Some(all.iter().map(one).collect())
+        };
+        o.with("joints", &mut robot.joints, &expected, read, write);
+    }
+    let key = "tool_quaternion_wxyz";
+    if o.needs(key, "4 numbers") {
+        let turn = &mut robot.base_from_tool.rotation;
+        let readable = [turn.w, turn.i, turn.j, turn.k];
+        let read = |at: &mut At<'_, '_>| {
+            let [w, x, y, z] = exact_each(at, readable)?;
+            Some(UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)))
+        };
+        o.with(key, turn, "4 numbers", read, |turn| Some(wxyz(turn)));
+    }
+}
+
+fn exact_joint(o: &mut Object<'_, '_>, own: &mut Joint) {
+    if o.needs("axis", "3 numbers") {
+        let direction = &mut own.axis.direction;
+        let readable = direction.into_inner().into();
+        let read = |at: &mut At<'_, '_>| {
+            let exact = exact_each(at, readable)?;
+            Some(Unit::new_unchecked(exact.into()))
+        };
+        o.with("axis", direction, "3 numbers", read, |d| {
+            Some(components(d))
+        });
+    }
+    let readable = own.limits.map(|limits| [limits.from, limits.to]);
+    let mut limits = readable.filter(|_| !o.is_read());
+    o.usual_or_null("limits_inner", &mut limits, &TWO);
+    let same = match (limits, readable) {
+        (None, None) => true,
+        (Some([from, to]), Some([a, b])) => agrees(from, a) && agrees(to, b) && from < to,
+        _ => false,
     };
-    let scale = term
-        .coefficients
-        .iter()
-        .fold(0.0_f64, |m, v| m.max(v.abs()));
-    let near =
-        |(exact, readable): (&f64, &f64)| (exact - readable).abs() <= AGREES * scale.max(1e-9);
-    if !coefficients.iter().zip(&term.coefficients).all(near) {
-        fields.error(
-            list.at,
-            &path.key(key),
-            format!("{coefficients:?}"),
-            DISAGREES,
-        );
-        return None;
+    if o.has_read_well() && !same {
+        o.error_in("limits_inner", format!("{limits:?}"), DISAGREES);
     }
-    term.setting = setting;
-    term.coefficients.clone_from(coefficients);
-    Some(term)
+    own.limits = limits.map(|[from, to]| Range { from, to });
+}
+
+const TWO: Kind<[f64; 2]> = Kind {
+    expected: "2 numbers",
+    read: |at| at.numbers(),
+    write: |two| (*two).into(),
+};
+
+/// The exact numbers of an effect in place of the readable ones.
+pub(super) fn exact_term(o: &mut Object<'_, '_>, term: &mut Term) {
+    let (setting, readable) = (term.effect.about().setting, term.setting);
+    o.required("setting", &mut term.setting, &NUMBER);
+    // A model from before the effect had a setting means the usual one.
+    if matches!(setting, Setting::Listed(_)) && term.setting == 0.0 {
+        term.setting = readable;
+    }
+    if setting_quantity(setting).is_some() && !agrees(term.setting, readable) {
+        o.error_in("setting", term.setting.to_string(), DISAGREES);
+    }
+    let readable = term.coefficients.clone();
+    let expected = format!("an array of {} numbers", readable.len());
+    let read = |at: &mut At<'_, '_>| {
+        let exact = match &at.node.value {
+            Value::Numbers(all) if all.len() == readable.len() => all,
+            _ => return at.wrong(),
+        };
+        if exact.iter().any(|v| !v.is_finite()) {
+            return at.wrong();
+        }
+        let scale = readable.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let near = |(a, b): (&f64, &f64)| (a - b).abs() <= AGREES * scale.max(1e-9);
+        if exact.iter().zip(&readable).all(near) {
+            return Some(exact.clone());
+        }
+        at.error(format!("{exact:?}"), DISAGREES)
+    };
+    let write = |all: &Vec<f64>| Some(all.as_slice().into());
+    if o.needs("coefficients", &expected) {
+        o.with(
+            "coefficients",
+            &mut term.coefficients,
+            &expected,
+            read,
+            write,
+        );
+    }
 }

@@ -14,12 +14,10 @@ mod curve;
 mod exact;
 mod read;
 mod term;
-mod write;
 
 pub(crate) use term::term;
 
-pub use read::{is_model, load_model, read_model};
-pub use write::{model_hash, write_model};
+pub use read::{is_model, load_model, model_hash, read_model, write_model};
 
 /// What the key `format` says.
 pub(crate) const FORMAT: &str = "truepose-model/1";

@@ -1,4 +1,4 @@
-//! Reads the model document; every complaint carries line, column and path.
+//! The model document; every complaint carries line, column and path.
 
 use std::path::Path as FilePath;
 use std::{fmt, io};
@@ -6,18 +6,22 @@ use std::{fmt, io};
 use nalgebra::DMatrix;
 use serde::Deserializer as _;
 use serde::de::{IgnoredAny, MapAccess, Visitor};
+use sha2::{Digest, Sha256};
 
 use super::FORMAT;
-use super::exact::{DISAGREES, agrees, robot_of};
-use super::term::term;
+use super::exact::{exact, exact_robot, robot_of};
+use super::term::{term, term_written};
 use crate::diagnostic::{Place, Rejected};
+use crate::document::kinds::{DEGREES, NUMBER, TEXT, count};
+use crate::document::number::hexadecimal;
+use crate::document::object::{At, Kind, Object, written};
+use crate::document::{Fields, Node, Path, Value, text_of};
 use crate::effects::Term;
 use crate::kinematics::{JointKind, Range};
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::sessions::files;
-use crate::sessions::format_v1::read::{default_targets, positive, targets};
-use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
-use crate::units::rad_from_deg;
+use crate::sessions::format_v1::head::{TARGETS, TOLERANCE_MM, default_targets};
+use crate::sessions::format_v1::robot::{ROBOT, blank};
 
 /// Reads the model at `path`.
 ///
@@ -29,7 +33,7 @@ pub fn load_model(path: impl AsRef<FilePath>) -> Result<Calibration, Rejected> {
     let bytes = files::read_document(path)?;
     let place = Place::file(path);
     let text = files::as_text(&bytes, &place)?;
-    read(text, place, Some(files::folder_of(path)))
+    read(text, place)
 }
 
 /// What every version of the model's format begins with.
@@ -81,12 +85,12 @@ impl<'de> Visitor<'de> for &mut Tag {
 /// # Errors
 /// As [`load_model`].
 pub fn read_model(text: &str) -> Result<Calibration, Rejected> {
-    read(text, Place::default(), None)
+    read(text, Place::default())
 }
 
-fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<Calibration, Rejected> {
+fn read(text: &str, place: Place) -> Result<Calibration, Rejected> {
     let (mut fields, root) = Fields::open(place, text)?;
-    let calibration = document(&mut fields, &root, folder);
+    let calibration = document(&mut fields, &root);
     match calibration {
         Some(calibration) if !fields.has_errors() => Ok(calibration),
         _ => Err(Rejected {
@@ -95,262 +99,228 @@ fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<Calibrati
     }
 }
 
-const KNOWN: [&str; 14] = [
-    "format",
-    "program_version",
-    "session",
-    "samples_hash",
-    "robot",
-    "robot_exact",
-    "targets",
-    "effects",
-    "covariance",
-    "regions",
-    "measured",
-    "tolerance_mm",
-    "compensated_by",
-    "history",
-];
+fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Calibration> {
+    let expected = "a model: an object with the key \"format\"";
+    fields.of_format(root, FORMAT, expected)?;
+    let blank = Calibration {
+        session: String::new(),
+        model: Model::nominal(blank()),
+        covariance: None,
+        regions: Vec::new(),
+        targets: default_targets(),
+        measured: Vec::new(),
+        tolerance_mm: None,
+        compensated_by: None,
+        history: Vec::new(),
+        samples_hash: String::new(),
+        program_version: String::new(),
+    };
+    let mut at = At {
+        fields,
+        node: root,
+        path: &Path::Root,
+        expected,
+    };
+    at.object(blank, calibration)
+}
 
-fn document(
-    fields: &mut Fields<'_>,
-    root: &Node,
-    folder: Option<&FilePath>,
-) -> Option<Calibration> {
-    let path = &Path::Root;
-    let members = fields.object(root, path, "a model: an object with the key \"format\"")?;
-    format_tag(fields, members, root.at)?;
-    fields.unknown_keys(members, path, &KNOWN);
-    let text =
-        |fields: &mut Fields<'_>, key: &str| fields.required_text(members, root.at, path, key);
-    let program_version = text(fields, "program_version");
-    let session = text(fields, "session");
-    let samples_hash = text(fields, "samples_hash");
-    let robot = robot_of(fields, members, root.at, folder)?;
-    let targets = optional(members, "targets")
-        .and_then(|node| targets(fields, node, &path.key("targets")))
-        .unwrap_or_else(default_targets);
-    let terms = terms(fields, members, root.at, robot.joints.len())?;
-    let model = Model::new(robot, terms);
-    let covariance = optional(members, "covariance")
-        .map(|node| covariance(fields, node, model.coefficient_count()));
-    let regions = each(fields, members, root.at, "regions", region)?;
-    let joints = &model.robot.joints;
-    let one_that_turns = joints.len() == 1 && joints[0].kind == JointKind::Revolute;
-    if let Some(node) = optional(members, "regions").filter(|_| !regions.is_empty())
-        && !one_that_turns
-    {
+/// The model as the text of its file.
+pub fn write_model(calibration: &Calibration) -> String {
+    text_of(&written(calibration.clone(), self::calibration))
+}
+
+/// SHA-256 of the model's file as the program writes it: 64 hexadecimal digits. A session says
+/// with it which model's table was active while it was measured (`compensated_by`).
+pub fn model_hash(calibration: &Calibration) -> String {
+    hexadecimal(&Sha256::digest(write_model(calibration)))
+}
+
+fn calibration(o: &mut Object<'_, '_>, own: &mut Calibration) {
+    o.says("format", FORMAT);
+    o.required("program_version", &mut own.program_version, &TEXT);
+    o.required("session", &mut own.session, &TEXT);
+    o.required("samples_hash", &mut own.samples_hash, &TEXT);
+    let mut robot = own.model.robot.clone();
+    if o.needs("robot", ROBOT.expected) {
+        let write = |robot: &_| Some((ROBOT.write)(robot));
+        o.with("robot", &mut robot, ROBOT.expected, robot_of, write);
+    }
+    o.end_if_wrong();
+    o.know("robot_exact");
+    if o.is_given("robot_exact") {
+        let expected = "an object with joints and tool_quaternion_wxyz";
+        o.part("robot_exact", &mut robot, expected, exact_robot);
+    }
+    o.end_if_wrong();
+    o.usual("targets", &mut own.targets, &TARGETS);
+    let mut terms = own.model.terms().to_vec();
+    let joints = robot.joints.len();
+    if o.needs("effects", "an array") {
+        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, joints));
+        let write = |all: &Vec<Term>| {
+            let all = all.iter().map(|own| term_written(own, &robot));
+            Some(all.collect())
+        };
+        o.with("effects", &mut terms, "an array of objects", read, write);
+    }
+    o.end_if_wrong();
+    if o.is_read() {
+        own.model = Model::new(robot, terms);
+    }
+    covariance(o, own);
+    if o.needs("regions", "an array") {
+        o.field("regions", &mut own.regions, &REGIONS);
+    }
+    let kinds = own.model.robot.joints.iter().map(|joint| joint.kind);
+    if !own.regions.is_empty() && !kinds.eq([JointKind::Revolute]) {
         let found = "regions of another robot than one with a single turning joint";
-        let path = &path.key("regions");
-        fields.error(node.at, path, found, "no regions for this robot");
+        o.error_in("regions", found, "no regions for this robot");
     }
-    let measured = each(fields, members, root.at, "measured", range)?;
-    if let (Some(node), true) = (
-        optional(members, "measured"),
-        measured.len() != model.robot.joints.len(),
-    ) {
-        let expected = format!("one range for each of {} joints", model.robot.joints.len());
-        let found = format!("{} ranges", measured.len());
-        fields.error(node.at, &path.key("measured"), found, expected);
+    if o.needs("measured", "an array") {
+        o.field("measured", &mut own.measured, &RANGES);
+        if o.has_read_well() && own.measured.len() != joints {
+            let found = format!("{} ranges", own.measured.len());
+            let expected = format!("one range for each of {joints} joints");
+            o.error_in("measured", found, expected);
+        }
     }
-    let tolerance_mm = optional(members, "tolerance_mm").and_then(|node| {
-        let path = &path.key("tolerance_mm");
-        positive(fields, node, path, "a length above 0 mm")
-    });
-    let compensated_by = optional(members, "compensated_by")
-        .and_then(|node| fields.text(node, &path.key("compensated_by")));
-    let history = each(fields, members, root.at, "history", step)?;
-    Some(Calibration {
-        session: session?,
-        model,
-        covariance: match covariance {
-            None => None,
-            Some(covariance) => Some(covariance?),
-        },
-        regions,
-        targets,
-        measured,
-        tolerance_mm,
-        compensated_by,
-        history,
-        samples_hash: samples_hash?,
-        program_version: program_version?,
-    })
-}
-
-fn format_tag(fields: &mut Fields<'_>, members: &[Member], at: usize) -> Option<()> {
-    let expected = format!("\"{FORMAT}\"");
-    let node = fields.required(members, at, &Path::Root, "format", &expected)?;
-    if let Value::Text(tag) = &node.value
-        && tag == FORMAT
-    {
-        return Some(());
+    o.usual_or_null("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
+    o.optional("compensated_by", &mut own.compensated_by, &TEXT);
+    if o.needs("history", "an array") {
+        o.field("history", &mut own.history, &STEPS);
     }
-    fields.mismatch(node, &Path::Root.key("format"), &expected);
-    None
 }
 
-/// The elements of an array that has to be there; `None` when one of them is wrong.
-fn each<T>(
-    fields: &mut Fields<'_>,
-    members: &[Member],
-    at: usize,
-    key: &str,
-    read: impl Fn(&mut Fields<'_>, &Node, &Path<'_>) -> Option<T>,
-) -> Option<Vec<T>> {
-    let node = fields.required(members, at, &Path::Root, key, "an array")?;
-    let path = &Path::Root.key(key);
-    let Value::List(list) = &node.value else {
-        fields.mismatch(node, path, "an array of objects");
-        return None;
-    };
-    let all: Vec<Option<T>> = list
-        .iter()
-        .enumerate()
-        .map(|(index, node)| read(fields, node, &path.index(index)))
-        .collect();
-    all.into_iter().collect()
-}
-
-fn terms(
-    fields: &mut Fields<'_>,
-    members: &[Member],
-    at: usize,
-    joints: usize,
-) -> Option<Vec<Term>> {
-    each(fields, members, at, "effects", |fields, node, path| {
-        term(fields, node, path, joints)
-    })
-}
-
-fn covariance(fields: &mut Fields<'_>, node: &Node, size: usize) -> Option<DMatrix<f64>> {
-    let path = &Path::Root.key("covariance");
+fn covariance(o: &mut Object<'_, '_>, own: &mut Calibration) {
+    let size = own.model.coefficient_count();
     let expected = format!("{size} arrays of {size} numbers, one for each coefficient");
-    let rows: Option<Vec<&[f64]>> = match &node.value {
-        Value::List(rows) if rows.len() == size => rows
-            .iter()
-            .map(|row| match &row.value {
-                // A number that could not be written is null there and NaN here.
-                Value::Numbers(row) if row.len() == size => Some(row.as_slice()),
-                _ => None,
-            })
-            .collect(),
-        _ => None,
-    };
-    let Some(rows) = rows else {
-        fields.mismatch(node, path, &expected);
-        return None;
-    };
-    Some(DMatrix::from_fn(size, size, |row, column| {
-        rows[row][column]
-    }))
-}
-
-fn region(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<RegionalCorrection> {
-    let members = fields.object(node, path, "an object that describes a region")?;
-    let known = [
-        "name",
-        "from_deg",
-        "to_deg",
-        "samples",
-        "correction",
-        "exact",
-    ];
-    fields.unknown_keys(members, path, &known);
-    let name = fields.required_text(members, node.at, path, "name");
-    let from = fields.required_number(members, node.at, path, "from_deg");
-    let to = fields.required_number(members, node.at, path, "to_deg");
-    let samples = fields.required(members, node.at, path, "samples", "a number of samples");
-    let samples =
-        samples.and_then(|n| count(fields, n, &path.key("samples"), "a number of samples"));
-    let expected = "an object with theta_rad and l1_mm";
-    let correction = fields.required(members, node.at, path, "correction", expected)?;
-    let inside = &path.key("correction");
-    let values = fields.object(correction, inside, expected)?;
-    let theta_rad = fields.required_number(values, correction.at, inside, "theta_rad");
-    let l1_mm = fields.required_number(values, correction.at, inside, "l1_mm");
-    let (mut from_rad, mut to_rad) = (rad_from_deg(from?), rad_from_deg(to?));
-    if let Some(exact) = optional(members, "exact") {
-        let inside = &path.key("exact");
-        let values = fields.object(exact, inside, "an object with from_rad and to_rad")?;
-        for (key, own) in [("from_rad", &mut from_rad), ("to_rad", &mut to_rad)] {
-            let value = fields.required_number(values, exact.at, inside, key)?;
-            if !agrees(value, *own) {
-                fields.error(exact.at, &inside.key(key), value.to_string(), DISAGREES);
+    let read = |at: &mut At<'_, '_>| {
+        // A number that could not be written is null there and NaN here.
+        let row = |row: &Node| match &row.value {
+            Value::Numbers(row) if row.len() == size => Some(row.clone()),
+            _ => None,
+        };
+        match &at.node.value {
+            Value::Null => Some(None),
+            Value::List(rows) if rows.len() == size => {
+                let rows: Option<Vec<Vec<f64>>> = rows.iter().map(row).collect();
+                let matrix = rows.map(|rows| DMatrix::from_fn(size, size, |i, j| rows[i][j]));
+                matrix.map(Some).or_else(|| at.wrong())
             }
-            *own = value;
+            _ => at.wrong(),
         }
-    }
-    if from_rad >= to_rad {
-        let found = format!("a region from {from_rad} to {to_rad} rad");
-        fields.error(
-            node.at,
-            path,
-            found,
-            "a region from the smaller to the larger value",
-        );
-    }
-    Some(RegionalCorrection {
-        name: name?,
-        from_rad,
-        to_rad,
-        samples: samples?,
-        theta_rad: theta_rad?,
-        l1_mm: l1_mm?,
-    })
-}
-
-fn range(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Range> {
-    let members = fields.object(node, path, "an object with from_inner and to_inner")?;
-    let from = fields.required_number(members, node.at, path, "from_inner");
-    let to = fields.required_number(members, node.at, path, "to_inner");
-    let (from, to) = (from?, to?);
-    if from > to {
-        let found = format!("a range from {from} to {to}");
-        fields.error(
-            node.at,
-            path,
-            found,
-            "a range from the smaller to the larger value",
-        );
-    }
-    Some(Range { from, to })
-}
-
-fn step(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<GapStep> {
-    let members = fields.object(node, path, "an object with what and gap_mm")?;
-    let what = fields.required_text(members, node.at, path, "what");
-    let mut length = |key: &str| {
-        let node = optional(members, key)?;
-        fields.number(node, &path.key(key))
     };
-    let (gap_mm, held_out_mm) = (length("gap_mm"), length("held_out_mm"));
-    Some(GapStep {
-        what: what?,
-        gap_mm: gap_mm.unwrap_or(f64::NAN),
-        held_out_mm,
-    })
+    let write = |covariance: &Option<DMatrix<f64>>| {
+        let rows = covariance.as_ref().map(|covariance| {
+            let row = |row: usize| -> Vec<f64> { covariance.row(row).iter().copied().collect() };
+            let rows = (0..covariance.nrows()).map(row);
+            rows.collect::<Value>()
+        });
+        Some(rows.into())
+    };
+    o.with("covariance", &mut own.covariance, &expected, read, write);
 }
 
-/// A whole number from 0 on.
-pub(super) fn count(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    expected: &str,
-) -> Option<usize> {
-    match node.value {
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a whole number in the range of the type"
-        )]
-        Value::Number(value) if value.fract() == 0.0 && (0.0..=1e15).contains(&value) => {
-            Some(value as usize)
-        }
-        _ => {
-            fields.mismatch(node, path, expected);
-            None
-        }
+const REGIONS: Kind<Vec<RegionalCorrection>> = Kind {
+    expected: "an array of objects",
+    read: |at| at.list(&REGION),
+    write: |all| all.iter().map(REGION.write).collect(),
+};
+
+const REGION: Kind<RegionalCorrection> = Kind {
+    expected: "an object that describes a region",
+    read: |at| {
+        let blank = RegionalCorrection {
+            name: String::new(),
+            from_rad: 0.0,
+            to_rad: 0.0,
+            samples: 0,
+            theta_rad: 0.0,
+            l1_mm: 0.0,
+        };
+        at.object(blank, region)
+    },
+    write: |own| written(own.clone(), region),
+};
+
+fn region(o: &mut Object<'_, '_>, own: &mut RegionalCorrection) {
+    o.required("name", &mut own.name, &TEXT);
+    o.required("from_deg", &mut own.from_rad, &DEGREES);
+    o.required("to_deg", &mut own.to_rad, &DEGREES);
+    o.required("samples", &mut own.samples, &count("a number of samples"));
+    o.part(
+        "correction",
+        own,
+        "an object with theta_rad and l1_mm",
+        |o, own| {
+            o.required("theta_rad", &mut own.theta_rad, &NUMBER);
+            o.required("l1_mm", &mut own.l1_mm, &NUMBER);
+        },
+    );
+    o.end_if_wrong();
+    o.know("exact");
+    if o.is_given("exact") {
+        o.part(
+            "exact",
+            own,
+            "an object with from_rad and to_rad",
+            |o, own| {
+                exact(o, "from_rad", &mut own.from_rad);
+                exact(o, "to_rad", &mut own.to_rad);
+            },
+        );
     }
+    let (from, to) = (own.from_rad, own.to_rad);
+    if o.has_read_well() && from >= to {
+        let expected = "a region from the smaller to the larger value";
+        o.error(format!("a region from {from} to {to} rad"), expected);
+    }
+}
+
+const RANGES: Kind<Vec<Range>> = Kind {
+    expected: "an array of objects",
+    read: |at| at.list(&RANGE),
+    write: |all| all.iter().map(RANGE.write).collect(),
+};
+
+/// rad or mm.
+const RANGE: Kind<Range> = Kind {
+    expected: "an object with from_inner and to_inner",
+    read: |at| at.object(Range { from: 0.0, to: 0.0 }, range),
+    write: |own| written(*own, range),
+};
+
+fn range(o: &mut Object<'_, '_>, own: &mut Range) {
+    o.required("from_inner", &mut own.from, &NUMBER);
+    o.required("to_inner", &mut own.to, &NUMBER);
+    let (from, to) = (own.from, own.to);
+    if o.has_read_well() && from > to {
+        let expected = "a range from the smaller to the larger value";
+        o.error(format!("a range from {from} to {to}"), expected);
+    }
+}
+
+const STEPS: Kind<Vec<GapStep>> = Kind {
+    expected: "an array of objects",
+    read: |at| at.list(&STEP),
+    write: |all| all.iter().map(STEP.write).collect(),
+};
+
+const STEP: Kind<GapStep> = Kind {
+    expected: "an object with what and gap_mm",
+    read: |at| {
+        let blank = GapStep {
+            what: String::new(),
+            gap_mm: f64::NAN,
+            held_out_mm: None,
+        };
+        at.object(blank, step)
+    },
+    write: |own| written(own.clone(), step),
+};
+
+fn step(o: &mut Object<'_, '_>, own: &mut GapStep) {
+    o.required("what", &mut own.what, &TEXT);
+    o.usual("gap_mm", &mut own.gap_mm, &NUMBER);
+    o.usual_or_null("held_out_mm", &mut own.held_out_mm, &NUMBER);
 }

@@ -1,18 +1,18 @@
 //! One effect, as models and scenarios write it.
 
-use super::curve::unexplained;
+use super::curve::{self, unexplained};
 use super::exact::exact_term;
-use super::read::count;
-use crate::effects::{Term, UNEXPLAINED, find};
-use crate::sessions::json::{Fields, Node, Path, optional};
+use crate::document::kinds::count;
+use crate::document::object::{At, Kind, written};
+use crate::document::{Fields, Member, Node, Path, Value, optional};
+use crate::effects::{Setting, Term, UNEXPLAINED, find};
+use crate::kinematics::Robot;
 
-/// One effect, as models and scenarios write it.
-pub(crate) fn term(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    joints: usize,
-) -> Option<Term> {
+const JOINT: Kind<usize> = count("a joint, counted from 1");
+
+/// Reads an effect of a robot with so many joints.
+pub(crate) fn term(at: &mut At<'_, '_>, joints: usize) -> Option<Term> {
+    let (fields, node, path) = (&mut *at.fields, at.node, at.path);
     let members = fields.object(node, path, "an object with effect and parameters")?;
     let id = fields.required_text(members, node.at, path, "effect")?;
     let last = if id == UNEXPLAINED { "curve" } else { "exact" };
@@ -34,10 +34,10 @@ pub(crate) fn term(
     }
     let joint = match optional(members, "joint") {
         None => 1,
-        Some(node) => count(fields, node, &path.key("joint"), "a joint, counted from 1")?,
+        Some(node) => JOINT.read(fields, node, &path.key("joint"))?,
     };
     if id == UNEXPLAINED {
-        return unexplained(fields, members, node.at, path, joint, joints);
+        return unexplained(at, members, joint, joints);
     }
     let given = optional(members, "parameters");
     let parameters = match given {
@@ -54,10 +54,16 @@ pub(crate) fn term(
             return None;
         }
     };
-    let mut term = match optional(members, "exact") {
-        None => Some(readable),
-        Some(node) => exact_term(fields, node, &path.key("exact"), readable),
-    }?;
+    let mut term = readable;
+    if let Some(node) = optional(members, "exact") {
+        let mut at = At {
+            fields,
+            node,
+            path: &path.key("exact"),
+            expected: "an object with setting and coefficients",
+        };
+        at.fill(&mut term, exact_term).then_some(())?;
+    }
     let mut labels = ["setup", "target", "place"].into_iter();
     let label = labels.find_map(|key| optional(members, key));
     if let Some(node) = label {
@@ -82,4 +88,38 @@ fn parameters(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<V
         })
         .collect();
     all.into_iter().collect()
+}
+
+/// What is written of an effect of this robot. Parameters stand in the order of the catalogue.
+pub(super) fn term_written(term: &Term, robot: &Robot) -> Value {
+    let about = term.effect.about();
+    let kind = robot.joints[term.joint].kind;
+    let mut all = vec![Member::new("effect", about.id)];
+    if about.per_joint {
+        all.push(Member::new("joint", term.joint + 1));
+    }
+    let labels = [
+        ("setup", Setting::Setup),
+        ("target", Setting::Target),
+        ("place", Setting::Place),
+    ];
+    let label = labels.iter().find(|(_, setting)| *setting == about.setting);
+    if let (Some((key, _)), Some(label)) = (label, &term.label) {
+        all.push(Member::new(*key, &**label));
+    }
+    let curve = term.curve();
+    let parameters = match curve {
+        Some(curve) => curve::parameters(curve, kind),
+        None => term.parameters_on(kind),
+    };
+    let parameters = parameters.iter().map(|p| Member::new(p.name, p.value));
+    all.push(Member::new(
+        "parameters",
+        Value::Object(parameters.collect()),
+    ));
+    all.push(match curve {
+        Some(curve) => Member::new("curve", curve::written_curve(curve)),
+        None => Member::new("exact", written(term.clone(), exact_term)),
+    });
+    Value::Object(all)
 }

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use super::Document;
+use crate::document::degrees;
 use crate::paper::RegionalStart;
-use crate::sessions::format_v1::degrees::degrees;
 
 /// The paper's regional model, held against the answer.
 #[derive(Debug, Serialize)]

@@ -2,7 +2,7 @@
 
 use std::io::{self, Read};
 
-use crate::sessions::number::PADDING;
+use crate::document::number::PADDING;
 
 /// Large enough that calls cost nothing, small enough to stay in a processor's second cache.
 const BLOCK: usize = 256 << 10;

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::document::number::{NotANumber, any_decimal, quoted};
 use crate::sessions::csv::Complaints;
-use crate::sessions::number::{NotANumber, any_decimal, quoted};
 use crate::sessions::table::Cells;
 
 /// What ends a cell.

@@ -3,9 +3,9 @@
 use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::{any_decimal, quoted};
 use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
-use crate::sessions::number::{any_decimal, quoted};
 
 /// Reads the headings; `None`, with the reason in `findings`, when the file is something else.
 pub(crate) fn read<R: Read>(

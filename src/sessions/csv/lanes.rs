@@ -4,7 +4,7 @@
 //! each length and each place of the point, which lane each digit goes to so that the number stands
 //! at the right without its point; three multiplications that add neighbours make one whole number
 //! of up to fifteen digits, and the division is the exact one of
-//! [`number`](crate::sessions::number). Nothing branches on how many digits there are.
+//! [`number`](crate::document::number). Nothing branches on how many digits there are.
 //!
 //! Only the instructions differ from the portable way: the values are the same to the last bit.
 
@@ -15,9 +15,9 @@ use std::arch::x86_64::{
     _mm256_cmpeq_epi8, _mm256_movemask_epi8, _mm256_or_si256, _mm256_set_m128i, _mm256_set1_epi8,
 };
 
+use crate::document::number::ratio;
 use crate::sessions::csv::Rows;
 use crate::sessions::csv::stretch::{SHORT, Tools};
-use crate::sessions::number::ratio;
 
 /// As [`Rows::take_with`] the portable way; `None` where the processor cannot.
 pub(super) fn take(rows: &mut Rows<'_>, bytes: &[u8], end: usize, last: bool) -> Option<usize> {

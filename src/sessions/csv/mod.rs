@@ -21,6 +21,7 @@ mod stretch;
 use std::io::{self, Read};
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::number::{plain_decimal, short_cell, short_decimal};
 use crate::kinematics::JointKind;
 use crate::progress::Part;
 use crate::sessions::columns::Layout;
@@ -28,7 +29,6 @@ use crate::sessions::csv::blocks::Blocks;
 use crate::sessions::csv::cells::{Cell, Stop};
 use crate::sessions::csv::stretch::{Decimal, Mark, Starts, Tools};
 use crate::sessions::lines::Lines;
-use crate::sessions::number::{plain_decimal, short_cell, short_decimal};
 use crate::sessions::table::{Cells, Table};
 
 /// Complaints that are worth printing; the rest is counted.

@@ -9,9 +9,9 @@
 //! A stretch with anything else in it is given back untouched, and its rows are taken one by one:
 //! only there is anything complained about, in the order of the file.
 
+use crate::document::number::{any_decimal, plain_decimal, short_decimal};
 use crate::sessions::csv::Rows;
 use crate::sessions::csv::cells::{Cell, trimmed};
-use crate::sessions::number::{any_decimal, plain_decimal, short_decimal};
 use crate::sessions::table::Cells;
 
 /// Bytes that are taken at once.

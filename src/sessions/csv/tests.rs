@@ -251,7 +251,7 @@ fn stretches_and_single_rows_say_the_same() {
             };
             let mut bytes = text.as_bytes()[text.find('\n').unwrap() + 1..].to_vec();
             let end = bytes.len();
-            bytes.resize(end + crate::sessions::number::PADDING, 0);
+            bytes.resize(end + crate::document::number::PADDING, 0);
             let mut at = 0;
             while one_by_one && at < end {
                 at = rows.take_line(&bytes, at, end, true).unwrap();

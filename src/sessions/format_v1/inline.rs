@@ -3,9 +3,9 @@
 //! The names are the headings of a CSV file, null is an empty cell, and texts stand in quotes.
 
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::{Fields, Member, Node, Path, Source, Value, element_offset};
 use crate::kinematics::JointKind;
 use crate::sessions::columns::{CellKind, Layout};
-use crate::sessions::json::{Fields, Member, Node, Path, Source, Value, element_offset};
 use crate::sessions::lines::Lines;
 use crate::sessions::table::{Cells, Names, Table};
 

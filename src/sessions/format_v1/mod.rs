@@ -1,23 +1,19 @@
 //! Version 1 of the session document, `truepose-session/1`.
 //!
-//! Reading goes from the tree that knows places ([`json`](super::json)) straight to the domain
-//! types, so that every complaint carries line, column and path; writing goes through twins that
-//! serde serialises. The document speaks in degrees and mm; conversion happens here and nowhere
-//! else.
+//! Reading goes from the tree that knows places ([`document`](crate::document)) straight to the domain
+//! types, so that every complaint carries line, column and path; writing goes the same way back, over
+//! the same declarations. The document speaks in degrees and mm; conversion happens here and nowhere
+//! else. Keys that were not understood on reading are not written.
 //!
 //! A direction or a quaternion that is of unit length to within rounding is taken as it stands:
 //! normalising it again would change its last bit at every saving.
 
-pub(crate) mod degrees;
+pub(crate) mod head;
 pub(crate) mod inline;
-pub(crate) mod layout;
-pub(crate) mod number;
-pub(crate) mod read;
 pub(crate) mod references;
 pub(crate) mod robot;
 mod robot_beside;
 pub(crate) mod robot_source;
-pub(crate) mod write;
 
 /// What the key `format` says.
 pub(crate) const FORMAT: &str = "truepose-session/1";

@@ -4,121 +4,118 @@
 
 use nalgebra::Point3;
 
-use super::robot::{Chain, ends, pose};
-use crate::kinematics::{LinkMass, Range, RobotSource};
-use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
+use super::robot::{ENDS, POSE, range};
+use crate::document::Value;
+use crate::document::kinds::{NUMBER, point};
+use crate::document::object::{At, Kind, Object};
+use crate::kinematics::{Joint, LinkMass, Pose, Robot, RobotSource};
 
-/// The keys.
-pub(super) const KEYS: [&str; 3] = ["tool", "limits", "masses"];
-
-/// The chain with what stands beside it; `None` when any of that is wrong.
-pub(super) fn with(
-    fields: &mut Fields<'_>,
-    members: &[Member],
-    path: &Path<'_>,
-    mut chain: Chain,
-) -> Option<Chain> {
-    let mut good = true;
-    if let (RobotSource::Dh { .. }, Some(node)) = (&chain.source, optional(members, "base")) {
-        match pose(fields, node, &path.key("base")) {
-            Some(base) => chain.move_by(base),
-            None => good = false,
-        }
+/// Reads what stands beside `source`, one of the keys `dh`, `urdf` and `mjcf`.
+pub(super) fn with(o: &mut Object<'_, '_>, robot: &mut Robot, source: &str) {
+    for key in ["tool", "limits", "masses"] {
+        o.know(key);
     }
-    if let Some(node) = optional(members, "tool") {
-        match pose(fields, node, &path.key("tool")) {
-            Some(tool) => chain.base_from_tool = tool,
-            None => good = false,
-        }
+    if source == "dh" {
+        o.know("base");
     }
-    if let Some(node) = optional(members, "limits") {
-        let path = &path.key("limits");
-        let nodes = one_each(fields, node, path, chain.joints.len(), "pair of limits");
-        good &= nodes.is_some();
-        for (index, node) in nodes.into_iter().flatten().enumerate() {
-            let Some(node) = node else {
-                continue;
-            };
-            let joint = &mut chain.joints[index];
-            match ends(fields, node, &path.index(index)) {
-                Some([from, to]) => {
-                    let [from, to] = [from, to].map(|end| joint.kind.inner(end));
-                    joint.limits = Some(Range { from, to });
-                }
-                None => good = false,
+    if robot.joints.is_empty() {
+        // The rows or the file were wrong.
+        return;
+    }
+    if source == "dh" && o.is_given("base") {
+        let mut base = Pose::identity();
+        o.field("base", &mut base, &POSE);
+        move_by(robot, base);
+    }
+    o.usual("tool", &mut robot.base_from_tool, &POSE);
+    of_joints(
+        o,
+        "limits",
+        &mut robot.joints,
+        "pair of limits",
+        |joint, at| {
+            if at.node.value == Value::Null {
+                return true;
             }
-        }
-    }
-    if let Some(node) = optional(members, "masses") {
-        let path = &path.key("masses");
-        let nodes = one_each(fields, node, path, chain.joints.len(), "mass, or null,");
-        good &= nodes.is_some();
-        for (index, node) in nodes.into_iter().flatten().enumerate() {
-            let read = node.map(|node| mass(fields, node, &path.index(index)));
-            match read {
-                None => chain.joints[index].link = None,
-                Some(Some(link)) => chain.joints[index].link = link,
-                Some(None) => good = false,
-            }
-        }
-    }
-    good.then_some(chain)
+            let ends = ENDS.read(at.fields, at.node, at.path);
+            joint.limits = ends.map(|ends| range(joint.kind, ends));
+            ends.is_some()
+        },
+    );
+    of_joints(
+        o,
+        "masses",
+        &mut robot.joints,
+        "mass, or null,",
+        |joint, at| {
+            joint.link = None;
+            at.node.value == Value::Null || at.fill(&mut joint.link, mass)
+        },
+    );
 }
 
-/// One element for each joint; null is none.
-fn one_each<'n>(
-    fields: &mut Fields<'_>,
-    node: &'n Node,
-    path: &Path<'_>,
-    joints: usize,
+/// Moves everything, rows and all, with the frame that they stand in.
+fn move_by(robot: &mut Robot, base: Pose) {
+    for joint in &mut robot.joints {
+        joint.axis = joint.axis.moved_by(&base);
+    }
+    robot.base_from_tool = base * robot.base_from_tool;
+    if let RobotSource::Dh {
+        base_from_first, ..
+    } = &mut robot.source
+    {
+        *base_from_first = base;
+    }
+}
+
+/// Reads an array with one element for each joint.
+fn of_joints(
+    o: &mut Object<'_, '_>,
+    key: &'static str,
+    joints: &mut Vec<Joint>,
     what: &str,
-) -> Option<Vec<Option<&'n Node>>> {
-    let each: Option<Vec<Option<&Node>>> = match &node.value {
-        Value::List(list) => {
-            let given = |node| Some(node).filter(|node: &&Node| node.value != Value::Null);
-            Some(list.iter().map(given).collect())
-        }
-        // An array of nothing but nulls.
-        Value::Numbers(values) if values.iter().all(|value| value.is_nan()) => {
-            Some(vec![None; values.len()])
-        }
-        _ => None,
-    };
-    let each = each.filter(|each| each.len() == joints);
-    if each.is_none() {
-        let expected = format!("an array with one {what} for each of {joints} joints");
-        fields.mismatch(node, path, &expected);
+    take: fn(&mut Joint, &mut At<'_, '_>) -> bool,
+) {
+    if !o.is_given(key) {
+        return;
     }
-    each
+    let expected = format!(
+        "an array with one {what} for each of {} joints",
+        joints.len()
+    );
+    let own = joints.clone();
+    let element = "an object with mass_kg and centre_mm, or null";
+    let read = |at: &mut At<'_, '_>| at.each(own, element, take);
+    o.with(key, joints, &expected, read, |_| None);
 }
 
-/// A mass and its centre; `Some(None)` where both are null.
-#[allow(
-    clippy::option_option,
-    reason = "wrong, unknown and known are three answers"
-)]
-fn mass(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Option<LinkMass>> {
-    const KNOWN: [&str; 2] = ["mass_kg", "centre_mm"];
-    let members = fields.object(node, path, "an object with mass_kg and centre_mm, or null")?;
-    fields.unknown_keys(members, path, &KNOWN);
-    if KNOWN.iter().all(|key| optional(members, key).is_none()) {
-        return Some(None);
+/// A mass and its centre, unless both are null.
+fn mass(o: &mut Object<'_, '_>, link: &mut Option<LinkMass>) {
+    let keys = ["mass_kg", "centre_mm"];
+    for key in keys {
+        o.know(key);
     }
-    let kg = fields.required_number(members, node.at, path, KNOWN[0])?;
-    if kg < 0.0 {
-        let found = format!("{kg} kg");
-        fields.error(
-            node.at,
-            &path.key(KNOWN[0]),
-            found,
-            "a mass of 0 kg or more",
-        );
-        return None;
+    if keys.iter().any(|key| o.is_given(key)) {
+        let mut own = LinkMass {
+            mass_kg: 0.0,
+            centre_mm: Point3::origin(),
+        };
+        o.required(keys[0], &mut own.mass_kg, &MASS_KG);
+        o.required(keys[1], &mut own.centre_mm, &CENTRE);
+        *link = Some(own);
     }
-    let three = "an array of 3 numbers: the centre at home, in the base frame";
-    let centre = fields.required_numbers::<3>(members, node.at, path, KNOWN[1], three)?;
-    Some(Some(LinkMass {
-        mass_kg: kg,
-        centre_mm: Point3::from(centre),
-    }))
 }
+
+const MASS_KG: Kind<f64> = Kind {
+    read: |at| {
+        let kg = (NUMBER.read)(at)?;
+        if kg < 0.0 {
+            return at.error(format!("{kg} kg"), "a mass of 0 kg or more");
+        }
+        Some(kg)
+    },
+    ..NUMBER
+};
+
+const CENTRE: Kind<Point3<f64>> =
+    point("an array of 3 numbers: the centre at home, in the base frame");

@@ -1,126 +1,102 @@
 //! The `conditions` object: speeds, loads, temperature, time.
 
-use super::poses::inner;
+use super::FLAG;
+use crate::document::Value;
+use crate::document::kinds::{NUMBER, positive};
+use crate::document::object::{At, Kind, Object, written};
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::format_v1::read::positive;
-use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
 use crate::simulation::scenario::{Circumstances, Temperature};
 
 /// One number or several.
-fn values(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Vec<f64>> {
-    match &node.value {
+const VALUES: Kind<Vec<f64>> = Kind {
+    expected: "a number, or an array of numbers",
+    read: |at| match &at.node.value {
         Value::Number(value) if value.is_finite() => Some(vec![*value]),
         Value::Numbers(values) if values.iter().all(|v| v.is_finite()) => Some(values.clone()),
-        _ => {
-            fields.mismatch(node, path, "a number, or an array of numbers");
-            None
-        }
-    }
-}
+        _ => at.wrong(),
+    },
+    write: |values| values.as_slice().into(),
+};
 
-pub(super) fn conditions(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    robot: &Robot,
-) -> Option<Circumstances> {
-    const KNOWN: [&str; 7] = [
-        "speed_deg_s",
-        "speed_mm_s",
-        "load_kg",
-        "temperature_c",
-        "joint_temperatures_c",
-        "torques",
-        "seconds_per_pose",
-    ];
-    let members = fields.object(node, path, "an object with the conditions")?;
-    fields.unknown_keys(members, path, &KNOWN);
-    let mut circumstances = Circumstances::default();
+pub(super) fn conditions(at: &mut At<'_, '_>, robot: &Robot) -> Option<Circumstances> {
     let slides = robot.joints.iter().all(|j| j.kind == JointKind::Prismatic);
     let kind = if slides {
         JointKind::Prismatic
     } else {
         JointKind::Revolute
     };
-    for key in ["speed_deg_s", "speed_mm_s"] {
-        if let Some(node) = optional(members, key) {
-            let speeds = values(fields, node, &path.key(key))?;
-            circumstances.speeds = speeds.into_iter().map(|v| inner(kind, v)).collect();
+    let mut circumstances = Circumstances::default();
+    let good = at.fill(&mut circumstances, |o, own| {
+        o.usual("speed_deg_s", &mut own.speeds, &VALUES);
+        o.usual("speed_mm_s", &mut own.speeds, &VALUES);
+        own.speeds.iter_mut().for_each(|v| *v = kind.inner(*v));
+        o.usual("load_kg", &mut own.loads_kg, &VALUES);
+        o.optional("temperature_c", &mut own.temperature, &TEMPERATURE);
+        let key = "joint_temperatures_c";
+        o.know(key);
+        if o.is_given(key) {
+            let all = &mut own.joint_temperatures;
+            let read = |at: &mut At<'_, '_>| of_joints(at, robot);
+            o.with(key, all, OF_JOINTS, read, |_| None);
         }
-    }
-    if let Some(node) = optional(members, "load_kg") {
-        circumstances.loads_kg = values(fields, node, &path.key("load_kg"))?;
-    }
-    if let Some(node) = optional(members, "temperature_c") {
-        let path = &path.key("temperature_c");
-        circumstances.temperature = Some(if let Value::Object(members) = &node.value {
-            warm_up(fields, members, node.at, path)?
-        } else {
-            Temperature::Values(values(fields, node, path)?)
-        });
-    }
-    if let Some(node) = optional(members, "joint_temperatures_c") {
-        let path = &path.key("joint_temperatures_c");
-        circumstances.joint_temperatures = of_joints(fields, node, path, robot)?;
-    }
-    if let Some(node) = optional(members, "torques") {
-        let path = &path.key("torques");
-        let Value::Bool(torques) = node.value else {
-            fields.mismatch(node, path, "true or false");
-            return None;
-        };
-        circumstances.torques = torques;
-    }
-    if let Some(node) = optional(members, "seconds_per_pose") {
-        let path = &path.key("seconds_per_pose");
-        circumstances.seconds_per_pose = Some(positive(fields, node, path, "a time above 0 s")?);
-    }
-    Some(circumstances)
+        o.usual("torques", &mut own.torques, &FLAG);
+        let time = positive("a time above 0 s");
+        o.optional("seconds_per_pose", &mut own.seconds_per_pose, &time);
+    });
+    good.then_some(circumstances)
 }
+
+const TEMPERATURE: Kind<Temperature> = Kind {
+    expected: VALUES.expected,
+    read: |at| match &at.node.value {
+        Value::Object(_) => (WARM_UP.read)(at),
+        _ => (VALUES.read)(at).map(Temperature::Values),
+    },
+    write: |own| match own {
+        Temperature::Values(values) => (VALUES.write)(values),
+        Temperature::WarmUp { .. } => (WARM_UP.write)(own),
+    },
+};
 
 /// `{ from, to, time_constant_s }`.
-fn warm_up(
-    fields: &mut Fields<'_>,
-    members: &[Member],
-    at: usize,
-    path: &Path<'_>,
-) -> Option<Temperature> {
-    fields.unknown_keys(members, path, &["from", "to", "time_constant_s"]);
-    let mut number = |key: &str| fields.required_number(members, at, path, key);
-    let (from, to, tau) = (number("from"), number("to"), number("time_constant_s"));
-    Some(Temperature::WarmUp {
-        from_c: from?,
-        to_c: to?,
-        time_constant_s: tau?,
-    })
+const WARM_UP: Kind<Temperature> = Kind {
+    expected: OF_JOINTS,
+    read: |at| {
+        let blank = Temperature::WarmUp {
+            from_c: 0.0,
+            to_c: 0.0,
+            time_constant_s: 0.0,
+        };
+        at.object(blank, warm_up)
+    },
+    write: |own| written(own.clone(), warm_up),
+};
+
+fn warm_up(o: &mut Object<'_, '_>, own: &mut Temperature) {
+    if let Temperature::WarmUp {
+        from_c,
+        to_c,
+        time_constant_s,
+    } = own
+    {
+        o.required("from", from_c, &NUMBER);
+        o.required("to", to_c, &NUMBER);
+        o.required("time_constant_s", time_constant_s, &NUMBER);
+    }
 }
 
+const OF_JOINTS: &str = "an array with { from, to, time_constant_s } or null for each joint";
+
 /// One warm-up or null for each joint, from the first on.
-fn of_joints(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    robot: &Robot,
-) -> Option<Vec<Option<Temperature>>> {
-    const EXPECTED: &str = "an array with { from, to, time_constant_s } or null for each joint";
-    let entries = match &node.value {
-        Value::List(entries) if entries.len() <= robot.joints.len() => entries,
-        _ => {
-            fields.mismatch(node, path, EXPECTED);
-            return None;
-        }
-    };
-    let mut all = Vec::new();
-    for (k, entry) in entries.iter().enumerate() {
-        let path = &path.index(k);
-        all.push(match &entry.value {
-            Value::Null => None,
-            Value::Object(members) => Some(warm_up(fields, members, entry.at, path)?),
-            _ => {
-                fields.mismatch(entry, path, EXPECTED);
-                return None;
+fn of_joints(at: &mut At<'_, '_>, robot: &Robot) -> Option<Vec<Option<Temperature>>> {
+    match &at.node.value {
+        Value::List(entries) if entries.len() <= robot.joints.len() => at.list_by(|at| {
+            at.expected = OF_JOINTS;
+            match at.node.value {
+                Value::Null => Some(None),
+                _ => (WARM_UP.read)(at).map(Some),
             }
-        });
+        }),
+        _ => at.wrong(),
     }
-    Some(all)
 }

@@ -22,12 +22,17 @@ use poses::poses;
 
 use super::scenario::{Measure, Noise, NoiseKind, Outliers, Poses, Scenario};
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::document::kinds::{NUMBER, TEXT};
+use crate::document::object::{At, Kind, Object, written};
+use crate::document::{Fields, Node, Path, Value};
 use crate::effects::places::PlaceKind;
 use crate::kinematics::Robot;
 use crate::model::format_v1::term;
-use crate::sessions::format_v1::read::{default_targets, instrument, positive, regions, targets};
-use crate::sessions::format_v1::{references, robot};
-use crate::sessions::json::{Fields, Member, Node, Path, Value, optional};
+use crate::sessions::format_v1::head::{
+    INSTRUMENT, REGIONS, TARGETS, TOLERANCE_MM, default_targets,
+};
+use crate::sessions::format_v1::references::references;
+use crate::sessions::format_v1::robot::{ROBOT, blank};
 use crate::sessions::{files, validation};
 
 /// What the key `format` says.
@@ -54,7 +59,7 @@ pub fn load_scenario(path: impl AsRef<FilePath>) -> Result<LoadedScenario, Rejec
     let bytes = files::read_document(path)?;
     let place = Place::file(path);
     let text = files::as_text(&bytes, &place)?;
-    read(text, place, Some(files::folder_of(path)))
+    read(text, place)
 }
 
 /// Reads a scenario that is in memory.
@@ -63,12 +68,12 @@ pub fn load_scenario(path: impl AsRef<FilePath>) -> Result<LoadedScenario, Rejec
 /// As [`load_scenario`].
 pub fn parse_scenario(document: &[u8]) -> Result<LoadedScenario, Rejected> {
     let text = files::as_text(document, &Place::default())?;
-    read(text, Place::default(), None)
+    read(text, Place::default())
 }
 
-fn read(text: &str, place: Place, folder: Option<&FilePath>) -> Result<LoadedScenario, Rejected> {
+fn read(text: &str, place: Place) -> Result<LoadedScenario, Rejected> {
     let (mut fields, root) = Fields::open(place, text)?;
-    let scenario = document(&mut fields, &root, folder);
+    let scenario = document(&mut fields, &root);
     let mut findings = std::mem::take(&mut fields.findings);
     let sound = |findings: &[Diagnostic]| findings.iter().all(|f| f.severity != Severity::Error);
     let Some(scenario) = scenario.filter(|_| sound(&findings)) else {
@@ -118,247 +123,192 @@ fn offset_of(root: &Node, path: &str) -> usize {
     node.at
 }
 
-const KNOWN: [&str; 14] = [
-    "format",
-    "name",
-    "note",
-    "robot",
-    "targets",
-    "instrument",
-    "tolerance_mm",
-    "regions",
-    "planar",
-    "poses",
-    "conditions",
-    "effects",
-    "noise",
-    "outliers",
-];
+fn document(fields: &mut Fields<'_>, root: &Node) -> Option<Scenario> {
+    let expected = "a scenario: an object with the key \"format\"";
+    fields.of_format(root, FORMAT, expected)?;
+    let mut scenario = Scenario::new("simulated session", blank(), Poses::List(Vec::new()));
+    scenario.targets = default_targets();
+    let mut at = At {
+        fields,
+        node: root,
+        path: &Path::Root,
+        expected,
+    };
+    at.object(scenario, declare)
+}
 
-fn document(fields: &mut Fields<'_>, root: &Node, folder: Option<&FilePath>) -> Option<Scenario> {
-    let path = &Path::Root;
-    let members = fields.object(root, path, "a scenario: an object with the key \"format\"")?;
-    format_tag(fields, members, root.at)?;
-    let more = ["seed", "measure", "unknown"];
-    let known = [&KNOWN[..], &more, &references::KEYS].concat();
-    fields.unknown_keys(members, path, &known);
-    let expected = "an object that describes the robot";
-    let robot = fields
-        .required(members, root.at, path, "robot", expected)
-        .and_then(|node| {
-            let path = &path.key("robot");
-            let robot = robot::read(fields, node, path, folder)?;
-            let place = fields.place(node.at, path);
-            validation::robot(&robot, &place, &mut fields.findings);
-            Some(robot)
-        })?;
-    let poses = fields
-        .required(
-            members,
-            root.at,
-            path,
-            "poses",
-            "an object with sweep, list or random",
-        )
-        .and_then(|node| poses(fields, node, &path.key("poses"), &robot));
-    let mut scenario = Scenario::new("simulated session", robot, Poses::List(Vec::new()));
-    if let Some(node) = optional(members, "name") {
-        scenario.name = fields.text(node, &path.key("name")).unwrap_or_default();
+/// No scenario is written: what stands here only reads.
+fn nothing<T>(_: &T) -> Option<Value> {
+    None
+}
+
+fn declare(o: &mut Object<'_, '_>, own: &mut Scenario) {
+    o.says("format", FORMAT);
+    if o.needs("robot", ROBOT.expected) {
+        o.with("robot", &mut own.robot, ROBOT.expected, robot_of, nothing);
     }
-    if let Some(node) = optional(members, "note") {
-        scenario.note = fields.text(node, &path.key("note")).unwrap_or_default();
+    o.end_if_wrong();
+    let (robot, expected) = (&own.robot, "an object with sweep, list or random");
+    if o.needs("poses", expected) {
+        let read = |at: &mut At<'_, '_>| poses(at.fields, at.node, at.path, robot);
+        o.with("poses", &mut own.poses, expected, read, nothing);
     }
-    scenario.targets = optional(members, "targets")
-        .and_then(|node| targets(fields, node, &path.key("targets")))
-        .unwrap_or_else(default_targets);
-    scenario.instrument = optional(members, "instrument")
-        .and_then(|node| instrument(fields, node, &path.key("instrument")))
-        .unwrap_or_default();
-    scenario.instrument.references = references::references(fields, members, path);
-    if let Some(node) = optional(members, "measure") {
-        scenario.measure = names(
-            fields,
-            node,
-            &path.key("measure"),
-            &Measure::ALL,
-            Measure::name,
-        )?;
+    o.usual("name", &mut own.name, &TEXT);
+    o.usual("note", &mut own.note, &TEXT);
+    o.usual("targets", &mut own.targets, &TARGETS);
+    o.usual("instrument", &mut own.instrument, &INSTRUMENT);
+    references(o, &mut own.instrument.references);
+    o.usual("measure", &mut own.measure, &MEASURE);
+    o.usual("unknown", &mut own.unknown, &UNKNOWN);
+    o.optional("tolerance_mm", &mut own.tolerance_mm, &TOLERANCE_MM);
+    o.usual("regions", &mut own.regions, &REGIONS);
+    o.usual("planar", &mut own.planar, &FLAG);
+    o.know("conditions");
+    if o.is_given("conditions") {
+        let read = |at: &mut At<'_, '_>| conditions(at, robot);
+        let expected = "an object with the conditions";
+        o.with(
+            "conditions",
+            &mut own.circumstances,
+            expected,
+            read,
+            nothing,
+        );
     }
-    if let Some(node) = optional(members, "unknown") {
+    o.know("effects");
+    if o.is_given("effects") {
+        let joints = robot.joints.len();
+        let read = |at: &mut At<'_, '_>| at.list_by(|at| term(at, joints));
+        o.with(
+            "effects",
+            &mut own.effects,
+            "an array of effects",
+            read,
+            nothing,
+        );
+    }
+    o.know("noise");
+    if o.is_given("noise") {
+        o.part("noise", own, "an object with sigma_mm and kind", noise);
+    }
+    o.optional("outliers", &mut own.outliers, &OUTLIERS);
+    o.usual("seed", &mut own.seed, &WHOLE);
+}
+
+const MEASURE: Kind<Vec<Measure>> = Kind {
+    expected: "",
+    read: |at| names(at, &Measure::ALL, Measure::name),
+    write: |all| all.iter().map(|one| one.name()).collect(),
+};
+
+const UNKNOWN: Kind<Vec<PlaceKind>> = Kind {
+    expected: "",
+    read: |at| {
         let all = [
             PlaceKind::Anchor,
             PlaceKind::Station,
             PlaceKind::Plane,
             PlaceKind::Socket,
         ];
-        scenario.unknown = names(
-            fields,
-            node,
-            &path.key("unknown"),
-            &all,
-            |kind| match kind {
-                PlaceKind::Anchor => "anchors",
-                PlaceKind::Station => "stations",
-                PlaceKind::Plane => "planes",
-                PlaceKind::Socket => "sockets",
-            },
-        )?;
+        names(at, &all, places)
+    },
+    write: |all| all.iter().map(|one| places(*one)).collect(),
+};
+
+fn places(kind: PlaceKind) -> &'static str {
+    match kind {
+        PlaceKind::Anchor => "anchors",
+        PlaceKind::Station => "stations",
+        PlaceKind::Plane => "planes",
+        PlaceKind::Socket => "sockets",
     }
-    scenario.tolerance_mm = optional(members, "tolerance_mm").and_then(|node| {
-        let path = &path.key("tolerance_mm");
-        positive(fields, node, path, "a length above 0 mm")
-    });
-    scenario.regions = optional(members, "regions")
-        .and_then(|node| regions(fields, node, &path.key("regions")))
-        .unwrap_or_default();
-    scenario.planar = flag(fields, members, path, "planar");
-    if let Some(node) = optional(members, "conditions") {
-        let robot = &scenario.robot;
-        scenario.circumstances = conditions(fields, node, &path.key("conditions"), robot)?;
-    }
-    if let Some(node) = optional(members, "effects") {
-        scenario.effects = effects(fields, node, &path.key("effects"), &scenario.robot)?;
-    }
-    if let Some(node) = optional(members, "noise") {
-        noise(fields, node, &path.key("noise"), &mut scenario)?;
-    }
-    if let Some(node) = optional(members, "outliers") {
-        scenario.outliers = Some(outliers(fields, node, &path.key("outliers"))?);
-    }
-    if let Some(node) = optional(members, "seed") {
-        scenario.seed = whole(fields, node, &path.key("seed"))?;
-    }
-    scenario.poses = poses?;
-    Some(scenario)
 }
 
 /// A list of names of these.
-fn names<T: Copy>(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    all: &[T],
-    name: fn(T) -> &'static str,
-) -> Option<Vec<T>> {
+fn names<T: Copy>(at: &mut At<'_, '_>, all: &[T], name: fn(T) -> &'static str) -> Option<Vec<T>> {
     let known: Vec<&str> = all.iter().map(|one| name(*one)).collect();
     let expected = format!("an array of some of {}", known.join(", "));
-    let Value::List(list) = &node.value else {
-        fields.mismatch(node, path, &expected);
+    let Value::List(list) = &at.node.value else {
+        at.fields.mismatch(at.node, at.path, &expected);
         return None;
     };
-    let mut read = Vec::new();
-    for (index, node) in list.iter().enumerate() {
-        let one = all
-            .iter()
-            .find(|one| matches!(&node.value, Value::Text(text) if text == name(**one)));
-        match one {
-            Some(one) => read.push(*one),
-            None => fields.mismatch(node, &path.index(index), &expected),
+    let one = |(index, node): (usize, &Node)| {
+        let is = |one: &&T| matches!(&node.value, Value::Text(text) if text == name(**one));
+        let found = all.iter().find(is).copied();
+        if found.is_none() {
+            at.fields.mismatch(node, &at.path.index(index), &expected);
         }
-    }
-    (read.len() == list.len()).then_some(read)
+        found
+    };
+    let read: Vec<Option<T>> = list.iter().enumerate().map(one).collect();
+    read.into_iter().collect()
 }
 
-fn format_tag(fields: &mut Fields<'_>, members: &[Member], at: usize) -> Option<()> {
-    let expected = format!("\"{FORMAT}\"");
-    let node = fields.required(members, at, &Path::Root, "format", &expected)?;
-    if let Value::Text(tag) = &node.value
-        && tag == FORMAT
-    {
-        return Some(());
-    }
-    fields.mismatch(node, &Path::Root.key("format"), &expected);
-    None
-}
-
-fn flag(fields: &mut Fields<'_>, members: &[Member], path: &Path<'_>, key: &str) -> bool {
-    match optional(members, key) {
-        None => false,
-        Some(Node {
-            value: Value::Bool(value),
-            ..
-        }) => *value,
-        Some(node) => {
-            fields.mismatch(node, &path.key(key), "true or false");
-            false
-        }
-    }
-}
+const FLAG: Kind<bool> = Kind {
+    expected: "true or false",
+    read: |at| match at.node.value {
+        Value::Bool(value) => Some(value),
+        _ => at.wrong(),
+    },
+    write: |value| (*value).into(),
+};
 
 /// A whole number from 0 on that a double holds exactly.
-fn whole(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<u64> {
-    match node.value {
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a whole number in the range of the type"
-        )]
-        Value::Number(v) if v.fract() == 0.0 && (0.0..=9007199254740992.0).contains(&v) => {
-            Some(v as u64)
-        }
-        _ => {
-            fields.mismatch(node, path, "a whole number from 0 on");
-            None
-        }
-    }
-}
+const WHOLE: Kind<u64> = Kind {
+    expected: "a whole number from 0 on",
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number in the range of the type"
+    )]
+    read: |at| {
+        let whole = |v: f64| v.fract() == 0.0 && (0.0..=9007199254740992.0).contains(&v);
+        at.number(whole).map(|value| value as u64)
+    },
+    write: |value| (*value).into(),
+};
 
-fn effects(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    robot: &Robot,
-) -> Option<Vec<crate::effects::Term>> {
-    let Value::List(list) = &node.value else {
-        fields.mismatch(node, path, "an array of effects");
-        return None;
+const NOISE_KIND: Kind<NoiseKind> = Kind {
+    expected: "\"gauss\", \"t4\" or \"ar1\"",
+    read: |at| {
+        let all = [NoiseKind::Gauss, NoiseKind::T4, NoiseKind::Ar1];
+        at.one_of(&all, NoiseKind::name)
+    },
+    write: |kind| kind.name().into(),
+};
+
+fn noise(o: &mut Object<'_, '_>, own: &mut Scenario) {
+    let mut noise = Noise {
+        sigma_mm: 0.0,
+        kind: NoiseKind::Gauss,
     };
-    let joints = robot.joints.len();
-    let terms: Vec<Option<_>> = list
-        .iter()
-        .enumerate()
-        .map(|(index, node)| term(fields, node, &path.index(index), joints))
-        .collect();
-    terms.into_iter().collect()
+    o.required("sigma_mm", &mut noise.sigma_mm, &NUMBER);
+    o.usual("kind", &mut noise.kind, &NOISE_KIND);
+    o.optional("resolution_mm", &mut own.resolution_mm, &TOLERANCE_MM);
+    own.noise = Some(noise);
 }
 
-fn noise(
-    fields: &mut Fields<'_>,
-    node: &Node,
-    path: &Path<'_>,
-    scenario: &mut Scenario,
-) -> Option<()> {
-    let members = fields.object(node, path, "an object with sigma_mm and kind")?;
-    fields.unknown_keys(members, path, &["sigma_mm", "kind", "resolution_mm"]);
-    let sigma_mm = fields.required_number(members, node.at, path, "sigma_mm")?;
-    let kinds = [NoiseKind::Gauss, NoiseKind::T4, NoiseKind::Ar1];
-    let kind = match optional(members, "kind") {
-        None => NoiseKind::Gauss,
-        Some(node) => {
-            let named = kinds
-                .into_iter()
-                .find(|kind| matches!(&node.value, Value::Text(name) if name == kind.name()));
-            if named.is_none() {
-                fields.mismatch(node, &path.key("kind"), "\"gauss\", \"t4\" or \"ar1\"");
-            }
-            named?
-        }
-    };
-    if let Some(node) = optional(members, "resolution_mm") {
-        let path = &path.key("resolution_mm");
-        scenario.resolution_mm = Some(positive(fields, node, path, "a length above 0 mm")?);
-    }
-    scenario.noise = Some(Noise { sigma_mm, kind });
-    Some(())
+const OUTLIERS: Kind<Outliers> = Kind {
+    expected: "an object with share and mm",
+    read: |at| {
+        let blank = Outliers {
+            share: 0.0,
+            mm: 0.0,
+        };
+        at.object(blank, outliers)
+    },
+    write: |own| written(*own, outliers),
+};
+
+fn outliers(o: &mut Object<'_, '_>, own: &mut Outliers) {
+    o.required("share", &mut own.share, &NUMBER);
+    o.required("mm", &mut own.mm, &NUMBER);
 }
 
-fn outliers(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<Outliers> {
-    let members = fields.object(node, path, "an object with share and mm")?;
-    fields.unknown_keys(members, path, &["share", "mm"]);
-    let share = fields.required_number(members, node.at, path, "share");
-    let mm = fields.required_number(members, node.at, path, "mm");
-    Some(Outliers {
-        share: share?,
-        mm: mm?,
-    })
+/// A robot that can be simulated.
+fn robot_of(at: &mut At<'_, '_>) -> Option<Robot> {
+    let robot = ROBOT.read(at.fields, at.node, at.path)?;
+    let place = at.fields.place(at.node.at, at.path);
+    validation::robot(&robot, &place, &mut at.fields.findings);
+    Some(robot)
 }

@@ -1,18 +1,11 @@
 //! The `poses` object: a sweep, a list, or random ones.
 
-use super::{flag, whole};
+use super::{FLAG, WHOLE};
+use crate::document::kinds::NUMBER;
+use crate::document::object::{At, Kind};
+use crate::document::{Fields, Node, Path, Value, optional};
 use crate::kinematics::{JointKind, Robot};
-use crate::sessions::json::{Fields, Node, Path, Value, optional};
 use crate::simulation::scenario::{Order, Poses, Stop, Sweep};
-use crate::units::rad_from_deg;
-
-/// A joint value in inner units.
-pub(super) fn inner(kind: JointKind, outer: f64) -> f64 {
-    match kind {
-        JointKind::Revolute => rad_from_deg(outer),
-        JointKind::Prismatic => outer,
-    }
-}
 
 pub(super) fn poses(
     fields: &mut Fields<'_>,
@@ -41,78 +34,82 @@ pub(super) fn poses(
         "sweep" => sweep(fields, node, path, robot).map(Poses::Sweep),
         "list" => list(fields, node, path, robot).map(Poses::List),
         _ => {
-            let members = fields.object(node, path, "an object with count")?;
-            fields.unknown_keys(members, path, &["count"]);
-            let count = fields.required(members, node.at, path, "count", "a number of poses")?;
-            let count = whole(fields, count, &path.key("count"))?;
+            let mut at = At {
+                fields,
+                node,
+                path,
+                expected: "an object with count",
+            };
+            let count = at.object(0, |o, count| {
+                if o.needs("count", "a number of poses") {
+                    o.field("count", count, &WHOLE);
+                }
+            })?;
             usize::try_from(count).ok().map(Poses::Random)
         }
     }
 }
 
 fn sweep(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Sweep> {
-    const KNOWN: [&str; 10] = [
-        "joint",
-        "from_deg",
-        "to_deg",
-        "step_deg",
-        "from_mm",
-        "to_mm",
-        "step_mm",
-        "both_ways",
-        "repeats",
-        "order",
-    ];
-    let members = fields.object(
+    let mut at = At {
+        fields,
         node,
         path,
-        "an object with joint, from_deg, to_deg and step_deg",
-    )?;
-    fields.unknown_keys(members, path, &KNOWN);
-    let joint = match optional(members, "joint") {
-        None => 1,
-        Some(node) => whole(fields, node, &path.key("joint"))?,
+        expected: "an object with joint, from_deg, to_deg and step_deg",
     };
-    let index = usize::try_from(joint).ok()?.checked_sub(1);
-    let Some(index) = index.filter(|index| *index < robot.joints.len()) else {
-        let expected = format!("a joint from 1 to {}", robot.joints.len());
-        fields.error(node.at, &path.key("joint"), joint.to_string(), expected);
-        return None;
+    let mut sweep = Sweep {
+        joint: 0,
+        from: 0.0,
+        to: 0.0,
+        step: 0.0,
+        both_ways: false,
+        repeats: 1,
+        order: Order::Sweep,
     };
-    let kind = robot.joints[index].kind;
-    let mut value = |stem: &str| {
-        let plain = format!("{stem}_mm");
-        let key = match kind {
-            JointKind::Prismatic if optional(members, &plain).is_some() => plain,
-            _ => format!("{stem}_deg"),
-        };
-        fields
-            .required_number(members, node.at, path, &key)
-            .map(|v| inner(kind, v))
-    };
-    let (from, to, step) = (value("from"), value("to"), value("step"));
-    let repeats = match optional(members, "repeats") {
-        None => 1,
-        Some(node) => usize::try_from(whole(fields, node, &path.key("repeats"))?).ok()?,
-    };
-    let order = match optional(members, "order").map(|node| (node, &node.value)) {
-        None => Order::Sweep,
-        Some((_, Value::Text(order))) if order == "sweep" => Order::Sweep,
-        Some((_, Value::Text(order))) if order == "random" => Order::Random,
-        Some((node, _)) => {
-            fields.mismatch(node, &path.key("order"), "\"sweep\" or \"random\"");
-            return None;
+    let good = at.fill(&mut sweep, |o, own| {
+        let (mut joint, mut repeats) = (1, 1);
+        o.usual("joint", &mut joint, &WHOLE);
+        let index = usize::try_from(joint).ok().and_then(|j| j.checked_sub(1));
+        let found = index.and_then(|index| robot.joints.get(index));
+        if found.is_none() {
+            let expected = format!("a joint from 1 to {}", robot.joints.len());
+            o.error_in("joint", joint.to_string(), expected);
         }
-    };
-    Some(Sweep {
-        joint: index,
-        from: from?,
-        to: to?,
-        step: step?,
-        both_ways: flag(fields, members, path, "both_ways"),
-        repeats,
-        order,
-    })
+        o.end_if_wrong();
+        own.joint = index.unwrap_or_default();
+        let kind = found.map_or(JointKind::Revolute, |found| found.kind);
+        let values = [
+            (["from_deg", "from_mm"], &mut own.from),
+            (["to_deg", "to_mm"], &mut own.to),
+            (["step_deg", "step_mm"], &mut own.step),
+        ];
+        for ([deg, mm], value) in values {
+            o.know(deg);
+            o.know(mm);
+            let slides = kind == JointKind::Prismatic;
+            let key = if slides && o.is_given(mm) { mm } else { deg };
+            o.required(key, value, &NUMBER);
+            *value = kind.inner(*value);
+        }
+        o.usual("both_ways", &mut own.both_ways, &FLAG);
+        o.usual("repeats", &mut repeats, &WHOLE);
+        own.repeats = usize::try_from(repeats).unwrap_or(usize::MAX);
+        o.usual("order", &mut own.order, &ORDER);
+    });
+    good.then_some(sweep)
+}
+
+const ORDER: Kind<Order> = Kind {
+    expected: "\"sweep\" or \"random\"",
+    read: |at| at.one_of(&[Order::Sweep, Order::Random], order),
+    write: |own| order(*own).into(),
+};
+
+fn order(own: Order) -> &'static str {
+    match own {
+        Order::Sweep => "sweep",
+        Order::Random => "random",
+    }
 }
 
 fn list(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) -> Option<Vec<Stop>> {
@@ -170,7 +167,7 @@ fn stop(fields: &mut Fields<'_>, node: &Node, path: &Path<'_>, robot: &Robot) ->
     }
     let kinds = robot.joints.iter().map(|j| j.kind);
     Some(Stop {
-        q: kinds.zip(q?).map(|(kind, q)| inner(kind, q)).collect(),
+        q: kinds.zip(q?).map(|(kind, q)| kind.inner(q)).collect(),
         dir: dir.map(|(_, dir)| dir),
     })
 }

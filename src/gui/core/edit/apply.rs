@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::diagnosis::Mend;
+use crate::document::degrees;
 use crate::effects::{CATALOGUE, Term};
 use crate::gui::core::division::Division;
 use crate::gui::core::document::{Added, Choices, Document, Method};
@@ -11,7 +12,6 @@ use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::setup::SetupForm;
 use crate::kinematics::JointKind;
 use crate::sessions::Session;
-use crate::sessions::format_v1::degrees::degrees;
 use crate::units::rad_from_deg;
 
 use super::{Edit, regions};

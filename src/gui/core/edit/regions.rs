@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use crate::document::degrees;
 use crate::gui::core::division::Division;
 use crate::gui::core::document::{Document, Method};
 use crate::gui::core::{boundaries, boundary_entry};
 use crate::gui::units::Units;
 use crate::sessions::Region;
 use crate::sessions::division::RegionChoice;
-use crate::sessions::format_v1::degrees::degrees;
 use crate::units::rad_from_deg;
 
 use super::Edit;

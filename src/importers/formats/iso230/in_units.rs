@@ -1,13 +1,13 @@
 //! The units of such a table.
 
 use super::parts::Part;
+use crate::document::number::quoted;
 use crate::importers::grid::Grid;
 use crate::importers::headings::words_and_unit;
 use crate::importers::reader::Case;
 use crate::importers::settings::About;
 use crate::importers::units::{self, AngleUnit, LengthUnit, Word};
 use crate::sessions::columns::Unit;
-use crate::sessions::number::quoted;
 
 /// Units of targets and of what was measured.
 #[derive(Debug, Clone, Copy)]

@@ -12,6 +12,7 @@ mod in_units;
 mod parts;
 
 use crate::diagnostic::Diagnostic;
+use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::decimals::{Decimal, value};
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings};
@@ -21,7 +22,6 @@ use crate::importers::reader::{Case, direction, extent, fixed};
 use crate::importers::settings::{ColumnGuess, Known};
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
 use crate::sessions::table::Cells;
 
 use in_units::{Units, units_of};

@@ -13,11 +13,11 @@ mod recorded;
 mod topics;
 
 use crate::diagnostic::Diagnostic;
+use crate::document::number::quoted;
 use crate::importers::columns::Columns;
 use crate::importers::formats::{Asks, Importer, KnownBy, Meanings, OwnOption};
 use crate::importers::reader::Case;
 use crate::importers::settings::{About, ColumnGuess, Known};
-use crate::sessions::number::quoted;
 
 use messages::Type;
 use topics::{Topic, Topics};

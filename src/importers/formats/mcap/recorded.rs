@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::document::number::quoted;
 use crate::importers::columns::{Column, Columns};
 use crate::importers::headings::Role;
 use crate::importers::matching::listed_up_to;
@@ -9,7 +10,6 @@ use crate::importers::reader::{Case, fixed};
 use crate::importers::settings::About;
 use crate::sessions::Lines;
 use crate::sessions::columns::{Quantity, Unit};
-use crate::sessions::number::quoted;
 use crate::sessions::table::{Cells, Names};
 
 use super::messages::Measured;

@@ -3,14 +3,15 @@
 //! A wrong field yields a diagnostic and `None`; its siblings are still read, so that a file is
 //! mended once and not ten times.
 
-use std::path::PathBuf;
+use std::path::{Path as FilePath, PathBuf};
 
 use std::fmt;
 
 use super::{Member, Node, Source, Value, element_offset};
+use crate::atomic::folder_of;
 use crate::diagnostic::{Diagnostic, Place, Rejected, Severity};
+use crate::document::number::quoted;
 use crate::progress::{Part, Progress, ReadError, unwatched};
-use crate::sessions::number::quoted;
 
 /// The way from the document to a value, such as `robot.joints[0].axis`.
 #[derive(Debug, Clone, Copy)]
@@ -80,6 +81,34 @@ impl<'a> Fields<'a> {
         self.findings
             .iter()
             .any(|finding| finding.severity == Severity::Error)
+    }
+
+    /// The folder in which the files that a document names are looked for; none for one in memory.
+    pub(crate) fn folder(&self) -> Option<&FilePath> {
+        self.source.file.as_deref().map(folder_of)
+    }
+
+    /// The members of a document of this format; `None` when it is of another one.
+    pub(crate) fn of_format<'n>(
+        &mut self,
+        root: &'n Node,
+        format: &str,
+        expected: &str,
+    ) -> Option<&'n [Member]> {
+        let members = self.object(root, &Path::Root, expected)?;
+        let mut expected = format!("\"{format}\"");
+        let node = self.required(members, root.at, &Path::Root, "format", &expected)?;
+        if let Value::Text(tag) = &node.value {
+            if tag == format {
+                return Some(members);
+            }
+            let name = format.trim_end_matches(char::is_numeric);
+            if tag.starts_with(name) {
+                expected += "; another version of truepose may have written this file";
+            }
+        }
+        self.mismatch(node, &Path::Root.key("format"), &expected);
+        None
     }
 
     /// The place of a byte, under its path.
@@ -186,18 +215,6 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A finite number that has to be there.
-    pub(crate) fn required_number(
-        &mut self,
-        members: &[Member],
-        at: usize,
-        path: &Path<'_>,
-        key: &str,
-    ) -> Option<f64> {
-        let node = self.required(members, at, path, key, "a number")?;
-        self.number(node, &path.key(key))
-    }
-
     /// `N` finite numbers.
     pub(crate) fn numbers<const N: usize>(
         &mut self,
@@ -213,19 +230,6 @@ impl<'a> Fields<'a> {
         }
         self.mismatch(node, path, expected);
         None
-    }
-
-    /// `N` finite numbers that have to be there.
-    pub(crate) fn required_numbers<const N: usize>(
-        &mut self,
-        members: &[Member],
-        at: usize,
-        path: &Path<'_>,
-        key: &str,
-        expected: &str,
-    ) -> Option<[f64; N]> {
-        let node = self.required(members, at, path, key, expected)?;
-        self.numbers(node, &path.key(key), expected)
     }
 }
 

@@ -18,6 +18,16 @@ pub(crate) fn write_document(output: impl io::Write, document: &impl Serialize) 
     output.write_all(b"\n")
 }
 
+/// A document as text.
+///
+/// # Panics
+/// Never: writing to memory does not fail.
+pub(crate) fn text_of(document: &impl Serialize) -> String {
+    let mut text = Vec::new();
+    write_document(&mut text, document).expect("writing to memory does not fail");
+    String::from_utf8(text).expect("JSON is UTF-8")
+}
+
 /// The state of the layout.
 #[derive(Debug, Default)]
 struct Layout {
@@ -80,6 +90,17 @@ impl Formatter for Layout {
     }
 
     fn write_f64<W: io::Write + ?Sized>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
-        super::number::write(writer, value)
+        write_number(writer, value)
+    }
+}
+
+/// Writes a finite number with the fewest digits that read back as the same double; `1e300` is not
+/// spelled out.
+pub(crate) fn write_number<W: io::Write + ?Sized>(writer: &mut W, value: f64) -> io::Result<()> {
+    let size = value.abs();
+    if size == 0.0 || (1e-7..1e17).contains(&size) {
+        write!(writer, "{value}")
+    } else {
+        write!(writer, "{value:e}")
     }
 }

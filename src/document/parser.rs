@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::{Member, Node, Source, Value};
 use crate::diagnostic::{Diagnostic, Rejected};
+use crate::document::number::{NotANumber, any_decimal, plain_decimal, quoted};
 use crate::progress::{Cancelled, Part, ReadError};
-use crate::sessions::number::{NotANumber, any_decimal, plain_decimal, quoted};
 
 /// Nobody nests deeper than this, and the stack is finite.
 const DEEPEST: usize = 64;

@@ -1,4 +1,5 @@
-//! Reads a JSON document into a tree that knows where everything stands.
+//! JSON documents: a tree that knows where everything stands, and the fields of an object, declared
+//! once ([`object`]), which reads and writes them.
 //!
 //! A calibration session is written by hand as often as by a program, and a complaint such as
 //! "robot.joints[0].axis: 2 numbers; expected 3" is only worth something with its line. So every
@@ -8,11 +9,21 @@
 //! RFC 8259, strictly; besides, a key may occur only once in an object, and nesting ends at
 //! 64 levels. A number that overflows is infinite here and refused where it is used.
 
+mod at;
+mod degrees;
 mod fields;
+pub(crate) mod kinds;
+mod layout;
+pub(crate) mod number;
+pub(crate) mod object;
 mod parser;
+mod value;
 
+pub(crate) use degrees::degrees;
 pub(crate) use fields::{Fields, Path, optional};
+pub(crate) use layout::{text_of, write_document, write_number};
 pub(crate) use parser::{element_offset, parse};
+pub(crate) use value::object;
 
 use std::path::PathBuf;
 
@@ -31,6 +42,8 @@ pub(crate) enum Value {
     Null,
     Bool(bool),
     Number(f64),
+    /// A whole number; only in documents that are written.
+    Whole(u64),
     Text(String),
     /// An array of nothing but numbers and nulls (NaN), not empty.
     Numbers(Vec<f64>),
@@ -55,7 +68,8 @@ impl Value {
             Self::Bool(value) => value.to_string(),
             Self::Number(value) if value.is_infinite() => "a number that overflows".to_owned(),
             Self::Number(value) => value.to_string(),
-            Self::Text(text) => super::number::quoted(text),
+            Self::Whole(value) => value.to_string(),
+            Self::Text(text) => number::quoted(text),
             Self::Numbers(values) if values.iter().any(|value| value.is_infinite()) => {
                 "an array with a number that overflows".to_owned()
             }

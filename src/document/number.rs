@@ -243,6 +243,13 @@ fn is_decimal_comma(text: &str) -> bool {
     text.matches(',').count() == 1 && text.replacen(',', ".", 1).parse::<f64>().is_ok()
 }
 
+/// Bytes such as a hash's: two digits each.
+pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
+    let digit = |half: u8| char::from(b"0123456789abcdef"[usize::from(half)]);
+    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    digits.map(digit).collect()
+}
+
 /// Text in a message: in quotes, without control characters, and no longer than a line can bear.
 pub(crate) fn quoted(text: &str) -> String {
     const LONGEST: usize = 40;

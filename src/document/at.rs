@@ -1,0 +1,166 @@
+//! A value that is being read: where it stands, and what should stand there.
+
+use super::number::quoted;
+use super::object::{Kind, Object};
+use super::{Fields, Node, Path, Value};
+
+/// See the module.
+pub(crate) struct At<'o, 'a> {
+    pub(crate) fields: &'o mut Fields<'a>,
+    pub(crate) node: &'o Node,
+    pub(crate) path: &'o Path<'o>,
+    pub(crate) expected: &'o str,
+}
+
+impl<'o> At<'o, '_> {
+    /// Complains that something else stands here.
+    pub(crate) fn wrong<T>(&mut self) -> Option<T> {
+        self.fields.mismatch(self.node, self.path, self.expected);
+        None
+    }
+
+    /// Complains of what stands here.
+    pub(crate) fn error<T>(
+        &mut self,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) -> Option<T> {
+        self.fields.error(self.node.at, self.path, found, expected);
+        None
+    }
+
+    /// A finite number for which this holds.
+    pub(crate) fn number(&mut self, holds: impl Fn(f64) -> bool) -> Option<f64> {
+        match self.node.value {
+            Value::Number(value) if value.is_finite() && holds(value) => Some(value),
+            _ => self.wrong(),
+        }
+    }
+
+    /// `N` finite numbers.
+    pub(crate) fn numbers<const N: usize>(&mut self) -> Option<[f64; N]> {
+        self.fields.numbers(self.node, self.path, self.expected)
+    }
+
+    /// The one of these that has the name that stands here.
+    pub(crate) fn one_of<T: Copy>(&mut self, all: &[T], name: fn(T) -> &'static str) -> Option<T> {
+        let Value::Text(text) = &self.node.value else {
+            return self.wrong();
+        };
+        let found = all.iter().find(|one| name(**one) == text);
+        found.copied().or_else(|| self.wrong())
+    }
+
+    /// The elements of an array.
+    pub(crate) fn elements(&mut self) -> Option<&'o [Node]> {
+        match &self.node.value {
+            Value::List(list) => Some(list),
+            _ => self.wrong(),
+        }
+    }
+
+    /// As [`At::list`], of one element or more.
+    pub(crate) fn some<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+        match &self.node.value {
+            Value::List(list) if list.is_empty() => self.wrong(),
+            _ => self.list(kind),
+        }
+    }
+
+    /// Reads an array with one element for each of these into them; `None` when one is wrong.
+    pub(crate) fn each<T>(
+        &mut self,
+        mut all: Vec<T>,
+        expected: &str,
+        take: impl Fn(&mut T, &mut At<'_, '_>) -> bool,
+    ) -> Option<Vec<T>> {
+        let list = match &self.node.value {
+            Value::List(list) if list.len() == all.len() => list,
+            _ => return self.wrong(),
+        };
+        let mut good = true;
+        for (index, (one, node)) in all.iter_mut().zip(list).enumerate() {
+            let mut at = At {
+                fields: self.fields,
+                node,
+                path: &self.path.index(index),
+                expected,
+            };
+            good &= take(one, &mut at);
+        }
+        good.then_some(all)
+    }
+
+    /// Every element of an array, unless one of them is wrong.
+    pub(crate) fn list<T>(&mut self, kind: &Kind<T>) -> Option<Vec<T>> {
+        self.list_by(|at| {
+            at.expected = kind.expected;
+            (kind.read)(at)
+        })
+    }
+
+    /// As [`At::list`], of elements that are read like this.
+    pub(crate) fn list_by<T>(
+        &mut self,
+        read: impl Fn(&mut At<'_, '_>) -> Option<T>,
+    ) -> Option<Vec<T>> {
+        let elements = self.elements()?.iter().enumerate();
+        let all = elements.map(|(index, node)| {
+            read(&mut At {
+                fields: self.fields,
+                node,
+                path: &self.path.index(index),
+                expected: "",
+            })
+        });
+        let all: Vec<Option<T>> = all.collect();
+        all.into_iter().collect()
+    }
+
+    /// The value that an object's fields make of a blank one; `None` when one of them is wrong.
+    pub(crate) fn object<T>(
+        &mut self,
+        mut blank: T,
+        declare: fn(&mut Object<'_, '_>, &mut T),
+    ) -> Option<T> {
+        self.fill(&mut blank, declare).then_some(blank)
+    }
+
+    /// Fills what the fields of an object say into a value; whether all of them were good.
+    pub(crate) fn fill<T>(
+        &mut self,
+        value: &mut T,
+        declare: impl FnOnce(&mut Object<'_, '_>, &mut T),
+    ) -> bool {
+        let Some(members) = self.fields.object(self.node, self.path, self.expected) else {
+            return false;
+        };
+        let first = self.fields.findings.len();
+        let mut object = Object::read(self.fields, members, self.node.at, self.path);
+        declare(&mut object, value);
+        object.finish(first)
+    }
+
+    /// One value for each key of an object, which is its name. What is wrong in one of them was
+    /// reported; it stays, so that what refers to it is not wrong besides.
+    pub(crate) fn named<T>(&mut self, read: impl Fn(&str, &mut At<'_, '_>) -> T) -> Option<Vec<T>> {
+        let entries = self.fields.object(self.node, self.path, self.expected)?;
+        let mut all = Vec::new();
+        for entry in entries {
+            let path = &self.path.key(&entry.key);
+            if entry.key.trim() != entry.key || entry.key.is_empty() {
+                let expected = "a name without spaces around it";
+                self.fields
+                    .error(entry.key_at, path, quoted(&entry.key), expected);
+            }
+            let mut at = At {
+                fields: self.fields,
+                node: &entry.node,
+                path,
+                expected: "",
+            };
+            all.push(read(&entry.key, &mut at));
+        }
+        Some(all)
+    }
+}

@@ -1,0 +1,301 @@
+//! The fields of an object, declared once.
+//!
+//! A declaration is a function that names each field once: its key, where it is in the value of the
+//! program, its kind (unit, range and what a complaint expects, see [`kinds`](super::kinds)), and
+//! whether it has to be there. Reading runs it over a blank value and fills that; writing runs it over
+//! a finished one. What the function never names is a key that nobody knows.
+
+pub(crate) use super::at::At;
+use super::number::quoted;
+use super::{Fields, Member, Node, Path, Value, optional};
+use crate::diagnostic::Diagnostic;
+
+/// How one kind of value stands in a document.
+pub(crate) struct Kind<T> {
+    /// What should stand there.
+    pub(crate) expected: &'static str,
+    /// Takes it from its place, or complains.
+    pub(crate) read: fn(&mut At<'_, '_>) -> Option<T>,
+    /// What is written.
+    pub(crate) write: fn(&T) -> Value,
+}
+
+impl<T> Kind<T> {
+    /// Reads a value of this kind.
+    pub(crate) fn read(&self, fields: &mut Fields<'_>, node: &Node, path: &Path<'_>) -> Option<T> {
+        (self.read)(&mut At {
+            fields,
+            node,
+            path,
+            expected: self.expected,
+        })
+    }
+}
+
+/// An object whose fields are being read or written.
+pub(crate) struct Object<'o, 'a> {
+    side: Side<'o, 'a>,
+    path: &'o Path<'o>,
+    /// No field was wrong so far.
+    good: bool,
+    is_over: bool,
+}
+
+enum Side<'o, 'a> {
+    Reading {
+        fields: &'o mut Fields<'a>,
+        members: &'o [Member],
+        at: usize,
+        known: Vec<&'static str>,
+    },
+    Writing(Vec<Member>),
+}
+
+/// What an object's fields write of a value.
+pub(crate) fn written<T>(mut value: T, declare: impl FnOnce(&mut Object<'_, '_>, &mut T)) -> Value {
+    let mut object = Object {
+        side: Side::Writing(Vec::new()),
+        path: &Path::Root,
+        good: true,
+        is_over: false,
+    };
+    declare(&mut object, &mut value);
+    match object.side {
+        Side::Writing(members) => Value::Object(members),
+        Side::Reading { .. } => Value::Null,
+    }
+}
+
+impl<'o, 'a> Object<'o, 'a> {
+    /// The fields of an object that starts at this byte.
+    pub(super) fn read(
+        fields: &'o mut Fields<'a>,
+        members: &'o [Member],
+        at: usize,
+        path: &'o Path<'o>,
+    ) -> Self {
+        let side = Side::Reading {
+            fields,
+            members,
+            at,
+            known: Vec::new(),
+        };
+        Self {
+            side,
+            path,
+            good: true,
+            is_over: false,
+        }
+    }
+}
+
+impl Object<'_, '_> {
+    /// A field that has to be there.
+    pub(crate) fn required<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        if self.needs(key, kind.expected) {
+            self.field(key, value, kind);
+        }
+    }
+
+    /// A field that keeps its usual value where it is missing or null.
+    pub(crate) fn usual<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        self.know(key);
+        if self.is_given(key) {
+            self.field(key, value, kind);
+        }
+    }
+
+    /// A field that keeps its usual value where it is missing; null is none.
+    pub(crate) fn usual_or_null<T>(
+        &mut self,
+        key: &'static str,
+        value: &mut Option<T>,
+        kind: &Kind<T>,
+    ) {
+        let read = |at: &mut At<'_, '_>| match at.node.value {
+            Value::Null => Some(None),
+            _ => (kind.read)(at).map(Some),
+        };
+        let write = |value: &Option<T>| Some(value.as_ref().map_or(Value::Null, kind.write));
+        self.with(key, value, kind.expected, read, write);
+    }
+
+    /// A field that may be missing or null, and is not written then.
+    pub(crate) fn optional<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
+        self.know(key);
+        if self.is_given(key) {
+            self.some(key, value, kind);
+        }
+    }
+
+    /// A field that is there, of a value that the program may lack.
+    pub(crate) fn some<T>(&mut self, key: &'static str, value: &mut Option<T>, kind: &Kind<T>) {
+        let read = |at: &mut At<'_, '_>| (kind.read)(at).map(Some);
+        let write = |value: &Option<T>| value.as_ref().map(kind.write);
+        self.with(key, value, kind.expected, read, write);
+    }
+
+    /// A field that is there; null is something wrong.
+    pub(crate) fn field<T>(&mut self, key: &'static str, value: &mut T, kind: &Kind<T>) {
+        let write = |value: &T| Some((kind.write)(value));
+        self.with(key, value, kind.expected, |at| (kind.read)(at), write);
+    }
+
+    /// A field that is read and written like this, where it is there at all.
+    pub(crate) fn with<T>(
+        &mut self,
+        key: &'static str,
+        value: &mut T,
+        expected: &str,
+        read: impl FnOnce(&mut At<'_, '_>) -> Option<T>,
+        write: impl FnOnce(&T) -> Option<Value>,
+    ) {
+        self.know(key);
+        if self.is_over {
+            return;
+        }
+        match &mut self.side {
+            Side::Writing(out) => out.extend(write(value).map(|value| Member::new(key, value))),
+            Side::Reading {
+                fields, members, ..
+            } => {
+                let Some(member) = members.iter().find(|member| member.key == key) else {
+                    return;
+                };
+                let read = read(&mut At {
+                    fields,
+                    node: &member.node,
+                    path: &self.path.key(key),
+                    expected,
+                });
+                match read {
+                    Some(read) => *value = read,
+                    None => self.good = false,
+                }
+            }
+        }
+    }
+
+    /// An object within it that is about the same value; it has to be there.
+    pub(crate) fn part<T>(
+        &mut self,
+        key: &'static str,
+        value: &mut T,
+        expected: &str,
+        declare: fn(&mut Object<'_, '_>, &mut T),
+    ) {
+        if let Side::Writing(out) = &mut self.side {
+            let part = written(value, |o, value| declare(o, value));
+            out.push(Member::new(key, part));
+        } else if self.needs(key, expected) {
+            let read = |at: &mut At<'_, '_>| at.fill(value, declare).then_some(());
+            self.with(key, &mut (), expected, read, |()| None);
+        }
+    }
+
+    /// A field that always says the same, and was read before.
+    pub(crate) fn says(&mut self, key: &'static str, text: &str) {
+        self.with(key, &mut (), "", |_| Some(()), |()| Some(text.into()));
+    }
+
+    /// A key that is known, whatever stands there.
+    pub(crate) fn know(&mut self, key: &'static str) {
+        if let Side::Reading { known, .. } = &mut self.side {
+            known.push(key);
+        }
+    }
+
+    /// Whether there is something to read under a key; what is written is always there.
+    pub(crate) fn is_given(&self, key: &str) -> bool {
+        match &self.side {
+            Side::Reading { members, .. } => optional(members, key).is_some(),
+            Side::Writing(_) => true,
+        }
+    }
+
+    /// Whether it is being read.
+    pub(crate) fn is_read(&self) -> bool {
+        matches!(self.side, Side::Reading { .. })
+    }
+
+    /// As [`Object::is_given`], null being something; complains where nothing is.
+    pub(crate) fn needs(&mut self, key: &'static str, expected: &str) -> bool {
+        self.know(key);
+        match &mut self.side {
+            _ if self.is_over => true,
+            Side::Writing(_) => true,
+            Side::Reading {
+                fields,
+                members,
+                at,
+                ..
+            } => {
+                let found = fields.required(members, *at, self.path, key, expected);
+                self.good &= found.is_some();
+                found.is_some()
+            }
+        }
+    }
+
+    /// Complains of the object as a whole.
+    pub(crate) fn error(&mut self, found: impl Into<String>, expected: impl Into<String>) {
+        self.good = false;
+        if let Side::Reading { fields, at, .. } = &mut self.side {
+            fields.error(*at, self.path, found, expected);
+        }
+    }
+
+    /// Complains of a field, or of its lack.
+    pub(crate) fn error_in(
+        &mut self,
+        key: &str,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        self.good = false;
+        if let Side::Reading {
+            fields,
+            members,
+            at,
+            ..
+        } = &mut self.side
+        {
+            let member = members.iter().find(|member| member.key == key);
+            let at = member.map_or(*at, |member| member.node.at);
+            fields.error(at, &self.path.key(key), found, expected);
+        }
+    }
+
+    /// Reads no more fields: they would be judged by one that was wrong.
+    pub(crate) fn end_if_wrong(&mut self) {
+        self.is_over |= !self.good;
+    }
+
+    /// Whether it is being read and no field was wrong so far: what they say together can be checked.
+    pub(crate) fn has_read_well(&self) -> bool {
+        self.good && self.is_read()
+    }
+
+    /// Notes the keys that nobody reads, before what was found in the others.
+    pub(super) fn finish(self, first: usize) -> bool {
+        if let Side::Reading {
+            fields,
+            members,
+            known,
+            ..
+        } = self.side
+        {
+            let unknown = members
+                .iter()
+                .filter(|member| !known.contains(&member.key.as_str()));
+            let notes = unknown.map(|member| {
+                let place = fields.place(member.key_at, &self.path.key(&member.key));
+                let found = format!("key {} is not known: ignored", quoted(&member.key));
+                Diagnostic::note(place, found)
+            });
+            let notes: Vec<Diagnostic> = notes.collect();
+            fields.findings.splice(first..first, notes);
+        }
+        self.good
+    }
+}
