@@ -249,7 +249,7 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
 
 fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Option<Sheet> {
     let path = || files.folder.join("typed.json").display().to_string();
-    Some(match random.random_range(0..12) {
+    Some(match random.random_range(0..10) {
         0 => Sheet::SavePath {
             path: path(),
             replace: random.random(),
@@ -260,14 +260,12 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
             replace: random.random(),
         },
         2 => Sheet::Simulate(form(random)),
-        3 => Sheet::Shortcuts,
-        4 => Sheet::Unsaved(then(random, files)),
-        5 => Sheet::Overwrite(files.any(random)),
-        6 => Sheet::Recover,
-        7 => Sheet::Import(foreign(random, files, workbench)),
-        8 => Sheet::Preferences,
-        9 => Sheet::Words,
-        10 => Sheet::About,
+        3 => Sheet::Unsaved(then(random, files)),
+        4 => Sheet::Overwrite(files.any(random)),
+        5 => Sheet::Import(foreign(random, files, workbench)),
+        6 => Sheet::RECOVERY,
+        7 => Sheet::Named("preferences"),
+        8 => Sheet::Named("none of this name"),
         _ => return None,
     })
 }
