@@ -24,6 +24,7 @@ register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
     orders: ORDERS;
     histogram: HISTOGRAM;
+    quantiles: QUANTILES;
     gap: GAP;
     effect: EFFECT;
     correction: CORRECTION;
