@@ -171,7 +171,7 @@ actions! {
     CANCEL: COMMAND, Period, "cancel", |_| "Cancel what is running".into(), |_| Command::Cancel,
         [when(|now| now.workbench.jobs().newest().is_some())];
     PREFERENCES: COMMAND, Comma, "preferences", |_| "Preferences…".into(),
-        |_| sheet(Sheet::Preferences);
+        |_| sheet(Sheet::Named("preferences"));
     NEXT_ANGLE: SHIFTED, U, "other unit of angles", |now| next_angle(now).1.into(),
         |now| Command::Prefer(Preferences { angle: next_angle(now).0, ..now.preferences() });
     NEXT_LENGTH: COMMAND, U, "next unit of lengths", |now| next_length(now).1.into(),
@@ -204,9 +204,9 @@ actions! {
     EXPORT: COMMAND, Num5, "step 5, export", |_| Step::Export.name().into(),
         |_| Command::GoTo(Step::Export), [on(|now| now.workbench.view().step == Step::Export)];
     ABOUT: Modifiers::SHIFT, F1, "about truepose", |_| "About truepose".into(),
-        |_| sheet(Sheet::About);
-    WORDS: PLAIN, F1, "glossary", |_| "Glossary".into(), |_| sheet(Sheet::Words);
-    KEYS: COMMAND, K, "this list", |_| "Keyboard and mouse".into(), |_| sheet(Sheet::Shortcuts);
+        |_| sheet(Sheet::Named("about"));
+    WORDS: PLAIN, F1, "glossary", |_| "Glossary".into(), |_| sheet(Sheet::Named("words"));
+    KEYS: COMMAND, K, "this list", |_| "Keyboard and mouse".into(), |_| sheet(Sheet::Named("keys"));
 }
 
 /// The examples, in their order.

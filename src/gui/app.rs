@@ -150,7 +150,9 @@ impl App {
 
     /// The same for the picture of a plot: `workspace`, `deviation` or `gap by step`.
     pub fn type_picture_path(&mut self, plot: &str, path: &Path) {
-        if let Some(plot) = Plot::ALL.into_iter().find(|p| p.name() == plot) {
+        let chart = crate::gui::charts::find(plot).map(|chart| Plot::Chart(chart.about().id));
+        let others = [Plot::Workspace, Plot::Polar].into_iter();
+        if let Some(plot) = others.chain(chart).find(|p| p.name() == plot) {
             self.type_path(What::Picture(plot), path);
         }
     }

@@ -7,11 +7,12 @@
 //! holds it), from the top:
 //!
 //! - `app`: the shell: takes what was done in the background, lays out the views, executes commands.
-//! - `dialogs`: sheets over the window; `views`: what stands around the plots, and the charts (one file
-//!   and one line of a register each); `workspace`: the plot of the robot and its samples.
+//! - `dialogs`: sheets over the window; `views`: what stands around the plots; `workspace`: the plot of
+//!   the robot and its samples.
 //! - `plots`, `widgets`: what views are made of; `layers`: what is drawn for each sample.
 //! - `actions`: one table of what can be done: keys, menus, help.
 //! - `workbench`: what there is, and the commands that change it.
+//! - `charts`: what is charted below the workspace, one file and one line of a register each.
 //! - `files`, `keeping`: reading and writing; what outlives the window and what changes under it.
 //! - `cache`: what is worked out once, in the background, so that no frame looks at all samples.
 //! - `view`: how the document is looked at; `foreign`: a file that an instrument wrote, before it is a
@@ -24,6 +25,7 @@
 mod actions;
 mod app;
 mod cache;
+mod charts;
 mod core;
 mod dialogs;
 mod file_state;

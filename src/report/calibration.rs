@@ -12,7 +12,7 @@ use super::parts::{
     fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
     tolerance,
 };
-use super::plots::waterfall;
+use super::plots::gap as gap_plot;
 
 impl Report {
     /// The report of a model file.
@@ -99,7 +99,7 @@ fn history(c: &Calibration) -> Section {
         blocks: vec![
             Block::Table(table),
             Block::Plot(
-                waterfall(&steps, None, c.tolerance_mm),
+                gap_plot(&steps, None, c.tolerance_mm),
                 "Each step keeps what the ones before it brought".to_owned(),
             ),
         ],

@@ -1,7 +1,7 @@
 //! What a report says, once, for every format: sections of a few kinds of blocks. Texts are already
 //! in the reader's units; whatever a user named has passed [`clean`].
 
-use super::drawing::Drawing;
+use crate::present::drawing::Drawing;
 
 /// A report.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,12 +7,11 @@
 //!
 //! - [`document`]: sections and blocks. `session`, `findings`, `stages`,
 //!   `calibration`, `accuracy`, `parts`: what goes in.
-//! - [`drawing`]: lines and text on a sheet; [`plots`] make drawings, [`svg`](mod@svg) writes them.
+//! - [`plots`] are drawings ([`crate::present::drawing`]), [`svg`](mod@svg) writes them.
 //! - [`html`](mod@html), [`pdf`](mod@pdf): the formats.
 //! - [`exported`]: tables that were written for a controller, by their hashes.
 
 pub mod document;
-pub mod drawing;
 pub mod exported;
 pub mod html;
 pub mod pdf;

@@ -23,7 +23,7 @@ use super::parts::{
     fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts, signatures,
     tables, title, tolerance,
 };
-use super::plots::waterfall;
+use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
 use super::{Extras, ReportError};
 
@@ -406,7 +406,7 @@ impl Told<'_> {
         blocks.extend(self.by_kind());
         blocks.push(Block::List(self.remarks()));
         blocks.push(Block::Plot(
-            waterfall(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
+            gap_plot(&d.history, Some(d.floor.mm), self.session.tolerance_mm),
             "The gap step by step; each step keeps what the ones before it brought".to_owned(),
         ));
         Section {

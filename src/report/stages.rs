@@ -6,14 +6,14 @@ use crate::effects::JointValues;
 use crate::fit::gap::{Deviations, deviations};
 use crate::fit::problem::Problem;
 use crate::model::{Calibration, Model};
+use crate::present::chart::{Stands, shortened};
 use crate::sessions::Session;
 
 use super::ReportError;
 use super::document::{Block, Section};
-use super::drawing::{AFTER, BEFORE, CORRECTED};
 use super::numbers::short;
 use super::parts::or_unnamed;
-use super::plots::{Stage, Stages, deviation, shortened, workspace};
+use super::plots::{Stage, Stages, deviation, workspace};
 
 /// A session's samples as measured, with corrected commands, and against the model.
 ///
@@ -49,13 +49,13 @@ pub fn stages(
         }
         more.push(Stage {
             name: "With corrected commands".to_owned(),
-            colour: CORRECTED,
+            stands: Stands::Corrected,
             deviations: corrected,
         });
     }
     more.push(Stage {
         name: "Against the model".to_owned(),
-        colour: AFTER,
+        stands: Stands::After,
         deviations: verification.after.clone(),
     });
     all.stages.extend(more);
@@ -98,7 +98,7 @@ pub fn as_measured(session: &Session, floor_mm: Option<f64>) -> Stages {
             .collect(),
         stages: vec![Stage {
             name: "As measured".to_owned(),
-            colour: BEFORE,
+            stands: Stands::Before,
             deviations: deviations(&problem, &nominal),
         }],
         floor_mm,

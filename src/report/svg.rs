@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
 use super::html::escape;
+use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
 
 /// A file of its own: with the name of its language, and a font that most machines have.
 pub fn svg_file(drawing: &Drawing, title: &str) -> String {

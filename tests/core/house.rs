@@ -174,13 +174,14 @@ fn the_window_takes_no_joint_for_the_only_one() {
 }
 
 /// The window's folders from the bottom to the top; what stands in one row is of one floor.
-const FLOORS: [&[&str]; 13] = [
+const FLOORS: [&[&str]; 14] = [
     &["jobs", "units", "help", "style"],
     &["preferences"],
     &["core"],
     &["import_draft"],
     &["view"],
     &["cache"],
+    &["charts"],
     &["files", "file_state"],
     &["workbench"],
     &["actions", "layers", "widgets"],

@@ -461,7 +461,7 @@ fn the_plots_are_files_of_their_own_too() {
     let drawings = [
         plots::workspace(&stages).0,
         plots::deviation(&stages),
-        plots::waterfall(&found.history, Some(0.05), Some(0.2)),
+        plots::gap(&found.history, Some(0.05), Some(0.2)),
     ];
     for drawing in drawings {
         let file = svg_file(&drawing, "a < b");

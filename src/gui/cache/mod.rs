@@ -1,11 +1,13 @@
 //! What is worked out once, in the background, so that no frame looks at all samples.
 
-pub(crate) mod charts;
 pub(crate) mod cloud;
 pub(crate) mod decimation;
+pub(crate) mod envelope;
 pub(crate) mod figures;
 pub(crate) mod heat;
 pub(crate) mod identified;
 pub(crate) mod nearest;
+pub(crate) mod over;
 pub(crate) mod plot_cache;
 pub(crate) mod preview;
+pub(crate) mod work;

@@ -6,12 +6,12 @@
 use std::sync::Arc;
 
 use super::decimation::Thinned;
-use crate::gui::cache::charts::envelope::Envelope;
-use crate::gui::cache::charts::over::{Over, Variable};
-use crate::gui::cache::charts::{Asked, Charted};
+use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::heat::Heat;
 use crate::gui::cache::identified::Outcome;
 use crate::gui::cache::nearest::Nearest;
+use crate::gui::cache::over::{Over, Variable};
+use crate::gui::cache::work::{Given, Work, WorkedOut};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::core::scale::FEW;
@@ -33,12 +33,20 @@ pub(crate) struct Scenery {
     /// The component in the chart.
     pub(crate) component: Component,
     /// What the chart needs.
-    pub(crate) chart: Asked,
+    pub(crate) chart: Option<Work>,
 }
 
 impl Scenery {
     fn answer(&self) -> Option<&Answer> {
         self.outcome.as_ref()?.answer.as_ref().ok()
+    }
+
+    fn given(&self) -> Given<'_> {
+        Given {
+            subject: &self.subject,
+            answer: self.answer(),
+            component: self.component,
+        }
     }
 
     fn many(&self) -> bool {
@@ -47,7 +55,7 @@ impl Scenery {
 
     /// Whether there is anything to work out.
     pub(crate) fn any(&self) -> bool {
-        self.heat || self.many() || self.chart.any(&self.subject)
+        self.heat || self.many() || self.chart.is_some()
     }
 }
 
@@ -60,7 +68,7 @@ pub(crate) struct Backdrop {
     /// The error over the plane.
     pub(crate) heat: Option<Arc<Heat>>,
     /// What the chart is made of.
-    pub(crate) charted: Option<Arc<Charted>>,
+    pub(crate) charted: Option<WorkedOut>,
     /// Samples that are drawn where not all can be.
     pub(crate) thinned: Option<Arc<Thinned>>,
     /// The extremes around the joint's angle, where the polar view shows them.
@@ -97,8 +105,8 @@ impl Backdrop {
             wanted.flatten()
         });
         let charted = chart_of.and_then(|l| l.charted.clone()).or_else(|| {
-            let (answer, component) = (scenery.answer(), scenery.component);
-            Charted::of(&scenery.chart, subject, answer, component).map(Arc::new)
+            let work = scenery.chart.as_ref()?;
+            Some(work.done(scenery.given()))
         });
         // A boundary that is dragged later finds its sums made.
         if many && subject.single_revolute() {
@@ -114,8 +122,7 @@ impl Backdrop {
                 variable: Variable::Joint,
                 joint: 0,
             };
-            let (answer, component) = (scenery.answer(), scenery.component);
-            Arc::new(Envelope::of(subject, answer, component, angle))
+            Arc::new(Envelope::of(scenery.given(), angle))
         };
         let polar = many && scenery.polar;
         let around = polar.then(|| known.unwrap_or_else(around));

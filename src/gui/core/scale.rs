@@ -8,10 +8,6 @@ pub(crate) const MOST_ARROWS: usize = 10_000;
 /// Points in one plot.
 pub(crate) const MOST_POINTS: usize = 100_000;
 
-/// The smallest span of a chart's upward axis, mm or degrees: below it the labels, which have four
-/// decimals, would all be the same, and what filled the chart would be rounding.
-pub(crate) const LEAST_SPAN: f64 = 1e-3;
-
 /// Every how many of `count` things one is shown, so that there are at most `most`.
 pub(crate) fn stride(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)

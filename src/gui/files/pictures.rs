@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::gui::jobs::Watch;
 use crate::gui::view::Message;
-use crate::report::drawing::Drawing;
+use crate::present::drawing::Drawing;
 use crate::report::svg::svg_file;
 
 use super::{can_be_written, ending, not_written, saved, write_one};

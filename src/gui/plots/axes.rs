@@ -5,6 +5,7 @@ use egui_plot::{Axis, AxisHints, GridMark};
 
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::trimmed;
+use crate::present::chart::{self, Ticks, ticks};
 
 /// An axis with this label; `shown` turns a value of the plot into the one that is written.
 pub(crate) fn axis<'a>(
@@ -30,83 +31,54 @@ pub(crate) fn axis<'a>(
     }]
 }
 
-/// The axis below with a word for each place.
-pub(crate) fn named_axis<'a>(
-    label: String,
+/// A chart's axis, with a word for each place where it has words, which take up so much room.
+pub(super) fn of_chart<'a>(
+    side: Axis,
+    of: &chart::Axis,
     palette: &Palette,
-    words: Vec<(f64, String)>,
+    room: f32,
 ) -> Vec<AxisHints<'a>> {
-    let mut hints = axis(Axis::X, label, palette, |x| x);
+    let hints = axis(side, of.label.clone(), palette, |x| x);
+    let Ticks::Words(words) = &of.ticks else {
+        return hints;
+    };
+    let words = words.clone();
     let named = move |place: f64| {
         let word = words.iter().find(|(at, _)| (at - place).abs() < 0.5);
         word.map_or_else(String::new, |(_, word)| word.clone())
     };
-    if let Some(hint) = hints.pop() {
+    let color = match side {
+        Axis::X => palette.muted,
+        Axis::Y => palette.text,
+    };
+    let with_words = |hint: AxisHints<'a>| {
+        let named = named.clone();
         let hint = hint.label_spacing(Rangef::new(10.0, 16.0));
-        hints.push(hint.formatter(move |mark, _| named(mark.value)));
+        hint.min_thickness(room)
+            .tick_label_color(color)
+            .formatter(move |mark, _| named(mark.value))
+    };
+    hints.into_iter().map(with_words).collect()
+}
+
+/// Where a chart's axis has labels between two ends, at most about `most` of them.
+pub(super) fn places(of: &Ticks, bounds: (f64, f64), most: f64) -> Vec<GridMark> {
+    match of {
+        Ticks::Words(words) => {
+            let mark = |(value, _): &(f64, String)| GridMark {
+                value: *value,
+                step_size: 1.0,
+            };
+            words.iter().map(mark).collect()
+        }
+        other => steps(bounds, *other == Ticks::Degrees, most),
     }
-    hints
 }
 
 /// Grid lines at round numbers, at most about `lines`, so that each gets its label: in degrees at
 /// parts of a turn.
-pub(crate) fn steps(bounds: (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
-    const PARTS_OF_A_TURN: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0, 180.0];
-    let (low, high) = bounds;
-    let wanted = (high - low) / lines;
-    if !(wanted.is_finite() && wanted > 0.0) {
-        return Vec::new();
-    }
-    let in_degrees = || PARTS_OF_A_TURN.into_iter().find(|part| *part >= wanted);
-    let step = if degrees && wanted > 0.5 {
-        in_degrees().unwrap_or(360.0)
-    } else {
-        // The smallest of 1, 2, 5 × 10ⁿ that is not below.
-        let below = crate::gui::core::scale::round_down(wanted);
-        let lead = below / 10f64.powf(below.log10().floor());
-        if below >= wanted * (1.0 - 1e-9) {
-            below
-        } else if (lead - 2.0).abs() < 0.5 {
-            below * 2.5
-        } else {
-            below * 2.0
-        }
-    };
-    let first = (low / step).ceil();
-    let last = (high / step).floor();
-    (0..50_u8)
-        .map(|k| first + f64::from(k))
-        .take_while(|line| *line <= last)
-        .map(|line| GridMark {
-            value: line * step,
-            step_size: step,
-        })
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn values(bounds: (f64, f64), degrees: bool) -> Vec<f64> {
-        steps(bounds, degrees, 9.0)
-            .iter()
-            .map(|mark| mark.value)
-            .collect()
-    }
-
-    #[test]
-    fn degrees_are_divided_into_parts_of_a_turn() {
-        let marks = values((-95.0, 95.0), true);
-        assert_eq!(marks, [-90.0, -60.0, -30.0, 0.0, 30.0, 60.0, 90.0]);
-    }
-
-    #[test]
-    fn lengths_are_divided_decimally() {
-        assert_eq!(
-            values((-0.9, 14.0), false),
-            [0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0]
-        );
-        assert!(values((f64::NAN, 1.0), false).is_empty());
-    }
+pub(crate) fn steps((low, high): (f64, f64), degrees: bool, lines: f64) -> Vec<GridMark> {
+    let (values, step_size) = ticks([low, high], degrees, lines);
+    let mark = |value| GridMark { value, step_size };
+    values.into_iter().map(mark).collect()
 }

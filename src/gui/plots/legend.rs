@@ -7,67 +7,34 @@ use egui::{
 
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::widgets;
-use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workbench::Command;
+use crate::present::chart::{Chart, Entry, Sign};
 
-use super::marks;
+use super::{chart, marks};
 
 /// Height of the line, points.
 const HEIGHT: f32 = 18.0;
 /// Width of a mark, points.
 const MARK: f32 = 16.0;
 
-/// What stands before a name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Sign {
-    /// A dot, or a triangle that points the way the joint came.
-    Dot(f64, Color32, Color32),
-    /// A bar, filled or outlined.
-    Bar(Color32, bool),
-    /// A line, whole or dashed.
-    Line(Color32, bool),
-}
-
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Entry {
-    pub(crate) name: String,
-    pub(crate) sign: Sign,
-    /// Whether it is shown, where that can be chosen.
-    pub(crate) shown: Option<bool>,
-}
-
-impl Entry {
-    /// A name that is always there.
-    pub(crate) fn new(name: impl Into<String>, sign: Sign) -> Self {
-        Self {
-            name: name.into(),
-            sign,
-            shown: None,
-        }
-    }
-
-    /// The deviation before: it can be left out once there is one after.
-    pub(crate) fn before(workbench: &Workbench, sign: Sign) -> Self {
-        let shown = workbench.answer().map(|_| !workbench.view().only_after);
-        Self {
-            shown,
-            ..Self::new("before", sign)
-        }
-    }
-}
-
-pub(crate) fn show(ui: &mut Ui, note: &str, entries: &[Entry], commands: &mut Vec<Command>) {
+/// Shows it. What was before can be left out where there is something after: `shown` says whether
+/// it is there.
+pub(crate) fn show(ui: &mut Ui, chart: &Chart, shown: Option<bool>, commands: &mut Vec<Command>) {
     let room = vec2(ui.available_width(), HEIGHT);
     ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 12.0;
-        for one in entries.iter().rev() {
-            if entry(ui, one) {
-                commands.push(Command::OnlyAfter(one.shown == Some(true)));
+        for one in chart.legend.iter().rev() {
+            let shown = shown.filter(|_| one.may_go);
+            if entry(ui, one, shown) {
+                commands.push(Command::OnlyAfter(shown == Some(true)));
             }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let muted = Palette::of(ui).muted;
-            let text = egui::RichText::new(note).size(size::SMALL).color(muted);
-            if !note.is_empty() {
+            let text = egui::RichText::new(&chart.note)
+                .size(size::SMALL)
+                .color(muted);
+            if !chart.note.is_empty() {
                 ui.add(egui::Label::new(text).truncate());
             }
         });
@@ -76,14 +43,14 @@ pub(crate) fn show(ui: &mut Ui, note: &str, entries: &[Entry], commands: &mut Ve
 }
 
 /// A name with its mark; whether it was pressed.
-fn entry(ui: &mut Ui, entry: &Entry) -> bool {
+fn entry(ui: &mut Ui, entry: &Entry, shown: Option<bool>) -> bool {
     let palette = Palette::of(ui);
-    let off = entry.shown == Some(false);
+    let off = shown == Some(false);
     let color = if off { palette.nominal } else { palette.muted };
     let font = FontId::proportional(size::SMALL);
     let painter = ui.painter().clone();
     let galley = painter.layout_no_wrap(entry.name.clone(), font, color);
-    let sense = if entry.shown.is_some() {
+    let sense = if shown.is_some() {
         Sense::click()
     } else {
         Sense::hover()
@@ -91,18 +58,19 @@ fn entry(ui: &mut Ui, entry: &Entry) -> bool {
     let wide = vec2(MARK + galley.size().x, HEIGHT);
     let (rect, response) = ui.allocate_exact_size(wide, sense);
     let name = &entry.name;
-    match entry.shown {
+    match shown {
         Some(shown) => response.widget_info(|| {
             WidgetInfo::selected(Role::CheckBox, true, shown, format!("show {name}"))
         }),
         None => response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name)),
     }
-    if entry.shown.is_some() && (response.hovered() || response.has_focus()) {
+    if shown.is_some() && (response.hovered() || response.has_focus()) {
         painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 3.0, palette.inset);
     }
     let middle = pos2(rect.left() + 5.0, rect.center().y);
-    let fade = |c: Color32| if off { c.gamma_multiply(0.35) } else { c };
-    painter.extend(sign(middle, entry.sign, fade));
+    let full = chart::color(entry.stands, &palette);
+    let faded = if off { full.gamma_multiply(0.35) } else { full };
+    painter.extend(sign(middle, entry, faded));
     let at = pos2(rect.left() + MARK, rect.center().y - 0.5 * galley.size().y);
     let right = at.x + galley.size().x;
     painter.galley(at, galley, color);
@@ -111,7 +79,7 @@ fn entry(ui: &mut Ui, entry: &Entry) -> bool {
         painter.line_segment(through, Stroke::new(1.0, color));
     }
     let clicked = response.clicked();
-    if let Some(shown) = entry.shown {
+    if let Some(shown) = shown {
         response.on_hover_text(if shown {
             "Leave it out, so that what is left can be seen"
         } else {
@@ -121,29 +89,34 @@ fn entry(ui: &mut Ui, entry: &Entry) -> bool {
     clicked
 }
 
-fn sign(at: egui::Pos2, sign: Sign, fade: impl Fn(Color32) -> Color32) -> Vec<Shape> {
-    match sign {
-        Sign::Dot(side, fill, edge) => {
-            let edge = Stroke::new(1.2, fade(edge));
-            vec![marks::pointing(at, 3.4, side, fade(fill), edge)]
+fn sign(at: egui::Pos2, entry: &Entry, color: Color32) -> Vec<Shape> {
+    match entry.sign {
+        Sign::Mark(form) => {
+            let fill = if entry.filled {
+                color
+            } else {
+                Color32::TRANSPARENT
+            };
+            vec![marks::mark(at, 3.4, form, fill, Stroke::new(1.2, color))]
         }
-        Sign::Bar(color, filled) => {
+        Sign::Bar | Sign::Band => {
             let rect = Rect::from_center_size(at, vec2(9.0, 9.0));
-            let color = fade(color);
-            vec![if filled {
+            vec![if entry.sign == Sign::Band {
+                Shape::rect_filled(rect, 1.0, color.gamma_multiply(0.3))
+            } else if entry.filled {
                 Shape::rect_filled(rect, 1.0, color)
             } else {
                 let inside = egui::StrokeKind::Inside;
                 Shape::rect_stroke(rect, 1.0, Stroke::new(1.5, color), inside)
             }]
         }
-        Sign::Line(color, dashed) => {
+        Sign::Line => {
             let ends = [at - vec2(6.0, 0.0), at + vec2(6.0, 0.0)];
-            let stroke = Stroke::new(1.8, fade(color));
-            if dashed {
-                Shape::dashed_line(&ends, stroke, 3.5, 2.0)
-            } else {
+            let stroke = Stroke::new(1.8, color);
+            if entry.filled {
                 vec![Shape::line_segment(ends, stroke)]
+            } else {
+                Shape::dashed_line(&ends, stroke, 3.5, 2.0)
             }
         }
     }

@@ -3,6 +3,8 @@
 
 use egui::{Color32, Pos2, Shape, Stroke, Vec2, pos2, vec2};
 
+use crate::present::chart::Form;
+
 /// An arrow with a head that grows with it, up to a point.
 pub(crate) fn arrow(shapes: &mut Vec<Shape>, from: Pos2, to: Pos2, stroke: Stroke) {
     let along = to - from;
@@ -59,4 +61,15 @@ pub(crate) fn pointing(at: Pos2, radius: f32, side: f64, fill: Color32, stroke: 
         pos2(at.x - x * 0.75 * radius, at.y - radius * 1.1),
     ];
     Shape::convex_polygon(corners, fill, stroke)
+}
+
+/// A mark of a chart.
+pub(crate) fn mark(at: Pos2, radius: f32, form: Form, fill: Color32, stroke: Stroke) -> Shape {
+    let side = match form {
+        Form::Disc => 0.0,
+        Form::Forwards => 1.0,
+        Form::Backwards => -1.0,
+        Form::Diamond => return diamond(at, 1.3 * radius, fill, stroke),
+    };
+    pointing(at, radius, side, fill, stroke)
 }

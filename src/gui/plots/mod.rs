@@ -1,15 +1,14 @@
-//! What plots are made of: axes, marks, the strip above them, gestures, the chart as it is drawn on the
-//! screen and on paper. A plot itself is a model (what is shown), a layout (where it goes; both are
+//! What plots are made of: axes, marks, the strip above them, gestures, a chart on the screen. A plot itself is a model (what is shown), a layout (where it goes; both are
 //! tested without pixels) and paint (egui)
 
 mod axes;
-pub(crate) mod chart_spec;
+pub(crate) mod chart;
 mod drawing;
 pub(crate) mod gestures;
 pub(crate) mod legend;
 pub(crate) mod marks;
 
-pub(crate) use axes::{axis, named_axis, steps};
+pub(crate) use axes::{axis, steps};
 pub(crate) use drawing::Drawing;
 pub(crate) use marks::disc;
 

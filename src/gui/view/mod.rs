@@ -1,12 +1,10 @@
 //! How the window looks at the document. Nothing here changes what is saved, and nothing here can
 //! be undone.
 
-mod chart;
 mod looking;
 mod output;
 mod sheet;
 
-pub(crate) use chart::Chart;
 pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
@@ -144,8 +142,8 @@ pub(crate) struct ViewState {
     pub(crate) side: Side,
     /// What is shown where workspace and chart would both be too low.
     pub(crate) part: Part,
-    /// What is charted; `None`: what suits the step.
-    pub(crate) chart: Option<Chart>,
+    /// The chart by its name; `None`: what suits the step.
+    pub(crate) chart: Option<&'static str>,
     /// The joint that charts are about, counted from 0.
     pub(crate) joint: usize,
     /// The found effect whose curve is charted, by its place in the answer.

@@ -24,21 +24,19 @@ pub(crate) enum Sheet {
     },
     /// A simulation, as it is filled in.
     Simulate(Form),
-    Shortcuts,
     /// What is lost if this is done now.
     Unsaved(Then),
     /// This file is not what it was when it was read: whether to replace it all the same.
     Overwrite(PathBuf),
-    /// What windows that are gone have left behind.
-    Recover,
     /// A file that an instrument wrote.
     Import(Box<Foreign>),
-    /// Units, digits, colours, size of text.
-    Preferences,
-    /// What the words mean.
-    Words,
-    /// What this program is.
-    About,
+    /// One that keeps nothing of its own: its file in `dialogs`.
+    Named(&'static str),
+}
+
+impl Sheet {
+    /// What windows that are gone have left behind.
+    pub(crate) const RECOVERY: Self = Self::Named("recovery");
 }
 
 /// What is done next, when nothing is in the way any more.

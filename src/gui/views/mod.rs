@@ -1,6 +1,6 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
-pub(super) mod charts;
+mod chart;
 mod copies;
 mod coverage;
 mod disk;

@@ -4,8 +4,8 @@ use egui::{RichText, Ui};
 
 use crate::effects::find;
 use crate::fit::{Estimate, IMPLAUSIBLE, NotIdentifiable};
+use crate::gui::charts::effect;
 use crate::gui::style::tokens::{Palette, size, strong};
-use crate::gui::view::Chart;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
 
@@ -105,7 +105,7 @@ pub(in crate::gui::views) fn curve_link(
     commands: &mut Vec<Command>,
 ) {
     let view = workbench.view();
-    let shown = workbench.chart() == Chart::Effect && view.effect == index;
+    let shown = workbench.chart().about().id == effect::ID && view.effect == index;
     let button = ui.add_enabled_ui(!shown, |ui| widgets::secondary(ui, "Show its curve"));
     if button.inner.clicked() {
         commands.push(Command::ShowEffect(index));

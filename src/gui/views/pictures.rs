@@ -5,17 +5,16 @@ use std::sync::Arc;
 
 use crate::compensation::verify;
 use crate::gui::cache::identified::Outcome;
+use crate::gui::charts::{Pointed, find};
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::Component;
-use crate::gui::plots::chart_spec::Sketch;
-use crate::gui::view::{Chart, Plot};
+use crate::gui::view::Plot;
 use crate::gui::workbench::{Draw, Workbench};
 use crate::gui::workspace::polar_sheet;
-use crate::report::drawing::{Drawing, Label, MUTED};
-use crate::report::plots::{waterfall, workspace};
+use crate::present::chart::{Chart, FULL_WIDTH};
+use crate::present::drawing::{Drawing, Label, MUTED};
+use crate::report::plots::workspace;
 use crate::report::{as_measured, stages};
-
-use super::charts;
 
 /// A picture to be drawn.
 struct Wanted {
@@ -27,8 +26,8 @@ struct Wanted {
     component: (Component, bool),
     /// The noise floor, where a search found it, mm.
     floor_mm: Option<f64>,
-    /// The chart as it is shown, where it is one that is.
-    sketch: Option<Sketch>,
+    /// The chart as it is shown, or why there is none, where it is one.
+    chart: Option<Result<Chart, String>>,
 }
 
 /// A plot as it is now, to be drawn in the background.
@@ -41,9 +40,25 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
         outcome: workbench.last_outcome().filter(|_| shown).cloned(),
         component: (view.component, view.only_after),
         floor_mm: workbench.diagnosis().map(|d| d.floor.mm),
-        sketch: charts::sketch(workbench, plot),
+        chart: match plot {
+            Plot::Chart(name) => Some(chart(workbench, name)),
+            Plot::Workspace | Plot::Polar => None,
+        },
     };
     Box::new(move || draw(&wanted))
+}
+
+/// A chart as it is shown, of many samples with what is seen of them on paper.
+fn chart(workbench: &Workbench, name: &str) -> Result<Chart, String> {
+    let kind = find(name).ok_or("there is no such chart")?;
+    let scene = workbench.scene_of(kind);
+    let shown = kind.show(&scene).map_err(|missing| missing.title)?;
+    let mut chart = shown.chart;
+    if let Pointed::Samples(samples) = &shown.pointed {
+        let [[from, _], [to, _]] = chart.bounds;
+        chart.items.extend(samples.in_sight([from, to], FULL_WIDTH));
+    }
+    Ok(chart)
 }
 
 /// Room for a line below a drawing, points.
@@ -53,26 +68,16 @@ const CAPTION: f64 = 14.0;
 fn draw(wanted: &Wanted) -> Result<(Drawing, String), String> {
     let session = wanted.document.session_to_save();
     let of = |what: &str| format!("{}: {what}", crate::report::document::clean(&session.name));
-    if let Some(sketch) = &wanted.sketch {
-        let title = of(&sketch.title);
+    if let Some(chart) = &wanted.chart {
+        let chart = chart.as_ref().map_err(Clone::clone)?;
         let session = crate::report::document::clean(&session.name);
-        return Ok((sketch.on_paper(&session), title));
-    }
-    match wanted.plot {
-        Plot::Workspace | Plot::Polar | Plot::Chart(Chart::Angle | Chart::Gap) => {}
-        Plot::Chart(_) => return Err("this chart has nothing to show yet".to_owned()),
+        return Ok((chart.on_paper(&session), of(&chart.title)));
     }
     let answer = match &wanted.outcome {
         Some(outcome) => Some(outcome.answer.as_ref().map_err(Clone::clone)?),
         None => None,
     };
-    if wanted.plot == Plot::Chart(Chart::Gap) {
-        let answer = answer.ok_or("nothing is identified yet")?;
-        let steps = &answer.calibration.history;
-        let drawing = waterfall(steps, wanted.floor_mm, session.tolerance_mm);
-        return Ok((drawing, of("the gap step by step")));
-    }
-    if session.samples.is_empty() || wanted.plot == Plot::Chart(Chart::Angle) {
+    if session.samples.is_empty() {
         return Err("there are no samples to draw".to_owned());
     }
     if wanted.plot == Plot::Polar {

@@ -8,7 +8,7 @@ use crate::gui::view::Part;
 use crate::gui::workbench::{Command, Workbench};
 use crate::gui::{widgets, workspace};
 
-use super::{charts, disk};
+use super::{chart, disk};
 
 /// The least height of the chart with its bar, and of the workspace with its own, points: as much
 /// of a window as the user pulls, or makes smaller afterwards, both can be read.
@@ -38,7 +38,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .size_range(LOWEST..=(left - WORKSPACE).max(LOWEST))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
-            charts::show(ui, workbench, commands);
+            chart::show(ui, workbench, commands);
         });
     part(Margin::same(12)).show(ui, |ui| {
         workspace::bar(ui, workbench, None, commands);
@@ -54,7 +54,7 @@ fn one(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         workspace::show(ui, workbench, commands);
     } else {
         widgets::row(ui, |ui| switch(ui, workbench, commands));
-        charts::show(ui, workbench, commands);
+        chart::show(ui, workbench, commands);
     }
 }
 

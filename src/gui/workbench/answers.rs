@@ -65,9 +65,9 @@ impl Workbench {
         self.outcome().and_then(|o| o.answer.as_ref().ok())
     }
 
-    /// Whether charts leave out the deviation before, so that what is left can be seen.
+    /// Whether plots leave out the deviation before, so that what is left can be seen.
     pub(crate) fn only_after(&self) -> bool {
-        self.view.only_after && self.answer().is_some()
+        self.scene().only_after()
     }
 
     /// What follows from the newest answer, for drawing.
@@ -206,7 +206,7 @@ impl Workbench {
             thins: self.view.canvas == Canvas::Shapes,
             polar: self.view.polar(),
             component: self.view.component,
-            chart: self.charting(),
+            chart: self.chart().work(&self.scene()),
         };
         let there = self.backdrop.as_ref().is_some_and(|b| b.scenery == scenery);
         if scenery.any() && !there {

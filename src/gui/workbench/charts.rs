@@ -2,141 +2,78 @@
 
 use std::sync::Arc;
 
-use crate::gui::cache::charts::envelope::Envelope;
-use crate::gui::cache::charts::over::{Over, Variable};
-use crate::gui::cache::charts::{Asked, Charted, effect};
+use crate::gui::cache::envelope::Envelope;
 use crate::gui::cache::plot_cache::Backdrop;
-use crate::gui::core::search::terms;
-use crate::gui::view::{Chart, Step};
+use crate::gui::charts::{CHARTS, Kind, Scene, effect, find};
+
+use crate::gui::view::Step;
 
 use super::Workbench;
 
 impl Workbench {
     /// The chart below the workspace: the chosen one, else what suits the step.
-    pub(crate) fn chart(&self) -> Chart {
-        let chosen = self.view.chart.filter(|chart| self.offers(*chart));
+    pub(crate) fn chart(&self) -> &'static dyn Kind {
+        let scene = self.scene();
+        let chosen = self.view.chart.and_then(find);
+        let chosen = chosen.filter(|chart| chart.is_offered(&scene));
         chosen.unwrap_or_else(|| self.suiting())
     }
 
     /// Where nobody has chosen: the table that is exported, the gap that is searched, the deviation.
-    fn suiting(&self) -> Chart {
-        if self.offers(Chart::Table) {
-            Chart::Table
-        } else if self.view.step == Step::Gap && self.offers(Chart::Gap) {
-            Chart::Gap
-        } else {
-            Chart::Angle
+    fn suiting(&self) -> &'static dyn Kind {
+        let scene = self.scene();
+        let suits = |chart: &&&dyn Kind| chart.is_offered(&scene) && chart.suits(&scene);
+        *CHARTS.iter().rfind(suits).unwrap_or(&CHARTS[0])
+    }
+
+    /// What any chart is made of, except what the background works out for it.
+    pub(crate) fn scene(&self) -> Scene<'_> {
+        let search = self.searched.as_ref();
+        Scene {
+            document: self.document(),
+            subject: self.subject(),
+            view: &self.view,
+            units: self.units(),
+            answer: self.answer(),
+            search: search.filter(|search| Arc::ptr_eq(&search.subject, self.subject())),
+            made: self.export().and_then(Result::ok),
+            worked_out: None,
         }
     }
 
-    /// Whether there is anything to show in a chart, or at least something to say.
-    pub(crate) fn offers(&self, chart: Chart) -> bool {
-        let alone = self.subject().is_empty();
-        match chart {
-            Chart::Gap => self.answer().is_some() && !alone,
-            Chart::Effect => self.view.step == Step::Gap && self.has_curve(),
-            Chart::Table => {
-                let made = self.export().and_then(Result::ok);
-                let shown = self.view.step == Step::Export || alone;
-                // A description of the robot has no curve; then the samples are more to look at.
-                made.is_some_and(|made| shown && (alone || made.export.reads_as.is_some()))
-            }
-            _ => !alone,
-        }
+    /// What a chart is made of. While the answer is a newer one, what was worked out for it is that
+    /// of the answer before; nothing until it is there.
+    pub(crate) fn scene_of(&self, chart: &dyn Kind) -> Scene<'_> {
+        let mut scene = self.scene();
+        let work = chart.work(&scene);
+        let backdrop = self
+            .backdrop()
+            .filter(|b| self.is_of_what_is_seen(b) && work.is_some() && b.scenery.chart == work);
+        scene.worked_out = backdrop.and_then(|b| b.charted.as_deref());
+        scene
     }
 
-    /// Whether the chosen effect was found.
-    fn has_curve(&self) -> bool {
-        let found = self.diagnosis().map(terms).unwrap_or_default();
-        found.get(self.view.effect).is_some_and(Option::is_some)
+    fn is_of_what_is_seen(&self, backdrop: &Backdrop) -> bool {
+        let scenery = &backdrop.scenery;
+        scenery.component == self.view.component
+            && scenery.outcome.is_some() == self.outcome().is_some()
     }
 
     /// The joint that charts are about.
     pub(crate) fn chart_joint(&self) -> usize {
-        let joints = self.subject().session.robot.joints.len();
-        self.view.joint.min(joints.saturating_sub(1))
+        self.scene().joint()
     }
 
-    /// What the chart stands over, if it is one of the deviation over something.
-    pub(crate) fn over(&self) -> Option<Over> {
-        self.over_in(self.chart())
-    }
-
-    /// What this chart stands over.
-    pub(crate) fn over_in(&self, chart: Chart) -> Option<Over> {
-        let variable = match chart {
-            Chart::Angle => Variable::Joint,
-            Chart::Time => Variable::Time,
-            Chart::Load => Variable::Load,
-            Chart::Temperature => Variable::Temperature,
-            _ => return None,
-        };
-        let joint = self.chart_joint();
-        Some(Over { variable, joint })
-    }
-
-    /// What the chart has to be made of.
-    pub(super) fn charting(&self) -> Asked {
-        match self.chart() {
-            Chart::Orders => Asked::Orders(self.chart_joint(), self.gears()),
-            Chart::Histogram => Asked::Histogram,
-            Chart::Effect => {
-                let search = self.searched.clone();
-                let index = self.view.effect;
-                search.map_or(Asked::Nothing, |search| {
-                    Asked::Effect(effect::Asked { search, index })
-                })
-            }
-            _ => self.over().map_or(Asked::Nothing, Asked::Over),
-        }
-    }
-
-    /// Orders of gears of the charts' joint, as far as a search or the model knows them.
-    fn gears(&self) -> Vec<usize> {
-        let joint = self.chart_joint();
-        let found = self.diagnosis().map(terms).unwrap_or_default();
-        let added = self.document().added.iter().map(|a| &a.term);
-        let gears = added
-            .chain(found.iter().flatten())
-            .filter(|term| term.joint == joint && term.effect.about().setting.takes_fractions());
-        let orders = gears.map(|term| crate::gui::units::whole(term.setting));
-        let mut orders: Vec<usize> = orders.collect();
-        orders.sort_unstable();
-        orders.dedup();
-        orders
-    }
-
-    /// What the chart is made of; `None` until it is worked out. While the answer is a newer one
-    /// it is that of the answer before.
-    pub(crate) fn charted(&self) -> Option<&Charted> {
-        let backdrop = self.backdrop()?;
-        let scenery = &backdrop.scenery;
-        let same = scenery.component == self.view.component
-            && scenery.outcome.is_some() == self.outcome().is_some()
-            && scenery.chart == self.charting();
-        backdrop.charted.as_deref().filter(|_| same)
-    }
-
-    /// The extremes of a chart of many samples; `None` where they are few, or until they are found.
-    pub(crate) fn envelope(&self) -> Option<&Envelope> {
-        match self.charted()? {
-            Charted::Over(envelope) => Some(envelope),
-            _ => None,
-        }
-    }
-
-    /// The extremes around the joint's angle, as [`Self::envelope`].
+    /// The extremes around the joint's angle of many samples; `None` where they are few, or until
+    /// they are found.
     pub(crate) fn around(&self) -> Option<&Envelope> {
-        let seen = |b: &&Backdrop| {
-            b.scenery.component == self.view.component
-                && b.scenery.outcome.is_some() == self.outcome().is_some()
-        };
+        let seen = |b: &&Backdrop| self.is_of_what_is_seen(b);
         self.backdrop().filter(seen)?.around.as_deref()
     }
 
-    pub(super) fn choose_chart(&mut self, chart: Chart) {
+    pub(super) fn choose_chart(&mut self, chart: &'static str) {
         // Whoever chooses what suits the step is content with what suits the next.
-        self.view.chart = (chart != self.suiting()).then_some(chart);
+        self.view.chart = (chart != self.suiting().about().id).then_some(chart);
     }
 
     pub(super) fn show_effect(&mut self, index: usize) {
@@ -148,7 +85,7 @@ impl Workbench {
             self.view.component = component;
             self.view.effect = index;
             self.view.step = Step::Gap;
-            self.view.chart = Some(Chart::Effect);
+            self.view.chart = Some(effect::ID);
         }
     }
 }
@@ -161,54 +98,61 @@ mod tests {
     use crate::gui::testing::workbench;
     use crate::gui::workbench::Command;
 
-    fn go(workbench: &mut Workbench, step: Step) -> Chart {
-        workbench.execute(Command::GoTo(step));
-        workbench.receive();
-        workbench.chart()
+    const ANGLE: &str = "deviation";
+    const TIME: &str = "deviation over time";
+    const ORDERS: &str = "order spectrum";
+    const HISTOGRAM: &str = "histogram";
+    const GAP: &str = "gap by step";
+    const TABLE: &str = "correction table";
+
+    fn is_worked_out(workbench: &Workbench) -> bool {
+        workbench.scene_of(workbench.chart()).worked_out.is_some()
     }
 
-    fn choose(workbench: &mut Workbench, chart: Chart) {
+    fn go(workbench: &mut Workbench, step: Step) -> &'static str {
+        workbench.execute(Command::GoTo(step));
+        workbench.receive();
+        workbench.chart().about().id
+    }
+
+    fn choose(workbench: &mut Workbench, chart: &'static str) {
         workbench.execute(Command::Chart(chart));
         workbench.receive();
-        assert_eq!(workbench.chart(), chart);
+        assert_eq!(workbench.chart().about().id, chart);
     }
 
     #[test]
     fn every_step_shows_what_suits_it_until_somebody_chooses() {
         let mut workbench = workbench();
         for step in Step::ALL {
-            assert_eq!(
-                go(&mut workbench, step),
-                Chart::Angle,
-                "nothing is identified"
-            );
+            assert_eq!(go(&mut workbench, step), ANGLE, "nothing is identified");
         }
         workbench.execute(Command::Edit(Edit::Identify));
         workbench.receive();
-        assert_eq!(go(&mut workbench, Step::Identify), Chart::Angle);
-        assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
-        assert_eq!(go(&mut workbench, Step::Export), Chart::Table);
-        choose(&mut workbench, Chart::Orders);
+        assert_eq!(go(&mut workbench, Step::Identify), ANGLE);
+        assert_eq!(go(&mut workbench, Step::Gap), GAP);
+        assert_eq!(go(&mut workbench, Step::Export), TABLE);
+        choose(&mut workbench, ORDERS);
         for step in Step::ALL {
-            assert_eq!(go(&mut workbench, step), Chart::Orders, "it was chosen");
+            assert_eq!(go(&mut workbench, step), ORDERS, "it was chosen");
         }
         // Whoever chooses the table again wants no more than what suits.
         go(&mut workbench, Step::Export);
-        choose(&mut workbench, Chart::Table);
-        assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
+        choose(&mut workbench, TABLE);
+        assert_eq!(go(&mut workbench, Step::Gap), GAP);
         go(&mut workbench, Step::Identify);
-        choose(&mut workbench, Chart::Time);
-        choose(&mut workbench, Chart::Angle);
-        assert_eq!(go(&mut workbench, Step::Gap), Chart::Gap);
-        choose(&mut workbench, Chart::Time);
+        choose(&mut workbench, TIME);
+        choose(&mut workbench, ANGLE);
+        assert_eq!(go(&mut workbench, Step::Gap), GAP);
+        choose(&mut workbench, TIME);
         workbench.execute(Command::Edit(Edit::Identify));
-        assert_eq!(workbench.chart(), Chart::Time);
+        assert_eq!(workbench.chart().about().id, TIME);
     }
 
     #[test]
     fn a_chart_is_worked_out_once_for_each_change_and_again_after_it() {
         let mut workbench = workbench();
-        choose(&mut workbench, Chart::Histogram);
+        choose(&mut workbench, HISTOGRAM);
         let made = |workbench: &Workbench| {
             let backdrop = workbench.backdrop().expect("it is made");
             Arc::clone(backdrop.charted.as_ref().expect("it is charted"))
@@ -223,7 +167,7 @@ mod tests {
         );
         workbench.execute(Command::Component(Component::Radial));
         workbench.receive();
-        assert!(workbench.charted().is_some());
+        assert!(is_worked_out(&workbench));
         let radial = made(&workbench);
         assert!(!Arc::ptr_eq(&first, &radial));
         workbench.execute(Command::Edit(Edit::Identify));
@@ -232,28 +176,28 @@ mod tests {
             !Arc::ptr_eq(&radial, &made(&workbench)),
             "there is an after now"
         );
-        choose(&mut workbench, Chart::Orders);
-        assert!(matches!(workbench.charted(), Some(Charted::Orders(_))));
+        choose(&mut workbench, ORDERS);
+        assert!(is_worked_out(&workbench));
     }
 
     #[test]
     fn the_curve_of_a_found_effect_is_charted_in_the_component_that_it_has() {
         let mut workbench = workbench();
         workbench.execute(Command::ShowEffect(0));
-        assert_eq!(workbench.chart(), Chart::Angle, "nothing was found yet");
+        assert_eq!(workbench.chart().about().id, ANGLE, "nothing was found yet");
         workbench.execute(Command::Search);
         workbench.receive();
         workbench.execute(Command::Component(Component::Axial));
         workbench.execute(Command::ShowEffect(0));
         workbench.receive();
-        assert_eq!(workbench.chart(), Chart::Effect);
+        assert_eq!(workbench.chart().about().id, effect::ID);
         assert_eq!(workbench.view().component, Component::Tangential);
-        let Some(Charted::Effect(Some(curve))) = workbench.charted() else {
-            panic!("it has a curve");
-        };
-        assert_eq!(curve.effect, "backlash");
+        let scene = workbench.scene_of(workbench.chart());
+        let shown = workbench.chart().show(&scene);
+        let name = shown.map(|shown| shown.name).unwrap_or_default();
+        assert_eq!(name, "curve of backlash, tangential");
         // It belongs to the step that finds the gap.
-        assert_eq!(go(&mut workbench, Step::Export), Chart::Table);
-        assert_eq!(go(&mut workbench, Step::Gap), Chart::Effect);
+        assert_eq!(go(&mut workbench, Step::Export), TABLE);
+        assert_eq!(go(&mut workbench, Step::Gap), effect::ID);
     }
 }

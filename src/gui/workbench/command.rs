@@ -10,7 +10,7 @@ use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Beside, Said};
 use crate::gui::preferences::Preferences;
-use crate::gui::view::{Canvas, Chart, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
+use crate::gui::view::{Canvas, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -125,8 +125,8 @@ pub(crate) enum Command {
     Side(Side),
     /// Show this part of the middle where there is no room for both.
     Part(Part),
-    /// Show this below the workspace.
-    Chart(Chart),
+    /// Show the chart of this name below the workspace.
+    Chart(&'static str),
     /// Let charts be about this joint, counted from 0.
     ChartJoint(usize),
     /// Show the curve of an effect that was found, by its place in the answer.

@@ -49,7 +49,7 @@ use crate::gui::jobs::{Jobs, Kind};
 use crate::gui::style::font_fallback::Letters;
 use crate::gui::units::Units;
 use crate::gui::view::{Aspect, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState};
-use crate::report::drawing::Drawing;
+use crate::present::drawing::Drawing;
 use crate::sessions::Samples;
 
 /// A plot that is drawn in the background: the drawing and what it shows, or why there is none.

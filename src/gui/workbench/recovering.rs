@@ -59,7 +59,7 @@ impl Workbench {
     pub(super) fn take_left_behind(&mut self, left: Vec<LeftBehind>) {
         self.desk.left_behind = left;
         if !self.desk.left_behind.is_empty() && self.view.sheet.is_none() {
-            self.view.sheet = Some(Sheet::Recover);
+            self.view.sheet = Some(Sheet::RECOVERY);
         }
     }
 
@@ -111,7 +111,7 @@ impl Workbench {
     }
 
     fn close_recovery(&mut self) {
-        if self.desk.left_behind.is_empty() && self.view.sheet == Some(Sheet::Recover) {
+        if self.desk.left_behind.is_empty() && self.view.sheet == Some(Sheet::RECOVERY) {
             self.view.sheet = None;
         }
     }

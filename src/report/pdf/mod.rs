@@ -17,8 +17,8 @@ use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str, TextStr};
 use sha2::{Digest, Sha256};
 
 use super::document::Report;
-use super::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
 use crate::fonts::{Library, Purpose, is_worth_a_font};
+use crate::present::drawing::{Anchor, Colour, Drawing, Item, Label, Stroke};
 use fonts::{Embedded, Fonts, Run, Used};
 use pages::{Mark, PAGE, pages};
 
@@ -300,7 +300,7 @@ fn content(sheet: &Drawing, fonts: &Fonts, used: &mut [Used]) -> Vec<u8> {
                 if *filled {
                     fill(&mut out, *colour);
                 } else {
-                    fill(&mut out, super::drawing::WHITE);
+                    fill(&mut out, crate::present::drawing::WHITE);
                     pen(&mut out, Stroke::new(0.7, *colour));
                 }
                 for [x, y] in at {

@@ -1,11 +1,11 @@
 //! From blocks to pages of A4: every page is a drawing.
 
 use super::fonts::Fonts;
-use crate::report::document::{Block, Figure, Report, Table};
-use crate::report::drawing::{
+use crate::present::chart::FULL_WIDTH;
+use crate::present::drawing::{
     AFTER, Anchor, Colour, Drawing, GROUND, INK, Item, Label, MUTED, RULE, Stroke,
 };
-use crate::report::plots::FULL_WIDTH;
+use crate::report::document::{Block, Figure, Report, Table};
 
 /// A4, points.
 pub(super) const PAGE: [f64; 2] = [595.28, 841.89];

@@ -1,36 +1,33 @@
 //! The report's plots as drawings; the window saves the same ones as SVG.
 //!
 //! - [`workspace`](fn@workspace): where the points are and, magnified, how far off.
-//! - [`deviation`](fn@deviation): the length of the deviation over a joint's value.
-//! - [`waterfall`](fn@waterfall): the gap step by step.
+//! - [`deviation`]: the length of the deviation over a joint's value, a chart for each stage.
+//! - [`gap`]: the gap step by step.
 //!
 //! At most some thousand marks are drawn, whatever the number of samples; the largest deviation is
 //! always among them.
 
-mod deviation;
-pub(crate) mod panel;
-mod waterfall;
 mod workspace;
 
-pub use deviation::deviation;
-pub use waterfall::waterfall;
 pub use workspace::workspace;
 
 use crate::fit::gap::Deviations;
-use crate::model::Positions;
+use crate::model::{GapStep, Positions};
+use crate::present::chart::panel::room;
+use crate::present::chart::{
+    self, Axis, Deviation, Entry, FULL_WIDTH, Lengths, Series, Sign, Stands,
+};
+use crate::present::drawing::Drawing;
 
-use super::drawing::Colour;
-
-/// Width of a plot that fills a page of A4 between its margins, points.
-pub const FULL_WIDTH: f64 = 487.0;
+use super::numbers::{plain, short};
 
 /// The deviations of all samples at one stage of the work.
 #[derive(Debug, Clone)]
 pub struct Stage {
     /// What the stage is called.
     pub name: String,
-    /// Its colour.
-    pub colour: Colour,
+    /// What it stands for, which decides its colour.
+    pub stands: Stands,
     /// Measured − where it should be, mm; NaN where a sample cannot be used.
     pub deviations: Deviations,
 }
@@ -80,26 +77,63 @@ fn thinned(samples: &[usize], most: usize, value: impl Fn(usize) -> f64) -> Vec<
     kept
 }
 
-/// A name that leaves room for the rest of a label.
-pub(super) fn shortened(name: &str, most: usize) -> String {
-    if name.chars().count() <= most {
-        return name.to_owned();
+/// Marks in a chart.
+const MOST: usize = 1200;
+/// Height of a chart of several, points.
+const HEIGHT: f64 = 92.0;
+
+/// One chart below the other, each with its own scale.
+pub fn deviation(stages: &Stages) -> Drawing {
+    let finite = stages.values.iter().filter(|v| v.is_finite());
+    let x = room(
+        finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+            [a.min(*v), b.max(*v)]
+        }),
+    );
+    let mut sheet = Drawing::new(FULL_WIDTH, 0.0);
+    for stage in &stages.stages {
+        let lengths = &stage.deviations.length_mm;
+        let usable = stage.usable();
+        let largest = usable.iter().map(|i| lengths[*i]).fold(0.0, f64::max);
+        let kept = thinned(&usable, MOST, |i| lengths[i]);
+        let sample = |i: usize| (stages.values[i], lengths[i], stages.side[i]);
+        let sign = Sign::Mark(chart::Form::Disc);
+        let made = Deviation {
+            component: "length",
+            across: Axis::turning(&stages.over, stages.over.ends_with('°')),
+            lengths: Lengths {
+                unit: "mm",
+                per_mm: 1.0,
+                number: &short,
+            },
+            x,
+            mm: [0.0, largest],
+            sides: stages.side.iter().any(|side| *side != 0.0),
+            tolerance_mm: stages.tolerance_mm,
+            floor_mm: stages.floor_mm,
+            boundaries: Vec::new(),
+            series: vec![Series {
+                entry: Entry::new("measured", sign, stage.stands, true),
+                samples: kept.into_iter().map(sample).collect(),
+            }],
+        };
+        let mut chart = made.chart(stage.name.clone(), String::new());
+        // The title says what the marks are.
+        chart.legend.remove(0);
+        let drawing = chart.in_page(HEIGHT);
+        sheet.place(&drawing, [0.0, sheet.height]);
+        sheet.height += drawing.height;
     }
-    name.chars().take(most - 1).chain(['…']).collect()
+    sheet
 }
 
-/// The largest of 1, 2, 5 × 10ⁿ that is not above `value`; 1 where that makes no sense.
-fn round_below(value: f64) -> f64 {
-    among(value, &[5.0, 2.0])
-}
-
-/// The largest of these leading digits, or 1, × 10ⁿ that is not above `value`.
-fn among(value: f64, digits: &[f64]) -> f64 {
-    if !(value.is_finite() && value > 0.0) {
-        return 1.0;
-    }
-    let ten = 10f64.powf(value.log10().floor());
-    let lead = value / ten;
-    let digit = digits.iter().copied().find(|d| lead >= *d).unwrap_or(1.0);
-    digit * ten
+/// The gap step by step.
+pub fn gap(steps: &[GapStep], floor_mm: Option<f64>, tolerance_mm: Option<f64>) -> Drawing {
+    let lengths = Lengths {
+        unit: "mm",
+        per_mm: 1.0,
+        number: &plain,
+    };
+    let chart = chart::gap(steps, floor_mm, tolerance_mm, lengths);
+    chart.map_or_else(Drawing::default, |chart| chart.in_page(chart.height()))
 }

@@ -2,9 +2,10 @@
 //! panel for each stage, with one magnification, so that they can be compared. Of the three views
 //! along the axes of the measuring frame the one with the largest area is drawn.
 
-use super::panel::{Panel, SMALL, room};
-use super::{FULL_WIDTH, Stage, Stages, among, thinned};
-use crate::report::drawing::{Drawing, Item, Label, MUTED, Shape, Stroke};
+use super::{FULL_WIDTH, Stage, Stages, room, thinned};
+use crate::present::chart::panel::{Panel, SMALL};
+use crate::present::chart::{Axis, among};
+use crate::present::drawing::{Anchor, Drawing, Item, Label, MUTED, Shape, Stroke};
 
 const LEFT: f64 = 30.0;
 const TOP: f64 = 18.0;
@@ -43,9 +44,10 @@ pub fn workspace(stages: &Stages) -> (Drawing, f64) {
             y,
         };
         panel.same_scale();
-        panel.frame([4, 4], &mut drawing);
+        let [across, upwards] = axes.map(|axis| Axis::numbers(format!("{}, mm", NAMES[axis])));
+        panel.frame([&across, &upwards], [4.0, 4.0], &mut drawing);
         panel.title(&stage.name, &mut drawing);
-        panel.x_label(&format!("{}, mm", NAMES[axes[0]]), &mut drawing);
+        panel.x_label(&across.label, &mut drawing);
         lines(stages, stage, &panel, axes, magnification, &mut drawing);
     }
     let label = Label::new(
@@ -54,7 +56,7 @@ pub fn workspace(stages: &Stages) -> (Drawing, f64) {
         SMALL,
         MUTED,
     );
-    let mut label = label.anchored(crate::report::drawing::Anchor::Middle);
+    let mut label = label.anchored(Anchor::Middle);
     label.at[0] = 5.0;
     label.upwards = true;
     drawing.text(label);
@@ -148,7 +150,7 @@ fn lines(
     }
     drawing
         .items
-        .push(Item::Lines(ends, Stroke::new(0.8, stage.colour)));
+        .push(Item::Lines(ends, Stroke::new(0.8, stage.stands.on_paper())));
     drawing.items.push(Item::Marks {
         shape: Shape::Square,
         at: starts,

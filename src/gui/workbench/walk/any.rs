@@ -9,6 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::diagnosis::Mend;
 use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
+use crate::gui::charts::CHARTS;
 use crate::gui::core::boundary_entry::{End, Joint};
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
@@ -20,7 +21,7 @@ use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{
-    About, Canvas, Chart, Colouring, Part, Plane, Plot, Sheet, Side, Step, Then, What,
+    About, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Step, Then, What,
 };
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
@@ -226,6 +227,15 @@ fn said(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Said {
     said
 }
 
+fn chart(random: &mut ChaCha8Rng) -> &'static str {
+    CHARTS[random.random_range(0..CHARTS.len())].about().id
+}
+
+fn plot(random: &mut ChaCha8Rng) -> Plot {
+    let chart = Plot::Chart(chart(random));
+    pick(random, &[Plot::Workspace, Plot::Polar, chart, chart, chart])
+}
+
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
     match random.random_range(0..9) {
         0 | 1 => (What::Table, "csv"),
@@ -233,13 +243,13 @@ fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
         5 => (What::Poses, "csv"),
         6 => (What::Report(About::Model), "html"),
         7 => (What::Report(About::Model), "pdf"),
-        _ => (What::Picture(pick(random, &Plot::ALL)), "svg"),
+        _ => (What::Picture(plot(random)), "svg"),
     }
 }
 
 fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Option<Sheet> {
     let path = || files.folder.join("typed.json").display().to_string();
-    Some(match random.random_range(0..12) {
+    Some(match random.random_range(0..10) {
         0 => Sheet::SavePath {
             path: path(),
             replace: random.random(),
@@ -250,14 +260,12 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
             replace: random.random(),
         },
         2 => Sheet::Simulate(form(random)),
-        3 => Sheet::Shortcuts,
-        4 => Sheet::Unsaved(then(random, files)),
-        5 => Sheet::Overwrite(files.any(random)),
-        6 => Sheet::Recover,
-        7 => Sheet::Import(foreign(random, files, workbench)),
-        8 => Sheet::Preferences,
-        9 => Sheet::Words,
-        10 => Sheet::About,
+        3 => Sheet::Unsaved(then(random, files)),
+        4 => Sheet::Overwrite(files.any(random)),
+        5 => Sheet::Import(foreign(random, files, workbench)),
+        6 => Sheet::RECOVERY,
+        7 => Sheet::Named("preferences"),
+        8 => Sheet::Named("none of this name"),
         _ => return None,
     })
 }
@@ -363,7 +371,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         126..=129 => Command::Select(sample(random)),
         130 | 131 => Command::Mark((0..random.random_range(0..500)).collect()),
         132 | 133 => Command::Side(pick(random, &[Side::Results, Side::Samples])),
-        134 | 135 => Command::Chart(pick(random, &Chart::ALL)),
+        134 | 135 => Command::Chart(chart(random)),
         152 => Command::ChartJoint(random.random_range(0..7)),
         153 => Command::ShowEffect(random.random_range(0..4)),
         154 => Command::LookAround,

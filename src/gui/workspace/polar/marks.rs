@@ -5,7 +5,7 @@ use egui::epaint::Mesh;
 use egui::{Color32, Pos2, Shape, Stroke, vec2};
 use egui_plot::{PlotPoint, PlotTransform};
 
-use crate::gui::cache::charts::envelope::Envelope;
+use crate::gui::cache::envelope::Envelope;
 use crate::gui::plots::marks;
 use crate::gui::style::tokens::Palette;
 

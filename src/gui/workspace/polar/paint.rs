@@ -4,7 +4,7 @@ use egui::epaint::Mesh;
 use egui::{Align2, FontId, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::PlotTransform;
 
-use crate::gui::cache::charts::envelope::Envelope;
+use crate::gui::cache::envelope::Envelope;
 use crate::gui::plots::{Drawing, gestures, marks};
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::{Units, trimmed};

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded_session::{Component, Subject};
 use crate::gui::units::trimmed;
-use crate::report::drawing::{
+use crate::present::drawing::{
     AFTER, Anchor, BEFORE, Drawing, INK, Item, Label, MUTED, RULE, Shape, Stroke,
 };
 

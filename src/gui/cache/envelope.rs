@@ -1,0 +1,389 @@
+//! The chart of many samples: what lies between the smallest and the largest deviation in each
+//! column of pixels.
+//!
+//! Samples are sorted by what the chart stands over once, for each side from which it came, and above them
+//! stands a tree of extremes, sixteen to one. A column then costs a few looks at the tree, and a
+//! frame as much as it has columns, for any number of samples. As long as the view stands still they
+//! are those of the frame before.
+
+use std::sync::{Arc, Mutex};
+
+use crate::gui::cache::over::Over;
+use crate::gui::cache::work::Given;
+
+/// How many of one level make one of the next.
+const FAN: usize = 16;
+
+/// Smallest and largest of nothing.
+const NOTHING: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
+
+/// Values with a tree of their extremes. What is not finite is passed over.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Extremes {
+    values: Vec<f32>,
+    levels: Vec<Vec<[f32; 2]>>,
+}
+
+impl Extremes {
+    fn new(values: Vec<f32>) -> Self {
+        let mut levels: Vec<Vec<[f32; 2]>> = Vec::new();
+        if values.len() > FAN {
+            levels.push(values.chunks(FAN).map(of_values).collect());
+        }
+        while let Some(last) = levels.last()
+            && last.len() > FAN
+        {
+            let next = last.chunks(FAN).map(of_pairs).collect();
+            levels.push(next);
+        }
+        Self { values, levels }
+    }
+
+    /// Smallest and largest of the values from `from` to before `to`.
+    fn of(&self, mut from: usize, mut to: usize) -> [f32; 2] {
+        let mut found = NOTHING;
+        let mut level = 0;
+        let take = |level: usize, from: usize, to: usize| match level {
+            0 => of_values(&self.values[from..to]),
+            _ => of_pairs(&self.levels[level - 1][from..to]),
+        };
+        loop {
+            let (first, last) = (from.div_ceil(FAN), to / FAN);
+            if first >= last || level >= self.levels.len() {
+                return both(found, take(level, from, to));
+            }
+            found = both(found, take(level, from, first * FAN));
+            found = both(found, take(level, last * FAN, to));
+            (from, to, level) = (first, last, level + 1);
+        }
+    }
+}
+
+fn of_values(values: &[f32]) -> [f32; 2] {
+    let finite = values.iter().filter(|v| v.is_finite());
+    finite.fold(NOTHING, |[a, b], v| [a.min(*v), b.max(*v)])
+}
+
+fn of_pairs(pairs: &[[f32; 2]]) -> [f32; 2] {
+    pairs.iter().copied().fold(NOTHING, both)
+}
+
+fn both(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+/// Samples that the joint reached from one side.
+#[derive(Debug, Clone, PartialEq)]
+struct Track {
+    side: f64,
+    samples: Vec<u32>,
+    x: Vec<f64>,
+    before: Extremes,
+    after: Option<Extremes>,
+}
+
+/// A column: from where to where along the chart, and what lies in it, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Column {
+    /// From this value of what the chart stands over to that.
+    pub(crate) x: [f64; 2],
+    /// Smallest and largest deviation before.
+    pub(crate) before_mm: Option<[f64; 2]>,
+    /// Smallest and largest of what is left.
+    pub(crate) after_mm: Option<[f64; 2]>,
+}
+
+impl Column {
+    /// Around samples: place along the chart, deviation before, deviation after.
+    pub(crate) fn around(samples: impl Iterator<Item = (f64, f64, Option<f64>)>) -> Option<Self> {
+        let known = |mm: f64| mm.is_finite().then_some([mm; 2]);
+        let one = |(x, before, after): (f64, f64, Option<f64>)| Self {
+            x: [x; 2],
+            before_mm: known(before),
+            after_mm: after.and_then(known),
+        };
+        samples.map(one).reduce(|a, b| Self {
+            x: [a.x[0].min(b.x[0]), a.x[1].max(b.x[1])],
+            before_mm: widest(a.before_mm, b.before_mm),
+            after_mm: widest(a.after_mm, b.after_mm),
+        })
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Envelope {
+    tracks: Vec<Track>,
+    last: Last,
+}
+
+/// Columns, where they are asked for, and how many.
+type Asked = ([f64; 2], usize, Arc<[Column]>);
+
+/// The columns that were asked for last. A frame asks for those of the frame before unless the view
+/// moves: a boundary that is dragged beside the chart costs it no search.
+#[derive(Debug, Default)]
+struct Last(Mutex<Option<Asked>>);
+
+impl Clone for Last {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for Last {
+    /// It follows from the samples.
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Envelope {
+    /// Sorts the samples of a session.
+    pub(crate) fn of(given: Given<'_>, over: Over) -> Self {
+        let Given {
+            subject,
+            answer,
+            component,
+        } = given;
+        let usable = &subject.overview.usable;
+        let track = |side: f64| {
+            let x = |sample: u32| over.of(subject, sample as usize);
+            let of_side = |sample: &u32| {
+                over.side(subject, *sample as usize) == side && x(*sample).is_finite()
+            };
+            let mut samples: Vec<u32> = usable.iter().copied().filter(of_side).collect();
+            samples.sort_unstable_by(|a, b| x(*a).total_cmp(&x(*b)).then(a.cmp(b)));
+            let values = |deviation: &dyn Fn(usize) -> [f64; 3]| {
+                let value = |sample: &u32| {
+                    let sample = *sample as usize;
+                    single(subject.component(deviation(sample), sample, component))
+                };
+                Extremes::new(samples.iter().map(value).collect())
+            };
+            Track {
+                side,
+                x: samples.iter().map(|sample| x(*sample)).collect(),
+                before: values(&|sample| subject.deviation_before(sample)),
+                after: answer.map(|answer| values(&|sample| answer.deviation_after(sample))),
+                samples,
+            }
+        };
+        let tracks = [-1.0, 0.0, 1.0].into_iter().map(track);
+        Self {
+            tracks: tracks.filter(|t| !t.samples.is_empty()).collect(),
+            last: Last::default(),
+        }
+    }
+
+    /// Smallest and largest value along the chart, and of the deviations before and after.
+    pub(crate) fn extent(&self) -> Option<Column> {
+        let ends = |t: &Track| Some([*t.x.first()?, *t.x.last()?]);
+        let x = self.tracks.iter().filter_map(ends);
+        let x = x.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+        let whole = self.tracks.iter().map(|t| t.column(x, 0, t.x.len()));
+        whole.reduce(|a, b| Column {
+            x,
+            before_mm: widest(a.before_mm, b.before_mm),
+            after_mm: widest(a.after_mm, b.after_mm),
+        })
+    }
+
+    /// How many samples have a place along the chart.
+    pub(crate) fn placed(&self) -> usize {
+        self.tracks.iter().map(|t| t.samples.len()).sum()
+    }
+
+    /// How many samples are between two values along the chart.
+    pub(crate) fn count(&self, x: [f64; 2]) -> usize {
+        let ranges = self.tracks.iter().map(|t| t.range(x));
+        ranges.map(|(from, to)| to - from).sum()
+    }
+
+    /// The samples between two values along the chart, thinned to about `most`.
+    pub(crate) fn samples(&self, x: [f64; 2], most: usize) -> impl Iterator<Item = usize> {
+        let step = self.count(x).div_ceil(most).max(1);
+        let of_track = move |t: &Track| {
+            let (from, to) = t.range(x);
+            let samples: Vec<u32> = t.samples[from..to].iter().copied().step_by(step).collect();
+            samples
+        };
+        let samples = self.tracks.iter().flat_map(of_track);
+        samples.map(|sample| sample as usize)
+    }
+
+    /// The columns of each side between two values along the chart; those without a sample are left out.
+    pub(crate) fn columns(&self, x: [f64; 2], number: usize) -> Arc<[Column]> {
+        let Ok(mut last) = self.last.0.lock() else {
+            return self.searched(x, number).into();
+        };
+        if let Some((of, many, columns)) = &*last
+            && (*of, *many) == (x, number)
+        {
+            return Arc::clone(columns);
+        }
+        let columns: Arc<[Column]> = self.searched(x, number).into();
+        *last = Some((x, number, Arc::clone(&columns)));
+        columns
+    }
+
+    fn searched(&self, [low, high]: [f64; 2], number: usize) -> Vec<Column> {
+        let width = (high - low) / number as f64;
+        let mut columns = Vec::new();
+        if !(width > 0.0 && width.is_finite()) {
+            return columns;
+        }
+        for track in &self.tracks {
+            let mut from = track.x.partition_point(|x| *x < low);
+            for k in 0..number {
+                let end = low + width * (k + 1) as f64;
+                let to = from + track.x[from..].partition_point(|x| *x < end);
+                if to > from {
+                    columns.push(track.column([end - width, end], from, to));
+                }
+                from = to;
+            }
+        }
+        columns
+    }
+
+    /// Whether samples came from different sides.
+    pub(crate) fn sides(&self) -> bool {
+        self.tracks.iter().any(|t| t.side != 0.0)
+    }
+}
+
+impl Track {
+    fn range(&self, [low, high]: [f64; 2]) -> (usize, usize) {
+        let from = self.x.partition_point(|x| *x < low);
+        let to = self.x.partition_point(|x| *x <= high);
+        (from, to.max(from))
+    }
+
+    fn column(&self, x: [f64; 2], from: usize, to: usize) -> Column {
+        let known =
+            |[low, high]: [f32; 2]| (low <= high).then(|| [f64::from(low), f64::from(high)]);
+        Column {
+            x,
+            before_mm: known(self.before.of(from, to)),
+            after_mm: self.after.as_ref().and_then(|a| known(a.of(from, to))),
+        }
+    }
+}
+
+fn widest(a: Option<[f64; 2]>, b: Option<[f64; 2]>) -> Option<[f64; 2]> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some([a[0].min(b[0]), a[1].max(b[1])]),
+        (one, other) => one.or(other),
+    }
+}
+
+#[allow(clippy::cast_possible_truncation, reason = "drawn in single precision")]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::cache::over::Variable;
+    use crate::gui::core::edit::Edit;
+    use crate::gui::core::loaded_session::Component;
+    use crate::gui::testing::workbench;
+    use crate::gui::workbench::{Command, Workbench};
+
+    const ANGLE: Over = Over {
+        variable: Variable::Joint,
+        joint: 0,
+    };
+
+    fn given(workbench: &Workbench, component: Component) -> Given<'_> {
+        Given {
+            subject: workbench.subject(),
+            answer: workbench.answer(),
+            component,
+        }
+    }
+
+    #[test]
+    fn the_tree_knows_the_extremes_of_every_range() {
+        let value = |k: u32| f32::from(u8::try_from(k.wrapping_mul(97) % 251).expect("small"));
+        let mut values: Vec<f32> = (0..5000).map(value).collect();
+        values[17] = f32::NAN;
+        values[4000] = f32::INFINITY;
+        let tree = Extremes::new(values.clone());
+        for (from, to) in [
+            (0, 5000),
+            (0, 1),
+            (3, 3),
+            (15, 17),
+            (16, 4096),
+            (4001, 4999),
+        ] {
+            assert_eq!(
+                tree.of(from, to),
+                of_values(&values[from..to]),
+                "{from}..{to}"
+            );
+        }
+    }
+
+    #[test]
+    fn columns_hold_what_the_samples_hold() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        let subject = workbench.subject();
+        let envelope = Envelope::of(given(&workbench, Component::Radial), ANGLE);
+        let all = envelope.extent().expect("there are samples");
+        let columns = envelope.columns([all.x[0], all.x[1] + 1e-9], 7);
+        for side in [-1.0, 1.0] {
+            let of_side = |i: &usize| subject.side(*i) == side;
+            for sample in (0..subject.len()).filter(of_side) {
+                let x = subject.q(sample);
+                let e = subject.deviation_before(sample);
+                let mm = subject.component(e, sample, Component::Radial);
+                let holds = |c: &&Column| {
+                    let [low, high] = c.before_mm.expect("a column has samples");
+                    c.x[0] <= x && x <= c.x[1] && low - 1e-6 <= mm && mm <= high + 1e-6
+                };
+                assert!(columns.iter().any(|c| holds(&c)), "{sample}");
+            }
+        }
+        assert!(columns.len() <= 14 && columns.iter().all(|c| c.after_mm.is_some()));
+        assert_eq!(envelope.count(all.x), subject.len());
+        assert_eq!(envelope.samples(all.x, 10_000).count(), subject.len());
+        assert!(envelope.samples(all.x, 20).count() <= 22);
+    }
+
+    #[test]
+    fn an_envelope_of_nothing_is_empty() {
+        let envelope = Envelope {
+            tracks: Vec::new(),
+            last: Last::default(),
+        };
+        assert_eq!(envelope.extent(), None);
+        assert!(envelope.columns([0.0, 1.0], 10).is_empty());
+        assert!(envelope.columns([0.0, 0.0], 10).is_empty());
+    }
+
+    #[test]
+    fn columns_are_searched_again_only_where_something_else_is_asked() {
+        let workbench = workbench();
+        let envelope = Envelope::of(given(&workbench, Component::Tangential), ANGLE);
+        let all = envelope.extent().expect("there are samples").x;
+        let first = envelope.columns(all, 50);
+        assert!(Arc::ptr_eq(&first, &envelope.columns(all, 50)));
+        for (x, number) in [(all, 51), ([all[0], 0.5 * all[1]], 50), (all, 50)] {
+            let found = envelope.columns(x, number);
+            assert_eq!(found[..], envelope.searched(x, number)[..]);
+        }
+        assert_eq!(envelope.columns(all, 50), first);
+        // Each copy remembers for itself, and is the same.
+        let copy = envelope.clone();
+        assert!(!Arc::ptr_eq(
+            &copy.columns(all, 50),
+            &envelope.columns(all, 50)
+        ));
+        assert!(copy == envelope);
+    }
+}

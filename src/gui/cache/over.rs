@@ -1,0 +1,255 @@
+//! What a chart of samples stands over: the value of a joint, time, load, temperature; for an
+//! effect also the joint's speed and its travel since the last reversal.
+
+use crate::gui::core::loaded_session::Subject;
+use crate::gui::units::{AngleUnit, Units, trimmed};
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Variable {
+    /// Commanded value of the joint, rad or mm.
+    Joint,
+    /// Time, s.
+    Time,
+    /// Load, kg.
+    Load,
+    /// Temperature, °C.
+    Temperature,
+    /// Signed speed of the joint, rad/s or mm/s.
+    Speed,
+    /// How far the joint has moved since it last reversed, rad or mm.
+    Travel,
+}
+
+/// A variable, and the joint that it is about; its side is what the marks point to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Over {
+    pub(crate) variable: Variable,
+    /// The joint, counted from 0.
+    pub(crate) joint: usize,
+}
+
+impl Over {
+    /// The variable at a sample; NaN where it is not known. Travel is not a column.
+    pub(crate) fn of(self, subject: &Subject, sample: usize) -> f64 {
+        self.column(subject)
+            .map_or(f64::NAN, |column| column[sample])
+    }
+
+    /// The column, where the session has it.
+    pub(crate) fn column(self, subject: &Subject) -> Option<&[f64]> {
+        let samples = &subject.session.samples;
+        match self.variable {
+            Variable::Joint => samples.q.get(self.joint).map(Vec::as_slice),
+            Variable::Time => samples.time_s.as_deref(),
+            Variable::Load => samples.load_kg.as_deref(),
+            Variable::Temperature => samples.temperature_c.as_deref(),
+            Variable::Speed => samples.speed.get(self.joint)?.as_deref(),
+            Variable::Travel => None,
+        }
+    }
+
+    /// Side from which the joint came; 0 where it is not known.
+    pub(crate) fn side(self, subject: &Subject, sample: usize) -> f64 {
+        let dir = subject.session.samples.dir.get(self.joint);
+        let side = dir.and_then(Option::as_ref).map_or(0.0, |dir| dir[sample]);
+        if side.is_nan() { 0.0 } else { side }
+    }
+
+    /// Whether no sample has a value. Looks at all of them, at worst.
+    pub(crate) fn is_missing(self, subject: &Subject) -> bool {
+        let column = self.column(subject);
+        !column.is_some_and(|column| column.iter().any(|v| v.is_finite()))
+    }
+
+    /// What the session would need to be shown over it: in one line, and what to log for what.
+    pub(crate) fn needs(self) -> [&'static str; 2] {
+        match self.variable {
+            Variable::Joint => [
+                "No sample has a joint value",
+                "Every sample needs its q1 cell",
+            ],
+            Variable::Time => [
+                "No time was logged",
+                "A column time_s would show whether the deviation drifts while you measure, \
+                 and when somebody touched the tripod",
+            ],
+            Variable::Load => [
+                "No load was logged",
+                "A column load_kg would show whether the arm gives way under what it carries: \
+                 measure some poses empty and the same ones loaded",
+            ],
+            Variable::Temperature => [
+                "No temperature was logged",
+                "A column temperature_c would show whether the deviation follows the machine's \
+                 warmth",
+            ],
+            Variable::Speed | Variable::Travel => [
+                "The joint's motion was not logged",
+                "Columns speed1_deg_s and dir1 would show how the deviation follows the motion",
+            ],
+        }
+    }
+
+    fn turns(self, subject: &Subject) -> bool {
+        subject.joint_turns(self.joint)
+    }
+
+    /// How the variable is shown: its scale to the screen's unit, and that unit. `span` is how far
+    /// it reaches, inner units.
+    pub(crate) fn scale(self, subject: &Subject, units: Units, span: f64) -> Scale {
+        let turns = self.turns(subject);
+        let per = |factor: f64, unit: &str| Scale {
+            factor,
+            origin: 0.0,
+            unit: unit.to_owned(),
+            degrees: false,
+        };
+        let since = |factor: f64, unit: &str| Scale {
+            origin: self.first(subject),
+            ..per(factor, unit)
+        };
+        match self.variable {
+            Variable::Joint | Variable::Travel if turns => Scale {
+                degrees: units.angle == AngleUnit::Degree,
+                ..per(units.angle_value(1.0), units.angle_name().trim())
+            },
+            Variable::Joint | Variable::Travel => per(units.length_value(1.0), units.length_name()),
+            Variable::Speed if turns => per(
+                units.angle_value(1.0),
+                &format!("{}/s", units.angle_name().trim()),
+            ),
+            Variable::Speed => per(
+                units.length_value(1.0),
+                &format!("{}/s", units.length_name()),
+            ),
+            Variable::Time if span > 3.0 * 3600.0 => since(1.0 / 3600.0, "h"),
+            Variable::Time if span > 600.0 => since(1.0 / 60.0, "min"),
+            Variable::Time => since(1.0, "s"),
+            Variable::Load => per(1.0, "kg"),
+            Variable::Temperature => per(1.0, "°C"),
+        }
+    }
+
+    /// The first value that is known.
+    fn first(self, subject: &Subject) -> f64 {
+        let known = |column: &[f64]| column.iter().copied().find(|v| v.is_finite());
+        self.column(subject).and_then(known).unwrap_or(0.0)
+    }
+
+    /// What stands below the axis, without the unit.
+    pub(crate) fn label(self, subject: &Subject) -> String {
+        let joint = &subject.session.robot.joints[self.joint].name;
+        match self.variable {
+            Variable::Joint => joint.clone(),
+            Variable::Time if self.first(subject) == 0.0 => "time".to_owned(),
+            Variable::Time => "time since the first sample".to_owned(),
+            Variable::Load => "load".to_owned(),
+            Variable::Temperature => "temperature".to_owned(),
+            Variable::Speed => format!("speed of {joint}"),
+            Variable::Travel => format!("travel of {joint} since it reversed"),
+        }
+    }
+
+    /// The heading of its column in a table, inner units except that a joint's angle is in degrees.
+    pub(crate) fn heading(self, subject: &Subject) -> String {
+        let turns = self.turns(subject);
+        let number = self.joint + 1;
+        match (self.variable, turns) {
+            (Variable::Joint, true) => format!("q{number}, deg"),
+            (Variable::Joint, false) => format!("q{number}, mm"),
+            (Variable::Time, _) => "time, s".to_owned(),
+            (Variable::Load, _) => "load, kg".to_owned(),
+            (Variable::Temperature, _) => "temperature, °C".to_owned(),
+            (Variable::Speed, true) => format!("speed {number}, deg/s"),
+            (Variable::Speed, false) => format!("speed {number}, mm/s"),
+            (Variable::Travel, true) => format!("travel {number}, deg"),
+            (Variable::Travel, false) => format!("travel {number}, mm"),
+        }
+    }
+
+    /// A value as that table has it.
+    pub(crate) fn cell(self, subject: &Subject, value: f64) -> f64 {
+        match self.variable {
+            Variable::Joint | Variable::Speed | Variable::Travel if self.turns(subject) => {
+                crate::units::deg_from_rad(value)
+            }
+            _ => value,
+        }
+    }
+}
+
+/// How a variable becomes a number on the screen.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scale {
+    /// Screen units in one inner unit.
+    pub(crate) factor: f64,
+    /// What is zero on the screen, inner units.
+    pub(crate) origin: f64,
+    pub(crate) unit: String,
+    /// Whether the axis is divided into parts of a turn.
+    pub(crate) degrees: bool,
+}
+
+impl Scale {
+    /// A value as it stands on the screen.
+    pub(crate) fn shown(&self, value: f64) -> f64 {
+        (value - self.origin) * self.factor
+    }
+
+    /// The value at a place of the screen.
+    pub(crate) fn inner(&self, shown: f64) -> f64 {
+        shown / self.factor + self.origin
+    }
+
+    /// `36 °C`, `−90°`.
+    pub(crate) fn says(&self, value: f64) -> String {
+        let number = trimmed(self.shown(value), 2);
+        if self.unit == "°" {
+            format!("{number}°")
+        } else {
+            format!("{number} {}", self.unit)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::testing::workbench;
+
+    #[test]
+    fn what_was_not_logged_is_named_with_its_column_and_what_it_is_for() {
+        let workbench = workbench();
+        let mut session = workbench.subject().session.clone();
+        session.samples.load_kg = None;
+        session.samples.temperature_c = Some(vec![f64::NAN; session.samples.len()]);
+        let subject = Subject::new(session, Vec::new(), workbench.subject().origin.clone());
+        let over = |variable| Over { variable, joint: 0 };
+        for (variable, column) in [
+            (Variable::Load, "load_kg"),
+            (Variable::Temperature, "temperature_c"),
+        ] {
+            assert!(over(variable).is_missing(&subject));
+            let [_, why] = over(variable).needs();
+            assert!(why.contains(column), "{why}");
+            assert!(over(variable).of(&subject, 0).is_nan());
+        }
+        assert!(!over(Variable::Joint).is_missing(&subject));
+    }
+
+    #[test]
+    fn time_is_shown_in_a_unit_that_can_be_read() {
+        let workbench = workbench();
+        let over = Over {
+            variable: Variable::Time,
+            joint: 0,
+        };
+        let unit = |span: f64| {
+            let scale = over.scale(workbench.subject(), Units::default(), span);
+            (scale.unit.clone(), scale.says(scale.origin + span))
+        };
+        assert_eq!(unit(90.0), ("s".to_owned(), "90 s".to_owned()));
+        assert_eq!(unit(3600.0), ("min".to_owned(), "60 min".to_owned()));
+        assert_eq!(unit(36_000.0), ("h".to_owned(), "10 h".to_owned()));
+    }
+}

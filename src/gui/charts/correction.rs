@@ -1,0 +1,140 @@
+//! The exported table as a curve: what is added to each command, for each side.
+
+use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use crate::compensation::SortedTable;
+use crate::gui::cache::preview::Made;
+use crate::gui::core::scale::{MOST_POINTS, stride, thinned};
+use crate::gui::help;
+use crate::gui::units::{cell, plain_number};
+use crate::gui::view::Step;
+use crate::kinematics::JointKind;
+use crate::present::chart::{Axis, Chart, Item, LEAST_SPAN, Stands};
+
+pub(crate) struct Correction;
+
+pub(crate) static CORRECTION: Correction = Correction;
+
+impl Kind for Correction {
+    fn about(&self) -> About {
+        About {
+            id: "correction table",
+            short: "table",
+            name: "Correction table",
+            word: help::CORRECTION,
+            of_component: false,
+            of_joint: false,
+        }
+    }
+
+    fn is_offered(&self, scene: &Scene) -> bool {
+        let alone = scene.subject.is_empty();
+        let step = scene.view.step == Step::Export || alone;
+        // A description of the robot has no curve; then the samples are more to look at.
+        let shows = |made: &Made| step && (alone || made.export.reads_as.is_some());
+        scene.made.is_some_and(shows)
+    }
+
+    fn suits(&self, _: &Scene) -> bool {
+        true
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let chart = scene.made.and_then(chart).ok_or(Missing::new(
+            "This format describes the robot itself and has no table",
+            "",
+        ))?;
+        Ok(Shown {
+            chart,
+            name: "correction table as a curve".to_owned(),
+            says: String::new(),
+            pointed: Pointed::Nothing,
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> String {
+        scene.made.map_or_else(String::new, numbers)
+    }
+}
+
+/// Points of one curve: commanded value and correction, in the table's unit.
+fn curve(column: &SortedTable) -> Vec<[f64; 2]> {
+    let every = stride(column.values().len(), MOST_POINTS / 4);
+    let all = column.places().iter().zip(column.values()).step_by(every);
+    all.map(|(at, value)| [*at, *value]).collect()
+}
+
+/// What the upward axis has to show: zero, every correction, and no less than can be read. A
+/// constant correction is a straight line then, not the noise of its last digit.
+fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>) -> [f64; 2] {
+    let finite = points.map(|p| p[1]).filter(|v| v.is_finite());
+    let [low, high] = finite.fold([0.0_f64, 0.0_f64], |[a, b], v| [a.min(v), b.max(v)]);
+    let more = 0.5 * (LEAST_SPAN - (high - low)).max(0.0);
+    [low - more, high + more]
+}
+
+/// Every entry as a table.
+fn numbers(made: &Made) -> String {
+    let Some(table) = &made.export.reads_as else {
+        return String::new();
+    };
+    let unit = match table.kind {
+        JointKind::Revolute => "deg",
+        JointKind::Prismatic => "mm",
+    };
+    let joint = cell(&made.joint);
+    let mut text = format!("{joint}, {unit}\tside\tcorrection, {unit}\n");
+    for (side, column) in [("1", &table.forward), ("-1", &table.reverse)] {
+        for (at, value) in column.places().iter().zip(column.values()) {
+            let cells = [plain_number(*at), side.to_owned(), plain_number(*value)];
+            text += &cells.join("\t");
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// The curve; `None` where the export has no table.
+fn chart(made: &Made) -> Option<Chart> {
+    let table = made.export.reads_as.as_ref()?;
+    let degrees = table.kind == JointKind::Revolute;
+    let unit = if degrees { "°" } else { "mm" };
+    let (forward, reverse) = (curve(&table.forward), curve(&table.reverse));
+    let [low, high] = span(forward.iter().chain(&reverse));
+    let from = forward.first().map_or(0.0, |p| p[0]);
+    let to = forward.last().map_or(1.0, |p| p[0]).max(from + 1e-6);
+    let (beside, by) = (0.03 * (to - from), 0.2 * (high - low));
+    let every = stride(table.forward.values().len(), MOST_POINTS / 4);
+    let mut items = Vec::new();
+    let says = if table.forward == table.reverse {
+        "the same for both directions"
+    } else {
+        items.push(Item::Line(reverse, Stands::Before, 2.0, true));
+        "solid: moving positive · dashed: moving negative"
+    };
+    let notes = std::iter::once(says.to_owned()).chain(thinned(every, "entry"));
+    items.push(Item::Line(forward, Stands::After, 2.0, false));
+    Some(Chart {
+        title: "correction table".to_owned(),
+        across: Axis::turning(format!("{}, {unit}", made.joint), degrees),
+        upwards: Axis::numbers(format!("correction, {unit}")),
+        bounds: [[from - beside, low - by], [to + beside, high + by]],
+        items,
+        legend: Vec::new(),
+        note: notes.collect::<Vec<_>>().join(" · "),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_constant_table_is_shown_from_zero() {
+        let table = [[0.0, 0.3614], [1.0, 0.3614 + 1e-15]];
+        let [low, high] = span(table.iter());
+        assert_eq!(low, 0.0);
+        assert!((high - 0.3614).abs() < 1e-12);
+        let [low, high] = span([[0.0, 1e-17], [1.0, -1e-17]].iter());
+        assert!(high - low >= 0.999 * LEAST_SPAN, "{low} {high}");
+    }
+}

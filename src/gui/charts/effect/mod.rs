@@ -1,0 +1,243 @@
+//! What a found effect does: the residual of the model without it, and its own curve through it.
+
+mod curve;
+
+use std::sync::Arc;
+
+use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
+use crate::gui::cache::over::Scale;
+use crate::gui::cache::work::Work;
+use crate::gui::core::scale::{FEW, stride, thinned};
+use crate::gui::core::search::terms;
+use crate::gui::help;
+use crate::gui::units::plain_number;
+use crate::gui::view::Step;
+use crate::present::chart::{
+    Axis, Chart, Entry, Form, Item, LEAST_SPAN, Mark, Sign, Stands, in_a_sentence,
+};
+
+use curve::{EffectCurve, Spot};
+
+pub(crate) use curve::strongest;
+
+pub(crate) struct Effect;
+
+pub(crate) static EFFECT: Effect = Effect;
+
+/// The name of this chart: what was found is shown in it.
+pub(crate) const ID: &str = "effect's curve";
+
+impl Kind for Effect {
+    fn about(&self) -> About {
+        About {
+            id: ID,
+            short: "effect",
+            name: "Effect's own curve",
+            word: help::EFFECT_CURVE,
+            of_component: true,
+            of_joint: false,
+        }
+    }
+
+    fn is_offered(&self, scene: &Scene) -> bool {
+        let found = scene.diagnosis().map(terms).unwrap_or_default();
+        let chosen = found.get(scene.view.effect).is_some_and(Option::is_some);
+        scene.view.step == Step::Gap && chosen
+    }
+
+    fn work(&self, scene: &Scene) -> Option<Work> {
+        let (search, index) = (Arc::clone(scene.search?), scene.view.effect);
+        // The closure keeps the search: no other one stands where it does.
+        let key = vec![Arc::as_ptr(&search).addr(), index];
+        Some(Work::new(ID, key, move |given| {
+            EffectCurve::of(given.subject, &search, index, given.component)
+        }))
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let curve = curve(scene)?;
+        Ok(Shown {
+            chart: drawn(scene, curve),
+            name: format!("curve of {}, {}", name(curve), scene.component().name()),
+            says: says(scene, curve),
+            pointed: Pointed::Samples(Box::new(Drawn {
+                scale: scale(scene, curve),
+                scene,
+                curve,
+            })),
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> String {
+        numbers(scene)
+    }
+}
+
+fn curve<'a>(scene: &Scene<'a>) -> Result<&'a EffectCurve, Missing> {
+    let found: &Option<EffectCurve> = scene.found().ok_or_else(Missing::yet)?;
+    let there = found.as_ref().filter(|curve| !curve.spots.is_empty());
+    there.ok_or(Missing::new(
+        "There is no curve to show",
+        "Run the diagnosis again: what was found belongs to other samples",
+    ))
+}
+
+/// What the pointer finds.
+struct Drawn<'a> {
+    scene: &'a Scene<'a>,
+    curve: &'a EffectCurve,
+    scale: Scale,
+}
+
+impl Samples for Drawn<'_> {
+    fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
+        let units = self.scene.units;
+        let at = |spot: &Spot| [self.scale.shown(spot.x), units.length_value(spot.residual_mm)];
+        self.curve.spot(sample).map(at).into_iter().collect()
+    }
+
+    fn near(&self, _: [f64; 2]) -> Vec<usize> {
+        some(self.curve).map(|spot| spot.sample).collect()
+    }
+}
+
+/// The effect's name as it stands within a sentence.
+fn name(curve: &EffectCurve) -> String {
+    let effect = crate::effects::find(curve.effect);
+    effect.map_or_else(
+        || curve.effect.to_owned(),
+        |e| in_a_sentence(e.about().title),
+    )
+}
+
+fn scale(scene: &Scene, curve: &EffectCurve) -> Scale {
+    let ends = curve.spots.first().zip(curve.spots.last());
+    let span = ends.map_or(0.0, |(a, b)| b.x - a.x);
+    let units = scene.units;
+    curve.over.scale(scene.subject, units, span)
+}
+
+/// Samples that are drawn.
+fn some(curve: &EffectCurve) -> impl Iterator<Item = &Spot> {
+    curve.spots.iter().step_by(stride(curve.spots.len(), FEW))
+}
+
+fn drawn(scene: &Scene, curve: &EffectCurve) -> Chart {
+    let units = scene.units;
+    let scale = scale(scene, curve);
+    let value = |mm: f64| units.length_value(mm);
+    let mark = |spot: &Spot, mm: f64| Mark {
+        at: [scale.shown(spot.x), value(mm)],
+        form: Form::of_side(spot.side),
+    };
+    let [low, high] = curve.extent_mm;
+    let by = (0.08 * (high - low)).max(0.5 * LEAST_SPAN);
+    let ends = curve.spots.first().zip(curve.spots.last());
+    let [from, to] = ends.map_or([0.0, 1.0], |(a, b)| [a.x, b.x]);
+    let least = 1e-3 + 1e-9 * from.abs().max(to.abs());
+    let beside = (0.03 * (to - from)).max(least);
+    let bounds = [
+        [scale.shown(from - beside), value(low - by)],
+        [scale.shown(to + beside), value(high + by)],
+    ];
+    let mut items = Vec::new();
+    let zero = vec![[bounds[0][0], 0.0], [bounds[1][0], 0.0]];
+    items.push(Item::Line(zero, Stands::Reference, 1.0, false));
+    let residual = some(curve).map(|s| mark(s, s.residual_mm)).collect();
+    items.push(Item::Marks(residual, Stands::Before, false));
+    for line in &curve.lines {
+        let points = line
+            .points
+            .iter()
+            .map(|[x, mm]| [scale.shown(*x), value(*mm)]);
+        let dashed = line.side < 0.0;
+        items.push(Item::Line(points.collect(), Stands::Curve, 2.4, dashed));
+    }
+    if curve.lines.is_empty() {
+        let alone = some(curve).map(|s| mark(s, s.effect_mm)).collect();
+        items.push(Item::Marks(alone, Stands::Curve, true));
+    }
+    let what = name(curve);
+    let component = scene.component().name();
+    let line = |name, whole| Entry::new(name, Sign::Line, Stands::Curve, whole);
+    let dot = Sign::Mark(Form::Disc);
+    let residual = Entry::new("without it", dot, Stands::Before, false);
+    let mut legend = vec![residual.on_paper(format!("without {what}"))];
+    match &curve.lines[..] {
+        [] => {
+            legend.push(Entry::new("what it does", dot, Stands::Curve, true).on_paper(&*what));
+        }
+        [_] => legend.push(line("what it does", true).on_paper(&*what)),
+        _ => legend.extend([line("moving positive", true), line("negative", false)]),
+    }
+    Chart {
+        title: format!("{component} residual without {what}, and what it does"),
+        across: Axis::turning(
+            format!("{}, {}", curve.over.label(scene.subject), scale.unit),
+            scale.degrees,
+        ),
+        upwards: Axis::numbers(format!("{component}, {}", units.length_name())),
+        bounds,
+        items,
+        legend,
+        note: note(scene, curve),
+    }
+}
+
+fn note(scene: &Scene, curve: &EffectCurve) -> String {
+    let mut notes = vec![format!(
+        "what is left without {}; all else as fitted",
+        name(curve)
+    )];
+    if curve.lines.is_empty() {
+        notes.push("it depends on the pose too: its value at each sample".to_owned());
+    }
+    notes.extend(thinned(stride(curve.spots.len(), FEW), "point"));
+    let problems = scene.diagnosis().map(|d| &d.data_problems);
+    if problems.is_some_and(|p| p.iter().any(|p| p.mend.is_some())) {
+        notes.push("a set-up error is not corrected yet and shows here too".to_owned());
+    }
+    notes.join(" · ")
+}
+
+/// What is seen, in words.
+fn says(scene: &Scene, curve: &EffectCurve) -> String {
+    let units = scene.units;
+    let ends = curve.effect_mm.map(|mm| units.length(mm));
+    let [before, after] = curve.rms_mm.map(|mm| units.length(mm));
+    format!(
+        "{} over {}: it moves the {} deviation from {} to {}; without it {before} root mean \
+         square are left, with it {after}",
+        name(curve),
+        curve.over.label(scene.subject),
+        scene.component().name(),
+        ends[0],
+        ends[1],
+    )
+}
+
+/// Every sample as a table, along the chart.
+fn numbers(scene: &Scene) -> String {
+    let component = scene.component().name();
+    let Ok(curve) = curve(scene) else {
+        return String::new();
+    };
+    let subject = scene.subject;
+    let along = curve.over.heading(subject);
+    let what = name(curve);
+    let mut text = format!(
+        "sample\t{along}\tside\t{component} without {what}, mm\t{component} of {what}, mm\n"
+    );
+    for spot in &curve.spots {
+        let cells = [
+            (spot.sample + 1).to_string(),
+            plain_number(curve.over.cell(subject, spot.x)),
+            plain_number(spot.side),
+            plain_number(spot.residual_mm),
+            plain_number(spot.effect_mm),
+        ];
+        text += &cells.join("\t");
+        text.push('\n');
+    }
+    text
+}

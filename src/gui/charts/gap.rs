@@ -1,0 +1,66 @@
+//! The gap step by step: the nominal robot, the identification, each effect that was added, and
+//! the noise floor below which no model can come.
+
+use super::{About, Kind, Missing, Pointed, Scene, Shown};
+use crate::gui::help;
+use crate::gui::units::{plain_number, significant};
+use crate::gui::view::Step;
+use crate::model::GapStep;
+use crate::present::chart::{gap, in_words};
+
+pub(crate) struct Gap;
+
+pub(crate) static GAP: Gap = Gap;
+
+fn steps<'a>(scene: &Scene<'a>) -> &'a [GapStep] {
+    scene
+        .answer
+        .map_or(&[], |answer| &answer.calibration.history)
+}
+
+impl Kind for Gap {
+    fn about(&self) -> About {
+        About {
+            id: "gap by step",
+            short: "gap",
+            name: "Gap by step",
+            word: help::GAP,
+            of_component: false,
+            of_joint: false,
+        }
+    }
+
+    fn is_offered(&self, scene: &Scene) -> bool {
+        scene.answer.is_some() && !scene.subject.is_empty()
+    }
+
+    fn suits(&self, scene: &Scene) -> bool {
+        scene.view.step == Step::Gap
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let number = |mm: f64| significant(scene.units.length_value(mm), 3);
+        let lengths = scene.lengths(&number);
+        let floor_mm = scene.diagnosis().map(|d| d.floor.mm);
+        let steps = steps(scene);
+        let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
+        let mut chart = chart.ok_or(Missing::new("nothing is identified yet", ""))?;
+        "root mean square over the samples that were fitted".clone_into(&mut chart.note);
+        let says = |s: &GapStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
+        let says: Vec<String> = steps.iter().map(says).collect();
+        Ok(Shown {
+            chart,
+            name: format!("gap by step: {}", says.join(", ")),
+            says: String::new(),
+            pointed: Pointed::Nothing,
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> String {
+        let mut text = "step\tgap, mm\n".to_owned();
+        for step in steps(scene) {
+            text += &format!("{}\t{}\n", in_words(&step.what), plain_number(step.gap_mm));
+        }
+        text
+    }
+}

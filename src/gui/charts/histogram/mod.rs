@@ -1,0 +1,312 @@
+//! How many samples deviate by how much.
+
+mod bins;
+
+use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
+use crate::gui::cache::work::Work;
+use crate::gui::core::loaded_session::Component;
+use crate::gui::help;
+use crate::gui::units::{plain_number, significant};
+use crate::present::chart::{Axis, Chart, Entry, Item, Sign, Stands, Word};
+use crate::present::drawing::Anchor;
+use crate::sessions::Sigma;
+
+use bins::{Bins, Counted, Distribution, NoiseCurve, RULE};
+
+/// A noise curve is drawn where a bin is at most so many standard deviations wide.
+const SHARP: f64 = 3.0;
+/// The noise curve is shown up to so many times the tallest bar.
+const MOST_PEAK: f64 = 2.0;
+/// Points of the noise curve.
+const FINE: usize = 240;
+
+pub(crate) struct Histogram;
+
+pub(crate) static HISTOGRAM: Histogram = Histogram;
+
+impl Kind for Histogram {
+    fn about(&self) -> About {
+        About {
+            id: "histogram",
+            short: "histogram",
+            name: "Histogram",
+            word: help::HISTOGRAM,
+            of_component: true,
+            of_joint: false,
+        }
+    }
+
+    fn work(&self, _: &Scene) -> Option<Work> {
+        Some(Work::new(self.about().id, Vec::new(), |given| {
+            let usable = given.subject.overview.usable.iter().map(|i| *i as usize);
+            let (before, after) = given.values(&usable.collect::<Vec<_>>());
+            let length = given.component == Component::Length;
+            Distribution::new(&before, after.as_deref(), length)
+        }))
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let found = distribution(scene)?;
+        Ok(Shown {
+            chart: drawn(scene, found),
+            name: format!("histogram, {}", scene.component().name()),
+            says: says(scene, found),
+            pointed: Pointed::Bars(Box::new(Drawn {
+                scene,
+                counted: found.shown(scene.only_after()),
+            })),
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> String {
+        numbers(scene)
+    }
+}
+
+fn distribution<'a>(scene: &Scene<'a>) -> Result<&'a Distribution, Missing> {
+    let found: &Option<Distribution> = scene.found().ok_or_else(Missing::yet)?;
+    found.as_ref().ok_or(Missing::new(
+        "No sample can be counted",
+        "Every sample lacks a joint value or a coordinate",
+    ))
+}
+
+/// What the pointer finds.
+struct Drawn<'a> {
+    scene: &'a Scene<'a>,
+    counted: &'a Counted,
+}
+
+impl Drawn<'_> {
+    /// The component of a sample that is counted: what is left if anything is, else before.
+    fn value(&self, sample: usize, after: bool) -> f64 {
+        let subject = self.scene.subject;
+        let e = match self.scene.answer.filter(|_| after) {
+            Some(answer) => answer.deviation_after(sample),
+            None => subject.deviation_before(sample),
+        };
+        subject.component(e, sample, self.scene.component())
+    }
+}
+
+impl Bars for Drawn<'_> {
+    fn at(&self, x: f64) -> Option<Facts> {
+        let (units, bins) = (self.scene.units, self.counted.bins);
+        let mm = x / units.length_value(1.0);
+        let [low, high] = bins.span();
+        let bin = (mm >= low && mm <= high).then(|| bins.of(mm)).flatten()?;
+        let of = |counts: &Option<Vec<usize>>| counts.as_ref().map(|counts| counts[bin]);
+        let (before, after) = (of(&self.counted.before), of(&self.counted.after));
+        // What is left, unless only what was before is in this bar.
+        let take_after =
+            self.scene.answer.is_some() && (after != Some(0) || before.is_none_or(|n| n == 0));
+        let here = |sample: &usize| bins.of(self.value(*sample, take_after)) == Some(bin);
+        let [from, to] = bins.ends(bin).map(|mm| units.length_number(mm));
+        let line = |name: &str, n: Option<usize>| Some((name.to_owned(), n?.to_string()));
+        let lines = [line("before", before), line("after", after)];
+        let mut lines: Vec<_> = lines.into_iter().flatten().collect();
+        lines.push(("click".to_owned(), "marks them".to_owned()));
+        Some(Facts {
+            title: format!("{from} … {to} {}", units.length_name()),
+            lines,
+            samples: self.scene.usable().filter(here).collect(),
+        })
+    }
+
+    fn of(&self, sample: usize) -> Option<[f64; 2]> {
+        let bin = self.counted.bins.of(self.value(sample, true))?;
+        let ends = self.counted.bins.ends(bin);
+        Some(ends.map(|mm| self.scene.units.length_value(mm)))
+    }
+}
+
+/// How noise alone is spread in the component that is shown, where the noise is known: as the
+/// instrument says, else as the residuals show it.
+fn noise(scene: &Scene) -> Option<NoiseCurve> {
+    let subject = scene.subject;
+    let planar = subject.session.samples.z_mm.is_none();
+    let count = if planar { 2 } else { 3 };
+    let mean = |axes: [f64; 3]| {
+        let squares = axes[..count].iter().map(|s| s * s).sum::<f64>();
+        (squares / count as f64).sqrt()
+    };
+    let along = |axes: [f64; 3]| match scene.component() {
+        Component::X => axes[0],
+        Component::Y => axes[1],
+        Component::Z => axes[2],
+        _ => mean(axes),
+    };
+    let found = || scene.answer.and_then(|a| a.identification.noise_mm);
+    let sigma_mm = match subject.session.instrument.sigma_mm {
+        Some(Sigma::Overall(sigma)) => sigma,
+        Some(Sigma::PerAxis(axes)) => along(axes),
+        None => along(found()?),
+    };
+    let length = scene.component() == Component::Length;
+    (sigma_mm.is_finite() && sigma_mm > 0.0).then_some(NoiseCurve {
+        sigma_mm,
+        axes: if length { count } else { 1 },
+    })
+}
+
+/// The noise curve, where bins are narrow enough to show it.
+fn curve(scene: &Scene, bins: &Bins) -> Option<NoiseCurve> {
+    noise(scene).filter(|noise| bins.width_mm <= SHARP * noise.sigma_mm)
+}
+
+fn drawn(scene: &Scene, found: &Distribution) -> Chart {
+    let units = scene.units;
+    let value = |mm: f64| units.length_value(mm);
+    let counted = found.shown(scene.only_after());
+    let bins = counted.bins;
+    let series = [
+        (&counted.before, Stands::Before, false),
+        (&counted.after, Stands::After, true),
+    ];
+    let counts = series.iter().filter_map(|s| s.0.as_ref()).flatten();
+    let most = counts.copied().max().unwrap_or(0).max(1) as f64;
+    let mut items = Vec::new();
+    // What is filled stands behind what is outlined.
+    for (counts, stands, filled) in series.into_iter().rev() {
+        let bar = |(bin, count): (usize, &usize)| {
+            let [from, to] = bins.ends(bin).map(value);
+            let gap = 0.04 * (to - from);
+            (*count > 0).then(|| [[from + gap, 0.0], [to - gap, *count as f64]])
+        };
+        let bars = counts.iter().flatten().enumerate().filter_map(bar);
+        items.push(Item::Bars(bars.collect(), stands, filled));
+    }
+    let [low, high] = bins.span();
+    let component = scene.component();
+    let mut tallest = most;
+    let noise = curve(scene, &bins);
+    if let Some(noise) = noise {
+        let samples = found.sizes_before.within(0.0).1;
+        let at = |k: usize| low + (high - low) * k as f64 / FINE as f64;
+        let point = |k: usize| [value(at(k)), noise.count(at(k), bins.width_mm, samples)];
+        let points: Vec<[f64; 2]> = (0..=FINE).map(point).collect();
+        // A curve far above all bars must not flatten them.
+        let peak = points.iter().map(|p| p[1]).fold(0.0, f64::max);
+        tallest = most.max(peak.min(MOST_PEAK * most));
+        items.push(Item::Line(points, Stands::Noise, 1.8, true));
+    }
+    let top = 1.2 * tallest;
+    if let Some(tolerance) = scene.document.tolerance_mm {
+        let both = [-tolerance, tolerance];
+        let ends = if component == Component::Length {
+            &both[1..]
+        } else {
+            &both[..]
+        };
+        for end in ends.iter().filter(|end| **end > low && **end < high) {
+            let line = vec![[value(*end), 0.0], [value(*end), top]];
+            items.push(Item::Line(line, Stands::Tolerance, 1.6, false));
+            items.push(Item::Word(Word {
+                at: [value(*end), 0.995 * top],
+                text: " tolerance ".to_owned(),
+                anchor: if *end < 0.0 {
+                    Anchor::End
+                } else {
+                    Anchor::Start
+                },
+                below: true,
+            }));
+        }
+    }
+    let margin = 0.02 * (high - low);
+    let mut legend = vec![Entry::before(Sign::Bar)];
+    if scene.answer.is_some() {
+        legend.push(Entry::after(Sign::Bar));
+    }
+    if noise.is_some() {
+        legend.push(Entry::new("noise alone", Sign::Line, Stands::Noise, false));
+    }
+    let name = component.name();
+    Chart {
+        title: format!("samples by {name} deviation"),
+        across: Axis::numbers(format!("{name} deviation, {}", units.length_name())),
+        upwards: Axis::numbers("samples"),
+        bounds: [[value(low - margin), 0.0], [value(high + margin), top]],
+        items,
+        legend,
+        note: note(scene, found, counted),
+    }
+}
+
+fn note(scene: &Scene, found: &Distribution, counted: &Counted) -> String {
+    let units = scene.units;
+    let mut notes = Vec::new();
+    if let Some(tolerance) = scene.document.tolerance_mm {
+        let sign = match scene.component() {
+            Component::Length => "",
+            _ => "±",
+        };
+        let (before, all) = found.sizes_before.within(tolerance);
+        let mut counts = before.to_string();
+        if let Some(sizes) = &found.sizes_after {
+            counts += &format!(" → {}", sizes.within(tolerance).0);
+        }
+        let tolerance = units.length(tolerance);
+        notes.push(format!("within {sign}{tolerance}: {counts} of {all}"));
+    }
+    match counted.beyond {
+        0 => {}
+        1 => notes.push("one lies beyond the ends".to_owned()),
+        n => notes.push(format!("{n} lie beyond the ends")),
+    }
+    let width = significant(units.length_value(counted.bins.width_mm), 2);
+    notes.push(format!("{width} {} wide {RULE}", units.length_name()));
+    notes.join(" · ")
+}
+
+/// What is seen, in words.
+fn says(scene: &Scene, found: &Distribution) -> String {
+    let units = scene.units;
+    let counted = found.shown(scene.only_after());
+    let tallest = |counts: &Option<Vec<usize>>| {
+        let counts = counts.as_ref()?;
+        let bin = (0..counts.len()).max_by_key(|bin| counts[*bin])?;
+        let [from, to] = counted.bins.ends(bin).map(|mm| units.length(mm));
+        Some(format!("most, {}, from {from} to {to}", counts[bin]))
+    };
+    let mut says = format!(
+        "how many samples have which {} deviation",
+        scene.component().name()
+    );
+    for (name, counts) in [("before", &counted.before), ("after", &counted.after)] {
+        if let Some(tallest) = tallest(counts) {
+            says += &format!("; {name}: {tallest}");
+        }
+    }
+    format!("{says}; {}", note(scene, found, counted))
+}
+
+/// Every bar as a table.
+fn numbers(scene: &Scene) -> String {
+    let mut text = "from, mm\tto, mm\tbefore\tafter\tnoise alone\n".to_owned();
+    let Ok(found) = distribution(scene) else {
+        return text;
+    };
+    let counted = found.shown(scene.only_after());
+    let noise = noise(scene);
+    let samples = found.sizes_before.within(0.0).1;
+    for bin in 0..counted.bins.count {
+        let [from, to] = counted.bins.ends(bin);
+        let of = |counts: &Option<Vec<usize>>| {
+            counts
+                .as_ref()
+                .map_or_else(String::new, |c| c[bin].to_string())
+        };
+        let alone = noise.map(|n| (n.below(to) - n.below(from)) * samples as f64);
+        let cells = [
+            plain_number(from),
+            plain_number(to),
+            of(&counted.before),
+            of(&counted.after),
+            alone.map_or_else(String::new, plain_number),
+        ];
+        text += &cells.join("\t");
+        text.push('\n');
+    }
+    text
+}

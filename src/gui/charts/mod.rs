@@ -1,0 +1,179 @@
+//! What is charted below the workspace: a chart is one file and one line of the register. It says
+//! what it is called, when it is offered, what the background works out for it, and makes a
+//! [`Chart`] of that, which the window, a picture and a table for a spreadsheet show. Nothing here
+//! draws.
+
+mod scene;
+
+use crate::gui::cache::work::Work;
+use crate::gui::help::Word;
+use crate::present::chart::{Chart, Item};
+
+pub(crate) use scene::Scene;
+
+macro_rules! register {
+    ($($file:ident: $($chart:ident),*;)*) => {
+        $(pub(crate) mod $file;)*
+        /// Every chart, in the order in which they are offered. The first is shown where nothing
+        /// suits better.
+        pub(crate) static CHARTS: &[&dyn Kind] = &[$($(&$file::$chart),*),*];
+    };
+}
+
+register! {
+    deviation: ANGLE, TIME, LOAD, TEMPERATURE;
+    orders: ORDERS;
+    histogram: HISTOGRAM;
+    quantiles: QUANTILES;
+    gap: GAP;
+    effect: EFFECT;
+    correction: CORRECTION;
+}
+
+/// What a chart says of itself.
+#[derive(Clone, Copy)]
+pub(crate) struct About {
+    /// What it is: what its picture is called, as it stands within a sentence.
+    pub(crate) id: &'static str,
+    /// Its name where there is little room.
+    pub(crate) short: &'static str,
+    pub(crate) name: &'static str,
+    /// What its question mark explains; the glossary lists it.
+    pub(crate) word: Word,
+    /// Whether it shows one component of the deviation.
+    pub(crate) of_component: bool,
+    /// Whether it is about one joint.
+    pub(crate) of_joint: bool,
+}
+
+/// A chart.
+pub(crate) trait Kind: Sync {
+    fn about(&self) -> About;
+
+    /// Whether there is anything to show, or at least something to say.
+    fn is_offered(&self, scene: &Scene) -> bool {
+        !scene.subject.is_empty()
+    }
+
+    /// Whether it is what the step is about: it is shown where nobody has chosen.
+    fn suits(&self, _: &Scene) -> bool {
+        false
+    }
+
+    /// What the background works out for it.
+    fn work(&self, _: &Scene) -> Option<Work> {
+        None
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing>;
+
+    /// As a table for a spreadsheet: tabs between the columns.
+    fn numbers(&self, scene: &Scene) -> String;
+}
+
+/// The chart of this name.
+pub(crate) fn find(id: &str) -> Option<&'static dyn Kind> {
+    CHARTS.iter().copied().find(|chart| chart.about().id == id)
+}
+
+/// What stands in the place of a chart that cannot be shown.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Missing {
+    /// In one line.
+    pub(crate) title: String,
+    /// What to log or to do, and what for.
+    pub(crate) why: &'static str,
+}
+
+impl Missing {
+    pub(crate) fn new(title: impl Into<String>, why: &'static str) -> Self {
+        let title = title.into();
+        Self { title, why }
+    }
+
+    /// The background is at it.
+    pub(crate) fn yet() -> Self {
+        Self::new("Computing…", "")
+    }
+}
+
+/// A chart as it is at present, and what the pointer finds on it.
+pub(crate) struct Shown<'a> {
+    pub(crate) chart: Chart,
+    /// How it is called for those who do not see it.
+    pub(crate) name: String,
+    /// What is seen, in words.
+    pub(crate) says: String,
+    pub(crate) pointed: Pointed<'a>,
+}
+
+/// What the pointer finds on a chart.
+pub(crate) enum Pointed<'a> {
+    Nothing,
+    Samples(Box<dyn Samples + 'a>),
+    Bars(Box<dyn Bars + 'a>),
+}
+
+/// Samples on a chart.
+pub(crate) trait Samples {
+    /// Where a sample's marks are; the last is the one that is ringed.
+    fn marks(&self, sample: usize) -> Vec<[f64; 2]>;
+
+    /// Those whose marks may be between two places along the chart.
+    fn near(&self, x: [f64; 2]) -> Vec<usize>;
+
+    /// What is drawn between two places along the chart on so many points of the screen, beside what
+    /// is drawn in any case.
+    fn in_sight(&self, _: [f64; 2], _points: f64) -> Vec<Item> {
+        Vec::new()
+    }
+}
+
+/// What the pointer finds on bars.
+pub(crate) trait Bars {
+    /// What is said about a place along the chart.
+    fn at(&self, x: f64) -> Option<Facts>;
+
+    /// From where to where the bar of a sample goes.
+    fn of(&self, _: usize) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+/// What is said about a bar.
+pub(crate) struct Facts {
+    pub(crate) title: String,
+    pub(crate) lines: Vec<(String, String)>,
+    /// The samples that a click marks.
+    pub(crate) samples: Vec<usize>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn charts_are_called_differently() {
+        for (k, chart) in CHARTS.iter().enumerate() {
+            let (id, name) = (chart.about().id, chart.about().name);
+            let same = |other: &&&dyn Kind| other.about().id == id || other.about().name == name;
+            assert_eq!(CHARTS.iter().filter(same).count(), 1, "{id}");
+            assert!(
+                find(id).is_some_and(|found| found.about().name == name),
+                "{k}"
+            );
+        }
+    }
+
+    #[test]
+    fn every_file_of_the_folder_is_registered() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/gui/charts");
+        let code = std::fs::read_to_string(format!("{folder}/mod.rs")).expect("this file");
+        for entry in std::fs::read_dir(folder).expect("the folder") {
+            let path = entry.expect("an entry").path();
+            let file = path.file_stem().and_then(|s| s.to_str()).expect("a name");
+            let there = ["mod", "scene"].contains(&file) || code.contains(&format!("    {file}: "));
+            assert!(there, "{file} is not in the register");
+        }
+    }
+}

@@ -1,0 +1,326 @@
+//! How large the deviation is at each whole number of cycles per turn.
+
+mod spectrum;
+mod sums;
+
+use super::{About, Bars, Facts, Kind, Missing, Pointed, Scene, Shown};
+use crate::gui::cache::over::{Over, Variable};
+use crate::gui::cache::work::{Given, Work};
+use crate::gui::core::search::terms;
+use crate::gui::help;
+use crate::gui::units::{plain_number, whole};
+use crate::present::chart::{Axis, Chart, Entry, Item, LEAST_SPAN, Sign, Stands, Ticks, Word};
+use crate::present::drawing::Anchor;
+
+use spectrum::{Amplitude, LINE, Order, Spectrum};
+
+/// Part of the height that is left for names.
+const ROOM: f64 = 0.30;
+/// Rows of names.
+const ROWS: usize = 3;
+
+pub(crate) struct Orders;
+
+pub(crate) static ORDERS: Orders = Orders;
+
+impl Kind for Orders {
+    fn about(&self) -> About {
+        About {
+            id: "order spectrum",
+            short: "orders",
+            name: "Order spectrum",
+            word: help::ORDERS,
+            of_component: true,
+            of_joint: true,
+        }
+    }
+
+    fn work(&self, scene: &Scene) -> Option<Work> {
+        let (joint, gears) = (scene.joint(), gears(scene));
+        let key = std::iter::once(joint).chain(gears.clone()).collect();
+        let make = move |given: Given<'_>| {
+            let over = Over {
+                variable: Variable::Joint,
+                joint,
+            };
+            let usable = given.subject.overview.usable.iter().map(|i| *i as usize);
+            let placed = |i: &usize| over.of(given.subject, *i).is_finite();
+            let samples: Vec<usize> = usable.filter(placed).collect();
+            let angles: Vec<f64> = samples.iter().map(|i| over.of(given.subject, *i)).collect();
+            let (before, after) = given.values(&samples);
+            Spectrum::new(&angles, &before, after.as_deref(), &gears)
+        };
+        Some(Work::new(self.about().id, key, make))
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let spectrum = spectrum(scene)?;
+        Ok(Shown {
+            chart: drawn(scene, spectrum),
+            name: format!("order spectrum, {}", scene.component().name()),
+            says: says(scene, spectrum),
+            pointed: Pointed::Bars(Box::new(Drawn { scene, spectrum })),
+        })
+    }
+
+    fn numbers(&self, scene: &Scene) -> String {
+        numbers(scene)
+    }
+}
+
+/// Orders of gears of the charts' joint, as far as a search or the model knows them.
+fn gears(scene: &Scene) -> Vec<usize> {
+    let found = scene.diagnosis().map(terms).unwrap_or_default();
+    let added = scene.document.added.iter().map(|a| &a.term);
+    let gears = added.chain(found.iter().flatten()).filter(|term| {
+        term.joint == scene.joint() && term.effect.about().setting.takes_fractions()
+    });
+    let mut orders: Vec<usize> = gears.map(|term| whole(term.setting)).collect();
+    orders.sort_unstable();
+    orders.dedup();
+    orders
+}
+
+/// The spectrum, or why there is none.
+fn spectrum<'a>(scene: &Scene<'a>) -> Result<&'a Spectrum, Missing> {
+    let joint = scene.joint();
+    if !scene.subject.joint_turns(joint) {
+        let name = &scene.subject.session.robot.joints[joint].name;
+        let why = "Orders are cycles per turn. Choose a joint that turns";
+        return Err(Missing::new(format!("{name} slides"), why));
+    }
+    let spectrum: &Spectrum = scene.found().ok_or_else(Missing::yet)?;
+    if spectrum.orders.is_empty() {
+        return Err(Missing::new(
+            "Too few different angles",
+            "An order shows where a wave comes back with every turn: measure thirty angles or \
+             more, spread over the whole range of the joint",
+        ));
+    }
+    Ok(spectrum)
+}
+
+/// What the pointer finds.
+struct Drawn<'a> {
+    scene: &'a Scene<'a>,
+    spectrum: &'a Spectrum,
+}
+
+impl Bars for Drawn<'_> {
+    fn at(&self, x: f64) -> Option<Facts> {
+        let slot = (x.round() >= 0.0).then(|| whole(x.round()))?;
+        let order = self.spectrum.orders.get(slot)?;
+        let units = self.scene.units;
+        let mut lines = Vec::new();
+        let cause = self.spectrum.cause(order.order);
+        lines.extend(cause.map(|cause| ("usual cause".to_owned(), cause.to_owned())));
+        for (name, amplitude) in [("before", Some(order.before)), ("after", order.after)] {
+            let Some(amplitude) = amplitude else { continue };
+            lines.push((name.to_owned(), units.length(amplitude.mm)));
+            if let Some(line) = amplitude.line_mm {
+                lines.push((format!("noise, {name}"), units.length(line)));
+            }
+        }
+        Some(Facts {
+            title: format!("order {}", order.order),
+            lines,
+            samples: Vec::new(),
+        })
+    }
+}
+
+/// The amplitudes of an order that are shown: before, after.
+fn shown(order: &Order, only_after: bool) -> [Option<Amplitude>; 2] {
+    [Some(order.before).filter(|_| !only_after), order.after]
+}
+
+/// The spectrum as bars.
+fn drawn(scene: &Scene, spectrum: &Spectrum) -> Chart {
+    let units = scene.units;
+    let only_after = scene.only_after();
+    let value = |mm: f64| units.length_value(mm);
+    // The line belongs to what is shown last.
+    let line_of = |order: &Order| {
+        let last = shown(order, only_after).into_iter().flatten().last();
+        last.and_then(|amplitude| amplitude.line_mm)
+    };
+    let of_order = |order: &Order| {
+        let bars = shown(order, only_after).into_iter().flatten();
+        bars.map(|a| a.mm).fold(0.0, f64::max)
+    };
+    let orders = &spectrum.orders;
+    let bars = orders.iter().map(of_order);
+    let lines = orders.iter().filter_map(line_of);
+    let largest = bars.chain(lines).fold(LEAST_SPAN, f64::max);
+    let top = largest / (1.0 - ROOM);
+    let mut items = Vec::new();
+    for (k, (stands, filled)) in [(Stands::Before, false), (Stands::After, true)]
+        .into_iter()
+        .enumerate()
+    {
+        let bar = |(slot, order): (usize, &Order)| {
+            let both = shown(order, only_after);
+            let alone = both.iter().flatten().count() == 1;
+            let [from, to] = match (alone, k) {
+                (true, _) => [-0.3, 0.3],
+                (false, 0) => [-0.38, -0.02],
+                (false, _) => [0.02, 0.38],
+            };
+            let at = slot as f64;
+            Some([[at + from, 0.0], [at + to, value(both[k]?.mm)]])
+        };
+        let bars = orders.iter().enumerate().filter_map(bar).collect();
+        items.push(Item::Bars(bars, stands, filled));
+    }
+    let step = |(slot, order): (usize, &Order)| {
+        let height = value(line_of(order)?);
+        Some([[slot as f64 - 0.5, height], [slot as f64 + 0.5, height]])
+    };
+    let line: Vec<[f64; 2]> = orders
+        .iter()
+        .enumerate()
+        .filter_map(step)
+        .flatten()
+        .collect();
+    if !line.is_empty() {
+        items.push(Item::Line(line, Stands::Noise, 1.6, true));
+    }
+    names(
+        spectrum,
+        only_after,
+        value(largest),
+        value(top),
+        &of_order,
+        &value,
+        &mut items,
+    );
+    let ticks = orders.iter().enumerate();
+    let last = orders.len() as f64 - 0.4;
+    let name = scene.component().name();
+    let joint = &scene.subject.session.robot.joints[scene.joint()].name;
+    let mut legend = vec![Entry::before(Sign::Bar)];
+    if scene.answer.is_some() {
+        legend.push(Entry::after(Sign::Bar));
+    }
+    legend.push(Entry::new("noise", Sign::Line, Stands::Noise, false));
+    Chart {
+        title: format!("{name} deviation by order over {joint}"),
+        across: Axis {
+            label: format!("cycles per turn of {joint}"),
+            ticks: Ticks::Words(
+                ticks
+                    .map(|(k, o)| (k as f64, o.order.to_string()))
+                    .collect(),
+            ),
+        },
+        upwards: Axis::numbers(format!("amplitude, {}", units.length_name())),
+        bounds: [[-0.6, 0.0], [last, value(top)]],
+        items,
+        legend,
+        note: note(spectrum),
+    }
+}
+
+/// Names of orders that have a usual cause, with a line down to their bars.
+fn names(
+    spectrum: &Spectrum,
+    only_after: bool,
+    largest: f64,
+    top: f64,
+    of_order: &dyn Fn(&Order) -> f64,
+    value: &dyn Fn(f64) -> f64,
+    items: &mut Vec<Item>,
+) {
+    let mut row = 0;
+    for (slot, order) in spectrum.orders.iter().enumerate() {
+        let Some(cause) = spectrum.cause(order.order) else {
+            continue;
+        };
+        let mut bars = shown(order, only_after).into_iter().flatten();
+        if !bars.any(Amplitude::stands_out) {
+            continue;
+        }
+        let part = (row % ROWS) as f64 + 0.6;
+        row += 1;
+        let height = top - (top - largest) * part / ROWS as f64;
+        let at = slot as f64;
+        let line = vec![[at, value(of_order(order))], [at, height]];
+        items.push(Item::Line(line, Stands::Reference, 0.8, false));
+        items.push(Item::Word(Word {
+            at: [at, height],
+            text: format!(" {cause}"),
+            anchor: Anchor::Start,
+            below: false,
+        }));
+    }
+}
+
+fn note(spectrum: &Spectrum) -> String {
+    let has_line = spectrum.orders.iter().any(|o| o.before.line_mm.is_some());
+    let line = if has_line {
+        LINE.to_owned()
+    } else {
+        "too few samples to say what is noise".to_owned()
+    };
+    let mut notes = vec![line];
+    notes.extend(spectrum.limits());
+    notes.join(" · ")
+}
+
+/// What is seen, in words.
+fn says(scene: &Scene, spectrum: &Spectrum) -> String {
+    let units = scene.units;
+    let out = |pick: fn(&Order) -> Option<Amplitude>| {
+        let mut out: Vec<(usize, f64)> = spectrum
+            .orders
+            .iter()
+            .filter_map(|o| Some((o.order, pick(o).filter(|a| a.stands_out())?.mm)))
+            .collect();
+        out.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let words = out.iter().take(4).map(|(order, mm)| {
+            let cause = spectrum.cause(*order);
+            let cause = cause.map_or_else(String::new, |c| format!(" ({c})"));
+            format!("order {order}{cause} with {}", units.length(*mm))
+        });
+        let words: Vec<String> = words.collect();
+        if words.is_empty() {
+            "nothing above the noise".to_owned()
+        } else {
+            words.join(", ")
+        }
+    };
+    let mut says = format!(
+        "{} orders of the {} deviation; before: {}",
+        spectrum.orders.len(),
+        scene.component().name(),
+        out(|o| Some(o.before))
+    );
+    if scene.answer.is_some() {
+        says += &format!("; after: {}", out(|o| o.after));
+    }
+    format!("{says}; {}", note(spectrum))
+}
+
+/// Every order as a table.
+fn numbers(scene: &Scene) -> String {
+    let mut text = "order\tbefore, mm\tnoise before, mm\tafter, mm\tnoise after, mm\t\
+                    usual cause\n"
+        .to_owned();
+    let Ok(spectrum) = spectrum(scene) else {
+        return text;
+    };
+    let cell = |mm: Option<f64>| mm.map_or_else(String::new, plain_number);
+    for order in &spectrum.orders {
+        let cells = [
+            order.order.to_string(),
+            plain_number(order.before.mm),
+            cell(order.before.line_mm),
+            cell(order.after.map(|a| a.mm)),
+            cell(order.after.and_then(|a| a.line_mm)),
+            spectrum.cause(order.order).unwrap_or_default().to_owned(),
+        ];
+        text += &cells.join("\t");
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,71 @@
+//! What charts are made of: document and answer, how they are looked at, and what the background has
+//! worked out.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use crate::diagnosis::Diagnosis;
+use crate::gui::cache::preview::Made;
+use crate::gui::core::answer::Answer;
+use crate::gui::core::document::Document;
+use crate::gui::core::loaded_session::{Component, Subject};
+use crate::gui::core::search::Search;
+use crate::gui::units::Units;
+use crate::gui::view::ViewState;
+use crate::present::chart::Lengths;
+
+/// See the module.
+#[derive(Clone, Copy)]
+pub(crate) struct Scene<'a> {
+    pub(crate) document: &'a Document,
+    pub(crate) subject: &'a Arc<Subject>,
+    pub(crate) view: &'a ViewState,
+    pub(crate) units: Units,
+    pub(crate) answer: Option<&'a Answer>,
+    /// The search of this session.
+    pub(crate) search: Option<&'a Arc<Search>>,
+    /// The export as it would be written.
+    pub(crate) made: Option<&'a Made>,
+    /// What the background has worked out for the chart.
+    pub(crate) worked_out: Option<&'a (dyn Any + Send + Sync)>,
+}
+
+impl<'a> Scene<'a> {
+    pub(crate) fn component(&self) -> Component {
+        self.view.component
+    }
+
+    pub(crate) fn diagnosis(&self) -> Option<&'a Diagnosis> {
+        self.search?.answer.as_ref().ok()
+    }
+
+    /// Whether charts leave out the deviation before, so that what is left can be seen.
+    pub(crate) fn only_after(&self) -> bool {
+        self.view.only_after && self.answer.is_some()
+    }
+
+    /// The joint that charts are about.
+    pub(crate) fn joint(&self) -> usize {
+        let joints = self.subject.session.robot.joints.len();
+        self.view.joint.min(joints.saturating_sub(1))
+    }
+
+    /// What the background has worked out, if it is that.
+    pub(crate) fn found<T: Any>(&self) -> Option<&'a T> {
+        self.worked_out?.downcast_ref()
+    }
+
+    /// Samples that can be used.
+    pub(crate) fn usable(&self) -> impl ExactSizeIterator<Item = usize> + use<'a> {
+        self.subject.overview.usable.iter().map(|s| *s as usize)
+    }
+
+    /// How lengths are written, a number by `number`.
+    pub(crate) fn lengths<'n>(&self, number: &'n dyn Fn(f64) -> String) -> Lengths<'n> {
+        Lengths {
+            unit: self.units.length_name(),
+            per_mm: self.units.length_value(1.0),
+            number,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! A path that is typed.
+
+use std::path::PathBuf;
+
+use egui::{Key, TextEdit, Ui};
+
+use crate::gui::view::{Sheet, What};
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+
+use super::ends::buttons;
+
+/// What was done with a path that is being typed.
+enum Typed {
+    /// It is complete.
+    Done {
+        path: PathBuf,
+        replace: bool,
+    },
+    /// It is another now.
+    Changed {
+        path: String,
+        replace: bool,
+    },
+    Same,
+}
+
+/// A file to save the session to.
+pub(super) fn save(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    typed: (&str, bool),
+    commands: &mut Vec<Command>,
+) {
+    let says = "The samples are written beside it, as a CSV file of the same name";
+    match path_form(ui, workbench, ("Save session", says), typed, commands) {
+        Typed::Done { path, replace } => commands.push(Command::SaveAs { path, replace }),
+        Typed::Changed { path, replace } => {
+            commands.push(Command::Sheet(Some(Sheet::SavePath { path, replace })));
+        }
+        Typed::Same => {}
+    }
+}
+
+fn path_form(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    (title, says): (&str, &str),
+    (path, replace): (&str, bool),
+    commands: &mut Vec<Command>,
+) -> Typed {
+    ui.set_width(420.0);
+    widgets::heading(ui, title);
+    let (mut typed, mut allowed) = (path.to_owned(), replace);
+    let field = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
+    ui.ctx()
+        .accesskit_node_builder(field.id, |node| node.set_label("Path to save to"));
+    let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+    let place = workbench.placed(typed.trim().as_ref());
+    if let (Some(folder), Some(name)) = (place.parent(), place.file_name()) {
+        let (folder, name) = (folder.display(), name.to_string_lossy());
+        widgets::hint(ui, format!("{name}, in the folder {folder}"));
+    }
+    ui.checkbox(&mut allowed, "replace the file if it exists");
+    widgets::hint(ui, says);
+    let named = !typed.trim().is_empty();
+    let pressed = buttons(ui, "Save", named, commands);
+    if named && (pressed || entered) {
+        Typed::Done {
+            path: typed.trim().into(),
+            replace: allowed,
+        }
+    } else if typed != path || allowed != replace {
+        Typed::Changed {
+            path: typed,
+            replace: allowed,
+        }
+    } else {
+        Typed::Same
+    }
+}
+
+/// A file to export to.
+pub(super) fn export(
+    ui: &mut Ui,
+    workbench: &Workbench,
+    what: What,
+    typed: (&str, bool),
+    commands: &mut Vec<Command>,
+) {
+    let (title, says) = match what {
+        What::Table => (
+            "Save table",
+            "A file that says what the table means is written beside it",
+        ),
+        What::Model => ("Save model", "The model can be exported and verified later"),
+        What::Poses => (
+            "Save measuring list",
+            "A CSV table with the session's column names, to be measured next",
+        ),
+        What::Report(_) => (
+            "Save report",
+            "A name that ends in .html or .pdf; a session that was not searched yet is searched first",
+        ),
+        What::Picture(_) => ("Save picture", "A name that ends in .svg"),
+    };
+    match path_form(ui, workbench, (title, says), typed, commands) {
+        Typed::Done { path, replace } => commands.push(Command::ExportTo {
+            what,
+            path,
+            replace,
+        }),
+        Typed::Changed { path, replace } => {
+            commands.push(Command::Sheet(Some(Sheet::ExportPath {
+                what,
+                path,
+                replace,
+            })));
+        }
+        Typed::Same => {}
+    }
+}
