@@ -1,9 +1,24 @@
-//! What is shown of an answer, without computing any of it: JSON documents and the words for a place.
+//! What is shown of an answer, without computing any of it, once for terminal, window and report: JSON
+//! documents, names, numbers, and the words for a place.
 
 pub mod compensation_v1;
 pub mod diagnosis_v1;
+pub mod effects_v1;
+pub mod history_v1;
+pub mod identification_v1;
+pub mod import_v1;
+pub mod json;
 pub mod kinds;
+pub mod names;
+pub mod numbers;
+mod parts;
 pub mod plan_v1;
+pub mod poses;
+pub mod standards;
+pub mod standards_v1;
+pub mod table;
 pub mod test_cube_v1;
+pub mod units;
+pub mod verification_v1;
 
 mod place;

@@ -3,7 +3,6 @@
 
 use std::sync::Arc;
 
-use crate::compensation::verify;
 use crate::gui::cache::identified::Outcome;
 use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::Component;
@@ -11,6 +10,7 @@ use crate::gui::plots::chart_spec::Sketch;
 use crate::gui::view::{Chart, Plot};
 use crate::gui::workbench::{Draw, Workbench};
 use crate::gui::workspace::polar_sheet;
+use crate::pipeline::verify;
 use crate::report::drawing::{Drawing, Label, MUTED};
 use crate::report::plots::{waterfall, workspace};
 use crate::report::{as_measured, stages};
