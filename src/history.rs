@@ -19,12 +19,11 @@ use serde::Deserialize;
 
 use crate::compensation::verify;
 use crate::diagnostic::{Diagnostic, Place, Rejected};
-use crate::effects::{JointValues, Setting, find};
+use crate::effects::{Inputs, JointValues, Setting, find};
 use crate::fit::uncertainty::{NORMAL_95, all_estimates};
-use crate::fit::{Estimate, Identification};
+use crate::fit::{DEFAULT_EFFECTS, Estimate, Identification, identify_exact};
 use crate::model::Calibration;
 use crate::model::format_v1::load_model;
-use crate::pipeline::{Method, identify};
 use crate::sessions::{Session, files, hash_of_samples, load};
 
 /// Everything that a folder tells.
@@ -82,6 +81,16 @@ pub enum Source {
     Session,
     /// A model as it was saved.
     Model,
+}
+
+impl Source {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Session => "session",
+            Self::Model => "model",
+        }
+    }
 }
 
 /// One session or model.
@@ -243,8 +252,10 @@ fn documents(folder: &Path) -> Result<Vec<PathBuf>, Rejected> {
 
 fn of_session(path: &Path, file: &str) -> Result<Read, String> {
     let session = load(path).map_err(|rejected| rejected.to_string())?.session;
-    let identified = identify(&session, &Method::default(), JointValues::Commanded);
-    let (identification, calibration) = identified.map_err(|error| error.to_string())?;
+    let values = JointValues::Commanded;
+    let identified = identify_exact(&session, &DEFAULT_EFFECTS.map(str::to_owned), values);
+    let identification = identified.map_err(|error| error.to_string())?;
+    let calibration = identification.calibration(&session, &Inputs::new(&session, values));
     let Identification {
         parameters, gap, ..
     } = identification;

@@ -16,20 +16,8 @@
 //! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
 //! [`programs`] corrects the targets of tables and robot programs in place.
-//! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose errors are known; [`pipeline`] does the whole job:
-//!
-//! ```
-//! use truepose::pipeline::{Method, calibrate};
-//!
-//! let csv = truepose::export::find("csv").expect("the neutral format is always there");
-//! let session = std::path::Path::new("sessions/paper-30.json");
-//! let done = calibrate(session, &Method::default(), csv, "table.csv")?;
-//! let offset = &done.identification.parameters[0];
-//! assert_eq!((offset.effect, offset.name), ("joint-zero-offset", "offset_deg"));
-//! assert!((offset.value + 3.0).abs() < 1e-9, "the robot stands 3° behind its command");
-//! assert!(done.identification.gap.after.rms_mm < 1e-9);
-//! # Ok::<(), truepose::pipeline::PipelineError>(())
-//! ```
+//! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose
+//! errors are known. [`pipeline`] does the whole job; whoever uses the library begins there.
 //!
 //! Inside, lengths are in mm, angles in rad, times in s, masses in kg, temperatures in °C. A
 //! deviation is measured − simulated; a correction is what to add, the deviation's negative.

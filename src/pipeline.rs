@@ -1,30 +1,64 @@
-//! The whole job on one screen: a session in, a calibration, its proof and a table out.
+//! The whole job on one screen: a session in, a calibration, its proof, a table and a report out.
 //!
-//! The terminal and the window go through these functions, so they cannot give different answers.
+//! Terminal and window call these functions and none of the steps behind them (a test of the house
+//! holds that), so they cannot give different answers. A step that is one function of its module is
+//! passed on under its own name.
+//!
+//! ```
+//! use truepose::effects::JointValues;
+//! use truepose::export::Job;
+//! use truepose::pipeline::{Method, export, identify, load, verify};
+//!
+//! let session = load("sessions/paper-30.json")?.session;
+//! let (found, calibration) = identify(&session, &Method::default(), JointValues::Commanded)?;
+//! let offset = &found.parameters[0];
+//! assert_eq!((offset.effect, offset.name), ("joint-zero-offset", "offset_deg"));
+//! assert!((offset.value + 3.0).abs() < 1e-9, "the robot stands 3° behind its command");
+//! assert!(verify(&calibration, &session)?.model.rms_mm < 1e-9);
+//! let table = export("csv", &Job::new(&calibration, "table.csv"))?;
+//! assert_eq!(table.documents[0].name, "table.csv");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-use crate::compensation::verification::VerifyError;
-use crate::compensation::{Verification, verify};
+use std::borrow::Cow;
+
 use crate::diagnosis::{DiagnoseError, Diagnosis, Options, Watch};
-use crate::diagnostic::Rejected;
-use crate::effects::{Inputs, JointValues};
-use crate::export::{Export, ExportError, Format, Job};
+use crate::effects::{Inputs, JointValues, Term};
+use crate::export::{Export, ExportError, Job, find};
 use crate::fit::{
-    DEFAULT_EFFECTS, Identification, IdentifyError, identify_exact, identify_regional,
+    DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
     identify_without_priors,
 };
-use crate::model::Calibration;
-use crate::programs::{self, CompensateError};
+use crate::fonts::Library;
+use crate::model::{Calibration, GapStep};
+use crate::report::{Evidence, Extras, Kind, PdfError, Report, ReportError, Written};
 use crate::sessions::division::RegionChoice;
-use crate::sessions::{Loaded, Session, hash_of_samples, load};
-use crate::set_up_errors::{DataProblem, Mended, noticed};
+use crate::sessions::{Session, hash_of_samples};
+use crate::set_up_errors::{DataProblem, Mended, mend, noticed};
+
+pub use crate::compensation::verify;
+pub use crate::design::plan::{plan_robot, plan_session};
+pub use crate::design::{measuring_list, measuring_program};
+pub use crate::history::history;
+pub use crate::importers::{import, import_watched};
+pub use crate::model::format_v1::{is_model, load_model, write_model};
+pub use crate::paper::regional_start;
+pub use crate::programs::compensate;
+pub use crate::sessions::{
+    load, load_robot, load_watched, parse, parse_with_csv, save, save_watched, write_inline,
+};
+pub use crate::simulation::{load_scenario, simulate};
+pub use crate::standards::standards;
 
 /// How a session is to be identified.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Method {
-    /// Nonlinear least squares for these effects.
+    /// Nonlinear least squares.
     Exact {
         /// Names of the effects.
         effects: Vec<String>,
+        /// Effects that a diagnosis found, with their settings, in the order found.
+        with: Vec<Term>,
         /// Whether weak priors hold the geometry of several joints where few poses show it.
         priors: bool,
     },
@@ -34,67 +68,19 @@ pub enum Method {
 
 impl Default for Method {
     fn default() -> Self {
-        Self::Exact {
-            effects: DEFAULT_EFFECTS.map(str::to_owned).to_vec(),
-            priors: true,
-        }
+        Self::exact(&DEFAULT_EFFECTS)
     }
 }
 
-/// Why the job could not be done.
-#[derive(Debug, thiserror::Error)]
-pub enum PipelineError {
-    /// The session cannot be read.
-    #[error(transparent)]
-    Rejected(#[from] Rejected),
-    /// It cannot be identified.
-    #[error(transparent)]
-    Identify(#[from] IdentifyError),
-    /// The model cannot be checked.
-    #[error(transparent)]
-    Verify(#[from] VerifyError),
-    /// There is no table.
-    #[error(transparent)]
-    Export(#[from] ExportError),
-}
-
-/// Everything that comes out of a session.
-#[derive(Debug, Clone)]
-pub struct Calibrated {
-    /// What was identified, with intervals.
-    pub identification: Identification,
-    /// What the model and its corrections do to the gap.
-    pub verification: Verification,
-    /// The table for the first joint.
-    pub export: Export,
-    /// The session and what was noticed while reading it.
-    pub loaded: Loaded,
-    /// The model, to be saved.
-    pub calibration: Calibration,
-}
-
-/// Reads a session, identifies it, checks the model and makes a table.
-///
-/// # Errors
-/// See [`PipelineError`].
-pub fn calibrate(
-    path: &std::path::Path,
-    method: &Method,
-    format: &Format,
-    file_name: &str,
-) -> Result<Calibrated, PipelineError> {
-    let loaded = load(path)?;
-    let (identification, calibration) = identify(&loaded.session, method, JointValues::Commanded)?;
-    let verification = verify(&calibration, &loaded.session)?;
-    let job = Job::new(&calibration, file_name);
-    let export = format.exporter.export(&job)?;
-    Ok(Calibrated {
-        identification,
-        verification,
-        export,
-        loaded,
-        calibration,
-    })
+impl Method {
+    /// Least squares for the effects of these names, with the priors.
+    pub fn exact(effects: &[&str]) -> Self {
+        Self::Exact {
+            effects: effects.iter().map(|&id| id.to_owned()).collect(),
+            with: Vec::new(),
+            priors: true,
+        }
+    }
 }
 
 /// Identifies a session by one method, and makes the calibration that goes with the answer.
@@ -106,28 +92,67 @@ pub fn identify(
     method: &Method,
     values: JointValues,
 ) -> Result<(Identification, Calibration), IdentifyError> {
+    identify_unless(session, method, values, &|| true)
+}
+
+/// Like [`identify`], asking before every pass over the samples whether to go on.
+///
+/// # Errors
+/// See [`IdentifyError`].
+pub fn identify_unless(
+    session: &Session,
+    method: &Method,
+    values: JointValues,
+    go_on: &dyn Fn() -> bool,
+) -> Result<(Identification, Calibration), IdentifyError> {
     let identification = match method {
-        Method::Exact { effects, priors } if *priors => identify_exact(session, effects, values)?,
-        Method::Exact { effects, .. } => identify_without_priors(session, effects, values)?,
+        Method::Exact {
+            effects,
+            priors: false,
+            ..
+        } => identify_without_priors(session, effects, values)?,
+        Method::Exact { effects, with, .. } => {
+            identify_watched(session, effects, with, values, go_on)?
+        }
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
-    let calibration = identification.calibration(session, &Inputs::new(session, values));
+    let mut calibration = identification.calibration(session, &Inputs::new(session, values));
+    if let Method::Exact { effects, with, .. } = method
+        && !with.is_empty()
+    {
+        calibration.history.truncate(1);
+        for n in 0..=with.len() {
+            let gap_mm = if n == with.len() {
+                identification.gap.after.rms_mm
+            } else {
+                let without = identify_watched(session, effects, &with[..n], values, go_on)?;
+                without.gap.after.rms_mm
+            };
+            calibration.history.push(GapStep {
+                what: match n.checked_sub(1) {
+                    None => "exact identification".to_owned(),
+                    Some(last) => format!("with {}", with[last].effect.about().id),
+                },
+                gap_mm,
+                held_out_mm: None,
+            });
+        }
+    }
     Ok((identification, calibration))
 }
 
-/// What an identification answers, with the mistakes of setting up that it noticed.
+/// What an identification answers, with the set-up errors that it noticed.
 #[derive(Debug, Clone)]
 pub struct Identified {
     /// The answer.
     pub identification: Identification,
     /// The model, to be saved.
     pub calibration: Calibration,
-    /// Mistakes of setting up. A robot with several joints is identified without them, one joint as
-    /// it stands.
+    /// Set-up errors. A robot with several joints is identified without them, one joint as it stands.
     pub data_problems: Vec<DataProblem>,
 }
 
-/// Like [`identify`], looking for mistakes of setting up first, as [`diagnose`] does.
+/// Like [`identify`], looking for set-up errors first, as [`diagnose`] does.
 ///
 /// # Errors
 /// See [`IdentifyError`].
@@ -139,7 +164,7 @@ pub fn identify_checked(
     let checked = match method {
         Method::Exact { .. } => noticed(session, values),
         Method::Regional(_) => Mended {
-            session: std::borrow::Cow::Borrowed(session),
+            session: Cow::Borrowed(session),
             problems: Vec::new(),
         },
     };
@@ -165,10 +190,70 @@ pub fn diagnose(
     crate::diagnosis::diagnose(session, options, &crate::design::next_poses::propose, watch)
 }
 
-/// Corrects the targets of a table or a robot program in place.
+/// Makes the documents of an export in the format of this name, in memory.
 ///
 /// # Errors
-/// See [`CompensateError`].
-pub fn compensate(request: &programs::Request) -> Result<programs::Answer, CompensateError> {
-    programs::compensate(request)
+/// See [`ExportError`].
+pub fn export(format: &str, job: &Job) -> Result<Export, ExportError> {
+    let Some(format) = find(format) else {
+        let unknown = format!("no format is called '{format}'");
+        return Err(ExportError::Refused(unknown));
+    };
+    format.exporter.export(job)
+}
+
+/// The report of a session. `watch` is told of the diagnosis and may stop it.
+///
+/// # Errors
+/// If the session cannot be diagnosed, or `watch` stops it.
+pub fn report(
+    session: &Session,
+    options: &Options,
+    extras: &Extras,
+    watch: Watch,
+) -> Result<Report, ReportError> {
+    let found = diagnose(session, options, watch)?;
+    report_of_diagnosis(session, &found, None, options, extras)
+}
+
+/// The report of a session whose diagnosis is there already, with the model that is in use: tables
+/// are made from it, and so the errors that are promised are its own. `None`: what was found. Where
+/// the two differ the report says in what.
+///
+/// # Errors
+/// If no sample can be used.
+pub fn report_of_diagnosis(
+    session: &Session,
+    found: &Diagnosis,
+    in_use: Option<&Calibration>,
+    options: &Options,
+    extras: &Extras,
+) -> Result<Report, ReportError> {
+    // What is reported is the session that was diagnosed: without its set-up errors.
+    let mended = mend(session, options.joint_values).session;
+    let all_found = found.calibration(&mended);
+    let calibration = in_use.unwrap_or(&all_found);
+    let evidence = Evidence {
+        session: &mended,
+        given: session,
+        found,
+        all_found: &all_found,
+        in_use,
+        verification: verify(calibration, &mended)?,
+        standards: standards(&mended, Some(calibration)),
+    };
+    Report::of_session(&evidence, extras)
+}
+
+/// The report of a model alone.
+pub fn report_of_model(calibration: &Calibration, extras: &Extras) -> Report {
+    Report::of_model(calibration, extras)
+}
+
+/// A report as a file of this kind, with the fonts of this machine where the bundled ones do not do.
+///
+/// # Errors
+/// If a font cannot be used.
+pub fn write_report(report: &Report, kind: Kind) -> Result<Written, PdfError> {
+    report.written(kind, &Library::system())
 }

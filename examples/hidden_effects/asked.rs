@@ -2,9 +2,9 @@
 
 use truepose::diagnosis::{Diagnosis, Options, Verdict};
 use truepose::effects::{JointValues, Term};
-use truepose::fit::{Identification, identify_with};
+use truepose::fit::{Identification, identify_watched};
 use truepose::pipeline::diagnose;
-use truepose::present::diagnosis_v1::Document;
+use truepose::present::diagnosis_v1;
 use truepose::sessions::Session;
 
 use crate::rig::Rig;
@@ -31,12 +31,13 @@ pub fn identified_with(rig: &Rig, beside: &[&str], known: &[Term]) -> Identifica
     let effects = base.iter().chain(beside).map(|id| (*id).to_owned());
     let effects: Vec<String> = effects.collect();
     let session = session(rig);
-    identify_with(&session, &effects, known, JointValues::Commanded).expect("an identification")
+    identify_watched(&session, &effects, known, JointValues::Commanded, &|| true)
+        .expect("an identification")
 }
 
 /// The answer as `diagnose --json` prints it: what the contract names, whatever the types inside.
 pub fn as_json(rig: &Rig, answer: &Diagnosis) -> serde_json::Value {
-    let document = Document::new(answer, &session(rig));
+    let document = diagnosis_v1::document(answer, &session(rig), None);
     serde_json::to_value(document).expect("a document of plain values")
 }
 

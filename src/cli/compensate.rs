@@ -7,9 +7,9 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use truepose::kinematics::{Pose, Robot, pose_from_parts};
-use truepose::model::format_v1::load_model;
 use truepose::pipeline;
-use truepose::present::compensation_v1::{Document, Summary};
+use truepose::present::compensation_v1::{self, Summary};
+use truepose::present::json::Json;
 use truepose::programs::{
     Answer, CompensateError, LANGUAGES, Language, ModelTool, Request, find, language_of,
 };
@@ -105,7 +105,7 @@ impl Compensate {
             .map(|n| pose("--frame", n))
             .transpose()?;
         let tool = self.tool.as_deref().map(tool).transpose()?;
-        let calibration = load_model(&self.model)?;
+        let calibration = pipeline::load_model(&self.model)?;
         let bytes = read(&self.targets)?;
         let language = self.language(&bytes)?;
         let robot = &calibration.model.robot;
@@ -122,7 +122,7 @@ impl Compensate {
         })?;
         let names = [&self.model, &self.targets].map(|path| path.to_string_lossy().into_owned());
         let names = [names[0].as_str(), names[1].as_str()];
-        let document = Document::new(
+        let document = compensation_v1::document(
             &answer,
             robot,
             names,
@@ -153,7 +153,7 @@ impl Compensate {
         })
     }
 
-    fn write(&self, answer: &Answer, document: &Document, to_stdout: bool) -> Result<(), Failure> {
+    fn write(&self, answer: &Answer, document: &Json, to_stdout: bool) -> Result<(), Failure> {
         let inputs = [self.model.clone(), self.targets.clone()];
         if to_stdout {
             return output::document(&self.out, &answer.bytes, self.force, &inputs);

@@ -8,10 +8,12 @@ use clap::{Args, ValueEnum};
 use truepose::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict};
 use truepose::effects::JointValues;
 use truepose::fit::{Estimate, IMPLAUSIBLE};
-use truepose::paper::{RegionalStart, regional_start};
-use truepose::pipeline::diagnose;
-use truepose::present::diagnosis_v1::Document;
+use truepose::paper::RegionalStart;
+use truepose::pipeline;
+use truepose::present::diagnosis_v1::document;
 use truepose::present::kinds;
+use truepose::present::numbers::significant;
+use truepose::present::table::Table;
 
 use super::failure::Failure;
 use super::{geometry, output};
@@ -82,8 +84,7 @@ impl Diagnose {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
-        let loaded = truepose::sessions::load(&self.session)?;
-        output::messages(&loaded.findings);
+        let loaded = output::session(&self.session)?;
         let options = Options {
             allowed: Allowed {
                 without: self.without,
@@ -99,21 +100,21 @@ impl Diagnose {
             correct_unexplained: self.correct_unexplained,
         };
         let session = &loaded.session;
-        let answer = diagnose(session, &options, &|_| true)?;
+        let answer = pipeline::diagnose(session, &options, &|_| true)?;
         let start = match self.start {
             Start::Exact => None,
-            Start::Regional => Some(regional_start(session, &answer, options.joint_values)?),
+            Start::Regional => Some(pipeline::regional_start(
+                session,
+                &answer,
+                options.joint_values,
+            )?),
         };
         if let Some(out) = &self.out {
-            let text = truepose::model::format_v1::write_model(&answer.calibration(session));
+            let text = pipeline::write_model(&answer.calibration(session));
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
         }
         if self.json {
-            let document = Document::new(&answer, session);
-            output::json(&match &start {
-                Some(start) => document.with_start(start),
-                None => document,
-            })
+            output::json(&document(&answer, session, start.as_ref()))
         } else if to_stdout {
             Ok(())
         } else {
@@ -124,19 +125,27 @@ impl Diagnose {
 }
 
 fn start_in_words(start: &RegionalStart) -> String {
-    let mut text = format!(
-        "start: {}\n\nregion       Δθ rad      Δl1 mm    of one error: Δθ rad      Δl1 mm    after mm\n",
-        start.says
-    );
+    let mut table = Table::new([
+        "region",
+        ">Δθ rad",
+        ">Δl1 mm",
+        ">of one error: Δθ rad",
+        ">Δl1 mm",
+        ">after mm",
+    ]);
     for (region, (theta, l1)) in start.regional.regions.iter().zip(&start.of_one_error) {
         let c = &region.correction;
-        let _ = writeln!(
-            text,
-            "{:<8} {:>10.7} {:>11.7} {:>23.7} {:>11.7} {:>11.4}",
-            c.name, c.theta_rad, c.l1_mm, theta, l1, region.rms_after_mm
-        );
+        let seven = |value: f64| format!("{value:.7}");
+        table.row([
+            c.name.clone(),
+            seven(c.theta_rad),
+            seven(c.l1_mm),
+            seven(*theta),
+            seven(*l1),
+            format!("{:.4}", region.rms_after_mm),
+        ]);
     }
-    text + "\n"
+    format!("start: {}\n\n{}\n", start.says, table.aligned(0))
 }
 
 fn in_words(d: &Diagnosis) -> String {
@@ -174,7 +183,9 @@ fn in_words(d: &Diagnosis) -> String {
             gaps.start_mm, gaps.identified_mm, gaps.end_mm, d.held_out.how
         );
     }
-    text += &kinds::in_words(&d.identification.kinds);
+    if !d.identification.kinds.is_empty() {
+        text += &kinds::table(&d.identification.kinds).aligned(0);
+    }
     noise_in_words(&mut text, d);
     let arm = geometry::is_of_an_arm(&d.identified);
     if arm {
@@ -310,7 +321,7 @@ fn limit_in_words(limit: &Limit) -> String {
     let (mut above, mut never) = (Vec::new(), Vec::new());
     for (name, size) in &limit.sizes {
         match Sight::of(*size) {
-            Sight::Above(size) => above.push(format!("{name} {}", three_digits(size))),
+            Sight::Above(size) => above.push(format!("{name} {}", significant(size, 3))),
             Sight::AtAnySize => above.push(format!("{name} 0")),
             Sight::AtNoSize => never.push(*name),
         }
@@ -329,22 +340,6 @@ fn limit_in_words(limit: &Limit) -> String {
         ));
     }
     parts.join("; ")
-}
-
-/// A size with three significant digits.
-pub(super) fn three_digits(size: f64) -> String {
-    let magnitude = if size == 0.0 {
-        0.0
-    } else {
-        size.abs().log10().floor()
-    };
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped to a small whole number"
-    )]
-    let decimals = (2.0 - magnitude).clamp(0.0, 9.0) as usize;
-    format!("{size:.decimals$}")
 }
 
 fn estimate_in_words(estimate: &Estimate) -> String {

@@ -1,10 +1,10 @@
 //! `truepose effects`: what the program knows.
 
 use clap::Args;
-use serde::Serialize;
 
 use truepose::effects::term::parameter_names;
 use truepose::effects::{CATALOGUE, Effect};
+use truepose::present::effects_v1::document;
 
 use super::failure::Failure;
 use super::output;
@@ -17,78 +17,33 @@ pub(crate) struct Effects {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct Listing {
-    format: &'static str,
-    effects: Vec<Entry>,
-}
-
-#[derive(Serialize)]
-struct Entry {
-    effect: &'static str,
-    title: &'static str,
-    per_joint: bool,
-    parameters: Vec<&'static str>,
-    equation: &'static str,
-    source: &'static str,
-    cause: &'static str,
-    needs: Vec<&'static str>,
-    usual_size: &'static str,
-    confused_with: &'static str,
-    check: &'static str,
-}
-
-impl Entry {
-    fn new(effect: &dyn Effect) -> Self {
-        let about = effect.about();
-        Self {
-            effect: about.id,
-            title: about.title,
-            per_joint: about.per_joint,
-            parameters: parameter_names(effect),
-            equation: about.equation,
-            source: about.source,
-            cause: about.cause,
-            needs: about.needs.iter().map(|need| need.what).collect(),
-            usual_size: about.usual_size,
-            confused_with: about.confused_with,
-            check: about.check,
-        }
-    }
-}
-
-impl Entry {
-    fn needs_in_words(&self) -> String {
-        if self.needs.is_empty() {
-            "nothing beside the poses".to_owned()
-        } else {
-            self.needs.join("; ")
-        }
-    }
-}
-
 impl Effects {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let effects: Vec<Entry> = CATALOGUE.iter().map(|effect| Entry::new(*effect)).collect();
         if self.json {
-            let format = "truepose-effects/1";
-            return output::json(&Listing { format, effects });
+            return output::json(&document());
         }
-        let mut text = String::new();
-        for entry in &effects {
-            text += &format!(
-                "{} ({})\n  {}\n  parameters     {}\n  cause          {}\n  needs          {}\n  usual size     {}\n  confused with  {}\n  check          {}\n\n",
-                entry.effect,
-                entry.title,
-                entry.equation,
-                entry.parameters.join(", "),
-                entry.cause,
-                entry.needs_in_words(),
-                entry.usual_size,
-                entry.confused_with,
-                entry.check,
-            );
-        }
+        let text: String = CATALOGUE.iter().map(|effect| in_words(*effect)).collect();
         output::text(&text)
     }
+}
+
+fn in_words(effect: &dyn Effect) -> String {
+    let about = effect.about();
+    let needs: Vec<&str> = about.needs.iter().map(|need| need.what).collect();
+    format!(
+        "{} ({})\n  {}\n  parameters     {}\n  cause          {}\n  needs          {}\n  usual size     {}\n  confused with  {}\n  check          {}\n\n",
+        about.id,
+        about.title,
+        about.equation,
+        parameter_names(effect).join(", "),
+        about.cause,
+        if needs.is_empty() {
+            "nothing beside the poses".to_owned()
+        } else {
+            needs.join("; ")
+        },
+        about.usual_size,
+        about.confused_with,
+        about.check,
+    )
 }

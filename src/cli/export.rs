@@ -7,10 +7,10 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 
 use truepose::export::{
-    EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, find, gap_after_export,
+    EXPORTERS, ExportError, Job, Motors, Options, Reference, Zeros, gap_after_export,
 };
 use truepose::kinematics::DhConvention;
-use truepose::model::format_v1::load_model;
+use truepose::pipeline;
 
 use super::failure::Failure;
 use super::output;
@@ -61,7 +61,7 @@ fn named<T: Copy>(all: &[(&str, T)], name: &str) -> Option<T> {
 
 impl Export {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let calibration = load_model(&self.model)?;
+        let calibration = pipeline::load_model(&self.model)?;
         let file_name = self.out.file_name().and_then(|name| name.to_str());
         let Some(file_name) = file_name else {
             return Err(Failure::WrongInput(format!(
@@ -89,13 +89,7 @@ impl Export {
             options,
             ..Job::new(&calibration, if to_stdout { "table" } else { file_name })
         };
-        let Some(format) = find(&self.to) else {
-            return Err(Failure::WrongInput(format!(
-                "no format is called '{}'",
-                self.to
-            )));
-        };
-        let export = format.exporter.export(&job).map_err(|error| match error {
+        let export = pipeline::export(&self.to, &job).map_err(|error| match error {
             ExportError::Table(_) | ExportError::Refused(_) => {
                 Failure::WrongInput(error.to_string())
             }
@@ -105,8 +99,7 @@ impl Export {
         let mut inputs = vec![self.model.clone()];
         inputs.extend(self.reference.clone());
         if let Some(path) = &self.session {
-            let loaded = truepose::sessions::load(path)?;
-            output::messages(&loaded.findings);
+            let loaded = output::session(path)?;
             inputs.extend(loaded.files);
             let session = loaded.session;
             notes.push(match gap_after_export(&calibration, &session, &export) {

@@ -5,6 +5,8 @@ use std::fmt::Write as _;
 
 use truepose::effects::{Role, role};
 use truepose::fit::Estimate;
+use truepose::present::numbers::decimals_of;
+use truepose::present::table::Table;
 
 /// The columns of a joint's row: parameter and heading. A joint that slides has its zero in mm.
 const COLUMNS: [(&[&str], &str); 5] = [
@@ -34,30 +36,33 @@ fn is_of_a_joint(estimate: &Estimate) -> bool {
 /// The table; what the samples do not determine is a dash, or a value without an interval where a
 /// prior says what they do not.
 pub(crate) fn table(estimates: &[Estimate]) -> String {
-    let mut text = String::from("geometry, ± half of the 95 % interval\njoint");
-    for (_, heading) in COLUMNS {
-        let _ = write!(text, " {heading:>24}");
-    }
-    text.push('\n');
+    let headings = COLUMNS.map(|(_, heading)| format!(">{heading}"));
+    let mut table = Table::new(["joint".to_owned()].into_iter().chain(headings));
     let last = estimates.iter().filter_map(|e| e.joint).max().unwrap_or(0);
     for joint in 1..=last {
-        let _ = write!(text, "{joint:<5}");
-        for (names, _) in COLUMNS {
-            let own = estimates
+        let own = |names: &[&str]| {
+            let mut own = estimates
                 .iter()
-                .find(|e| e.joint == Some(joint) && is_of_a_joint(e) && names.contains(&e.name));
-            let cell = own.map_or("–".to_owned(), |e| {
+                .filter(|e| e.joint == Some(joint) && is_of_a_joint(e));
+            own.find(|e| names.contains(&e.name))
+        };
+        let mut cells = vec![joint.to_string()];
+        cells.extend(COLUMNS.map(|(names, _)| {
+            own(names).map_or("–".to_owned(), |e| {
                 let unit = match e.name {
                     "offset_deg" => "°",
                     "offset_mm" => " mm",
                     _ => "",
                 };
                 cell(e, unit)
-            });
-            let _ = write!(text, " {cell:>24}");
-        }
-        text.push('\n');
+            })
+        }));
+        table.row(cells);
     }
+    let mut text = format!(
+        "geometry, ± half of the 95 % interval\n{}",
+        table.aligned(0)
+    );
     let mut before: Option<String> = None;
     for estimate in estimates {
         let place = match (role(estimate.effect), &estimate.setup, &estimate.target) {
@@ -103,13 +108,8 @@ fn cell(estimate: &Estimate, unit: &str) -> String {
         None => format!("{:.3}{unit}", estimate.value),
         Some([low, high]) => {
             let half = 0.5 * (high - low);
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "clamped to a small whole number"
-            )]
             let decimals = if half > 0.0 {
-                (1.0 - half.log10().floor()).clamp(0.0, 6.0) as usize
+                decimals_of(half, 2).min(6)
             } else {
                 6
             };

@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use serde::Serialize;
 
 use truepose::importers::{
-    Alignment, AngleUnit, Companion, Decimal, IMPORTERS, Imported, LengthUnit, Matching, Motion,
-    Reading, Separator, Settings, find, import,
+    AngleUnit, Companion, Decimal, IMPORTERS, LengthUnit, Matching, Motion, Reading, Separator,
+    Settings, find,
 };
-use truepose::sessions::{Replacing, load_robot, read_whole, save, write_inline};
+use truepose::pipeline::{import, save, write_inline};
+use truepose::present::import_v1::document;
+use truepose::sessions::{Replacing, read_whole};
 
 use super::failure::Failure;
 use super::output;
@@ -112,8 +113,7 @@ impl Import {
                 "--clock-offset: a number of seconds is expected".to_owned(),
             ));
         }
-        let robot = load_robot(&self.robot)?;
-        output::messages(&robot.findings);
+        let robot = output::robot(&self.robot)?;
         let bytes = read_whole(&self.file)?;
         let commands = read_companion(self.commands.as_deref())?;
         let reference = read_companion(self.reference.as_deref())?;
@@ -135,7 +135,7 @@ impl Import {
             reference: companion(self.reference.as_deref(), reference.as_deref()),
             scale: self.scale,
             targets: companion(self.targets.as_deref(), targets.as_deref()),
-            ..Settings::new(self.reading()?, &robot.robot)
+            ..Settings::new(self.reading()?, &robot)
         };
         let imported = import(&bytes, &settings)?;
         output::messages(&imported.findings);
@@ -152,7 +152,7 @@ impl Import {
             save(&imported.session, &self.out, replacing)?;
         }
         if self.json {
-            output::json(&Answer::of(&imported))?;
+            output::json(&document(&imported))?;
         }
         Ok(())
     }
@@ -220,109 +220,4 @@ fn companion<'a>(path: Option<&Path>, bytes: Option<&'a [u8]>) -> Option<Compani
 fn session_name(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()
-}
-
-/// `truepose-import/1`.
-#[derive(Serialize)]
-struct Answer<'a> {
-    format: &'static str,
-    session: &'a str,
-    samples: usize,
-    read_as: &'a str,
-    encoding: String,
-    separator: Option<String>,
-    decimal: Option<String>,
-    unit: &'a str,
-    matched: Option<Matched<'a>>,
-    reference: Option<Reference<'a>>,
-    notes: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Matched<'a> {
-    by: &'static str,
-    samples: usize,
-    without_command: &'a [String],
-    without_measurement: &'a [String],
-    clock: Option<Clock>,
-}
-
-#[derive(Serialize)]
-struct Clock {
-    offset_s: f64,
-    sigma_s: Option<f64>,
-    ci95_s: Option<[f64; 2]>,
-    rms_mm: f64,
-}
-
-#[derive(Serialize)]
-struct Reference<'a> {
-    rms_mm: f64,
-    scale: f64,
-    best_scale: f64,
-    position_mm: [f64; 3],
-    quaternion_wxyz: [f64; 4],
-    points: Vec<ReferencePoint<'a>>,
-}
-
-#[derive(Serialize)]
-struct ReferencePoint<'a> {
-    name: &'a str,
-    residual_mm: [f64; 3],
-    distance_mm: f64,
-    left_out: bool,
-}
-
-impl<'a> Answer<'a> {
-    fn of(imported: &'a Imported) -> Self {
-        let found = &imported.inspection;
-        Self {
-            format: "truepose-import/1",
-            session: &imported.session.name,
-            samples: imported.session.samples.len(),
-            read_as: found.kind.map_or("", |importer| importer.id),
-            encoding: found.encoding.to_string(),
-            separator: found.separator.map(|separator| separator.to_string()),
-            decimal: found.decimal.map(|decimal| decimal.to_string()),
-            unit: &found.unit,
-            matched: imported.matched.as_ref().map(|matched| Matched {
-                by: matched.by.id(),
-                samples: matched.samples,
-                without_command: &matched.lonely_measurements,
-                without_measurement: &matched.lonely_commands,
-                clock: matched.clock.map(|clock| Clock {
-                    offset_s: clock.offset_s,
-                    sigma_s: clock.sigma_s,
-                    ci95_s: clock.ci95_s(),
-                    rms_mm: clock.rms_mm,
-                }),
-            }),
-            reference: imported.alignment.as_ref().map(Reference::of),
-            notes: imported.findings.iter().map(ToString::to_string).collect(),
-        }
-    }
-}
-
-impl<'a> Reference<'a> {
-    fn of(alignment: &'a Alignment) -> Self {
-        let motion = &alignment.base_from_instrument;
-        let q = motion.rotation.quaternion();
-        Self {
-            rms_mm: alignment.rms_mm,
-            scale: alignment.scale,
-            best_scale: alignment.best_scale,
-            position_mm: motion.translation.vector.into(),
-            quaternion_wxyz: [q.w, q.i, q.j, q.k],
-            points: alignment
-                .residuals
-                .iter()
-                .map(|residual| ReferencePoint {
-                    name: &residual.name,
-                    residual_mm: residual.vector_mm.into(),
-                    distance_mm: residual.vector_mm.norm(),
-                    left_out: residual.is_outlier,
-                })
-                .collect(),
-        }
-    }
 }

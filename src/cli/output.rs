@@ -7,6 +7,9 @@ use anyhow::Context;
 use serde::Serialize;
 
 use truepose::atomic::WriteError;
+use truepose::kinematics::Robot;
+use truepose::pipeline::{load, load_robot};
+use truepose::sessions::Loaded;
 
 use super::failure::Failure;
 
@@ -27,6 +30,20 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other.context("cannot write to standard output")?),
     }
+}
+
+/// Reads a session, and tells what was noticed.
+pub(crate) fn session(path: &Path) -> Result<Loaded, Failure> {
+    let loaded = load(path)?;
+    messages(&loaded.findings);
+    Ok(loaded)
+}
+
+/// Reads a robot, and tells what was noticed.
+pub(crate) fn robot(path: &Path) -> Result<Robot, Failure> {
+    let loaded = load_robot(path)?;
+    messages(&loaded.findings);
+    Ok(loaded.robot)
 }
 
 /// Tells the user something beside the answer.

@@ -12,10 +12,11 @@ use serde::de::IgnoredAny;
 use truepose::design::geometry::Geometry;
 use truepose::design::needs::Untestable;
 use truepose::design::plan::{self, PlanError, PlanOptions, Subject};
-use truepose::design::{measuring_list, measuring_program};
 use truepose::diagnosis::NextPose;
 use truepose::diagnosis::{Options, Sight};
-use truepose::present::plan_v1::Document;
+use truepose::pipeline::{self, measuring_list, measuring_program};
+use truepose::present::numbers::significant;
+use truepose::present::plan_v1::document;
 use truepose::programs::language_of;
 
 use super::failure::Failure;
@@ -118,14 +119,12 @@ impl Plan {
             },
         };
         let (plan, files) = if is_a_session(&self.subject) {
-            let loaded = truepose::sessions::load(&self.subject)?;
-            output::messages(&loaded.findings);
-            let plan = plan::plan_session(&loaded.session, &options, &|_| true)?;
+            let loaded = output::session(&self.subject)?;
+            let plan = pipeline::plan_session(&loaded.session, &options, &|_| true)?;
             (plan, loaded.files)
         } else {
-            let loaded = truepose::sessions::load_robot(&self.subject)?;
-            output::messages(&loaded.findings);
-            let plan = plan::plan_robot(&loaded.robot, &options)?;
+            let robot = output::robot(&self.subject)?;
+            let plan = pipeline::plan_robot(&robot, &options)?;
             (plan, vec![self.subject.clone()])
         };
         if let Some(out) = &self.out {
@@ -137,7 +136,7 @@ impl Plan {
             output::document(out, list.as_bytes(), self.force, &files)?;
         }
         if self.json {
-            output::json(&Document::new(&plan))
+            output::json(&document(&plan))
         } else if to_stdout {
             Ok(())
         } else {
@@ -316,7 +315,7 @@ fn limits(plan: &plan::Plan, text: &mut String) {
             .iter()
             .map(|(name, size)| match Sight::of(*size) {
                 Sight::Above(size) => {
-                    format!("{name} {}", super::diagnose::three_digits(size))
+                    format!("{name} {}", significant(size, 3))
                 }
                 Sight::AtAnySize => format!("{name} 0"),
                 Sight::AtNoSize => format!("{name} of no size"),

@@ -1,14 +1,14 @@
 //! `truepose report`: the calibration report as HTML or PDF.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use truepose::diagnosis::{DiagnoseError, Options};
-use truepose::fonts::{self, Library};
-use truepose::model::format_v1::{is_model, load_model};
+use truepose::fonts;
+use truepose::pipeline;
 use truepose::report::exported::sidecar_of;
-use truepose::report::{self, ExportedTable, Extras, ReportError};
+use truepose::report::{ExportedTable, Extras, Kind, ReportError};
 
 use super::failure::Failure;
 use super::output;
@@ -32,15 +32,11 @@ pub(crate) struct Report {
     force: bool,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Html,
-    Pdf,
-}
-
 impl Report {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let kind = kind_of(&self.out)?;
+        let kind = Kind::of(&self.out).map_err(|expected| {
+            Failure::WrongInput(format!("--out {}: {expected}", self.out.display()))
+        })?;
         let mut inputs = vec![self.file.clone()];
         for table in &self.tables {
             inputs.extend([table.clone(), sidecar_of(table)]);
@@ -54,28 +50,20 @@ impl Report {
             date: self.date,
             tables: tables.map_err(|error| Failure::WrongInput(error.to_string()))?,
         };
-        let report = if is_model(&self.file) {
-            report::Report::of_model(&load_model(&self.file)?, &extras)
+        let report = if pipeline::is_model(&self.file) {
+            pipeline::report_of_model(&pipeline::load_model(&self.file)?, &extras)
         } else {
-            let loaded = truepose::sessions::load(&self.file)?;
-            output::messages(&loaded.findings);
+            let loaded = output::session(&self.file)?;
             inputs.extend(loaded.files);
             truepose::atomic::refuse_to_replace_inputs(&self.out, &output::paths(&inputs))?;
-            let options = Options::default();
-            report::Report::of_session(&loaded.session, &options, &extras, &|_| true)?
+            pipeline::report(&loaded.session, &Options::default(), &extras, &|_| true)?
         };
-        let bytes = match kind {
-            Kind::Html => report::html(&report).into_bytes(),
-            Kind::Pdf => {
-                let written = report::pdf_with(&report, &Library::system())
-                    .map_err(|error| Failure::Failed(error.into()))?;
-                if !written.unshown.is_empty() {
-                    output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
-                }
-                written.bytes
-            }
-        };
-        output::document(&self.out, &bytes, self.force, &inputs)
+        let written =
+            pipeline::write_report(&report, kind).map_err(|error| Failure::Failed(error.into()))?;
+        if !written.unshown.is_empty() {
+            output::messages(&[fonts::cannot_be_shown(&written.unshown)]);
+        }
+        output::document(&self.out, &written.bytes, self.force, &inputs)
     }
 }
 
@@ -85,20 +73,5 @@ impl From<ReportError> for Failure {
             ReportError::Diagnose(DiagnoseError::Cancelled) => Self::Failed(error.into()),
             _ => Self::WrongInput(error.to_string()),
         }
-    }
-}
-
-fn kind_of(out: &Path) -> Result<Kind, Failure> {
-    let ending = out
-        .extension()
-        .and_then(|e| e.to_str())
-        .map(str::to_ascii_lowercase);
-    match ending.as_deref() {
-        Some("html" | "htm") => Ok(Kind::Html),
-        Some("pdf") => Ok(Kind::Pdf),
-        _ => Err(Failure::WrongInput(format!(
-            "--out {}: expected a file name that ends in .html or .pdf",
-            out.display()
-        ))),
     }
 }

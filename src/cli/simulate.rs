@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use anyhow::Context;
 use clap::Args;
 
-use truepose::sessions::{Replacing, samples_path, save, write_inline};
-use truepose::simulation::{SimulateError, load_scenario, simulate, unwatched};
+use truepose::pipeline::{load_scenario, save, simulate, write_inline};
+use truepose::sessions::{Replacing, samples_path};
+use truepose::simulation::{SimulateError, unwatched};
 
 use super::failure::Failure;
 use super::output;

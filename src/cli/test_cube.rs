@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use truepose::design::measuring_list;
 use truepose::kinematics::Robot;
-use truepose::present::test_cube_v1::Document;
+use truepose::pipeline::measuring_list;
+use truepose::present::test_cube_v1::document;
 use truepose::standards::test_cube::TestCube;
 
 use super::failure::Failure;
@@ -20,13 +20,10 @@ pub(super) fn run(
     json: bool,
 ) -> Result<(), Failure> {
     let (robot, files) = if session {
-        let loaded = truepose::sessions::load(subject)?;
-        output::messages(&loaded.findings);
+        let loaded = output::session(subject)?;
         (loaded.session.robot, loaded.files)
     } else {
-        let loaded = truepose::sessions::load_robot(subject)?;
-        output::messages(&loaded.findings);
-        (loaded.robot, vec![subject.to_owned()])
+        (output::robot(subject)?, vec![subject.to_owned()])
     };
     let cube = TestCube::of(&robot)
         .map_err(|error| Failure::WrongInput(format!("{}: {error}", subject.display())))?;
@@ -35,7 +32,7 @@ pub(super) fn run(
         output::document(out, list.as_bytes(), force, &files)?;
     }
     if json {
-        output::json(&Document::new(&cube, &robot))
+        output::json(&document(&cube, &robot))
     } else if output::is_standard_output(out.map(|(out, _)| out)) {
         Ok(())
     } else {

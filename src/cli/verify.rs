@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use serde::Serialize;
 
-use truepose::compensation::{Verification, verify};
-use truepose::model::format_v1::load_model;
+use truepose::compensation::Verification;
+use truepose::pipeline::{load_model, verify};
+use truepose::present::verification_v1::document;
 
 use super::failure::Failure;
 use super::output;
@@ -26,78 +26,13 @@ pub(crate) struct Verify {
 impl Verify {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let calibration = load_model(&self.model)?;
-        let loaded = truepose::sessions::load(&self.session)?;
-        output::messages(&loaded.findings);
+        let loaded = output::session(&self.session)?;
         let verification = verify(&calibration, &loaded.session)
             .map_err(|error| Failure::WrongInput(error.to_string()))?;
         if self.json {
-            output::json(&Answer::new(&verification))
+            output::json(&document(&verification))
         } else {
             output::text(&in_words(&verification))
-        }
-    }
-}
-
-/// `truepose-verification/1`.
-#[derive(Serialize)]
-struct Answer<'a> {
-    format: &'static str,
-    session: &'a str,
-    samples: usize,
-    gap: Gap,
-    within_tolerance: Option<Within>,
-    compensated: Option<Compensated>,
-    outliers: Vec<usize>,
-    notes: &'a [String],
-}
-
-#[derive(Serialize)]
-struct Gap {
-    nominal_mm: f64,
-    model_mm: f64,
-    max_nominal_mm: f64,
-    max_model_mm: f64,
-}
-
-#[derive(Serialize)]
-struct Within {
-    before: usize,
-    after: usize,
-    of: usize,
-}
-
-#[derive(Serialize)]
-struct Compensated {
-    rms_mm: f64,
-    max_mm: f64,
-    cannot_be_removed_by_joints_mm: f64,
-}
-
-impl<'a> Answer<'a> {
-    fn new(v: &'a Verification) -> Self {
-        Self {
-            format: "truepose-verification/1",
-            session: &v.session,
-            samples: v.samples,
-            gap: Gap {
-                nominal_mm: v.nominal.rms_mm,
-                model_mm: v.model.rms_mm,
-                max_nominal_mm: v.nominal.max_mm,
-                max_model_mm: v.model.max_mm,
-            },
-            within_tolerance: v.within_tolerance.map(|w| Within {
-                before: w.before,
-                after: w.after,
-                of: w.of,
-            }),
-            compensated: v.compensated.map(|c| Compensated {
-                rms_mm: c.gap.rms_mm,
-                max_mm: c.gap.max_mm,
-                cannot_be_removed_by_joints_mm: c.cannot_be_removed_by_joints_mm,
-            }),
-            // Samples are counted from 1 where people and other programs read them.
-            outliers: v.outliers.iter().map(|sample| sample + 1).collect(),
-            notes: &v.notes,
         }
     }
 }

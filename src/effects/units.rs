@@ -64,15 +64,41 @@ impl Unit {
     /// A component of a direction.
     pub const DIRECTION: Self = Self::new("", 1.0, 1000.0, 0.001).turning();
     /// Degrees per kelvin.
-    pub const DEGREE_PER_KELVIN: Self = Self::new("°/K", DEGREE, 1.0, 0.002);
+    pub const DEGREE_PER_KELVIN: Self = Self::new("°/°C", DEGREE, 1.0, 0.002);
     /// Millimetres per kelvin.
-    pub const MM_PER_KELVIN: Self = Self::new("mm/K", 1.0, 1.0, 0.002);
+    pub const MM_PER_KELVIN: Self = Self::new("mm/°C", 1.0, 1.0, 0.002);
     /// Parts in a million per kelvin.
-    pub const PPM_PER_KELVIN: Self = Self::new("ppm/K", PPM, 1.0, 50.0);
+    pub const PPM_PER_KELVIN: Self = Self::new("ppm/°C", PPM, 1.0, 50.0);
     /// Millimetres per hour.
     pub const MM_PER_HOUR: Self = Self::new("mm/h", 1.0 / 3600.0, 1000.0, 0.2);
     /// Millimetres per kilogram.
     pub const MM_PER_KG: Self = Self::new("mm/kg", 1.0, 1000.0, 0.2);
     /// Microradians per newton metre.
     pub const MICRORADIAN_PER_NM: Self = Self::new("µrad/(N·m)", 1e-6, 1.0, 50.0);
+
+    /// Units by how the name of a parameter in them ends.
+    const BY_ENDING: [(&str, Self); 12] = [
+        ("deg", Self::DEGREE),
+        ("mrad", Self::MILLIRADIAN),
+        ("rad", Self::RADIAN),
+        ("mm", Self::MM),
+        ("ppm", Self::PPM),
+        ("s", Self::SECOND),
+        ("deg_per_degc", Self::DEGREE_PER_KELVIN),
+        ("mm_per_degc", Self::MM_PER_KELVIN),
+        ("ppm_per_degc", Self::PPM_PER_KELVIN),
+        ("mm_per_h", Self::MM_PER_HOUR),
+        ("mm_per_kg", Self::MM_PER_KG),
+        ("urad_per_nm", Self::MICRORADIAN_PER_NM),
+    ];
+
+    /// What the name of a parameter says: what it is (nothing where it is a unit alone), and its unit.
+    pub fn of_name(name: &str) -> (&str, Self) {
+        let named = Self::BY_ENDING.into_iter().find_map(|(ending, unit)| {
+            let stem = name.strip_suffix(ending)?;
+            let is_all = stem.is_empty();
+            Some((stem.strip_suffix('_').or(is_all.then_some(""))?, unit))
+        });
+        named.unwrap_or((name, Self::ONE))
+    }
 }

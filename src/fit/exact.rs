@@ -42,25 +42,13 @@ pub fn identify_exact(
     effects: &[String],
     values: JointValues,
 ) -> Result<Identification, IdentifyError> {
-    identify_with(session, effects, &[], values)
+    identify_watched(session, effects, &[], values, &|| true)
 }
 
 /// Like [`identify_exact`], with terms beside the named effects whose settings (orders, times) are
 /// known, from a diagnosis: they are fitted too, from where they are, and nothing is scanned for
-/// them. A named effect that is among them already is not fitted twice.
-///
-/// # Errors
-/// As [`identify_exact`].
-pub fn identify_with(
-    session: &Session,
-    effects: &[String],
-    known: &[Term],
-    values: JointValues,
-) -> Result<Identification, IdentifyError> {
-    identify_watched(session, effects, known, values, &|| true)
-}
-
-/// Like [`identify_with`], asking before every pass over the samples whether to go on.
+/// them. A named effect that is among them already is not fitted twice. Asks before every pass over
+/// the samples whether to go on.
 ///
 /// # Errors
 /// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `go_on` said no.

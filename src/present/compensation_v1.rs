@@ -21,35 +21,13 @@
 //! - `q_deg`, `change_deg`: the commands that the target means and what was added; mm for a sliding joint.
 //! - `at_run_time`: what the program computes or takes from elsewhere; it is not corrected.
 
-use serde::Serialize;
-
+use super::json::{Json, list, object};
+use super::parts::pose;
 use crate::kinematics::{Pose, Robot};
-use crate::programs::{Answer, Outcome};
-
-/// The document.
-#[derive(Debug, Serialize)]
-pub struct Document<'a> {
-    format: &'static str,
-    model: &'a str,
-    file: &'a str,
-    #[serde(rename = "as")]
-    language: &'static str,
-    frame: Frame,
-    summary: Summary,
-    targets: Vec<Entry<'a>>,
-    at_run_time: Vec<Placed<'a>>,
-    remarks: Vec<Placed<'a>>,
-    notes: &'a [String],
-}
-
-#[derive(Debug, Serialize)]
-struct Frame {
-    position_mm: [f64; 3],
-    quaternion_wxyz: [f64; 4],
-}
+use crate::programs::{Answer, Outcome, Written};
 
 /// How many targets were corrected, and how far off they were and are.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
     /// Targets of the file.
     pub targets: usize,
@@ -69,61 +47,38 @@ pub struct Summary {
     pub max_after_mm: f64,
 }
 
-#[derive(Debug, Serialize)]
-struct Entry<'a> {
-    name: &'a str,
-    line: u64,
-    column: u64,
-    kind: &'static str,
-    corrected: bool,
-    because: Option<&'static str>,
-    says: Option<&'a str>,
-    q_deg: Option<Vec<f64>>,
-    change_deg: Option<Vec<f64>>,
-    dir: Option<&'a [f64]>,
-    load_kg: Option<f64>,
-    before_mm: Option<f64>,
-    after_mm: Option<f64>,
-    before_mrad: Option<f64>,
-    after_mrad: Option<f64>,
-}
-
-#[derive(Debug, Serialize)]
-struct Placed<'a> {
-    line: u64,
-    column: u64,
-    says: &'a str,
-}
-
 /// mrad in a rad.
 const MRAD: f64 = 1e3;
 
-impl<'a> Document<'a> {
-    /// The document of an answer; `model` and `file` are the names of the inputs.
-    pub fn new(
-        answer: &'a Answer,
-        robot: &Robot,
-        [model, file]: [&'a str; 2],
-        language: &'static str,
-        frame: &Pose,
-    ) -> Self {
-        let at = frame.translation.vector;
-        let q = frame.rotation.quaternion();
-        Self {
-            format: "truepose-compensation/1",
-            model,
-            file,
-            language,
-            frame: Frame {
-                position_mm: at.into(),
-                quaternion_wxyz: [q.w, q.i, q.j, q.k],
-            },
-            summary: Summary::new(answer),
-            targets: answer.targets.iter().map(|t| entry(t, robot)).collect(),
-            at_run_time: placed(&answer.at_run_time),
-            remarks: placed(&answer.remarks),
-            notes: &answer.notes,
-        }
+/// The document of an answer; `model` and `file` are the names of the inputs.
+pub fn document(
+    answer: &Answer,
+    robot: &Robot,
+    [model, file]: [&str; 2],
+    language: &str,
+    frame: &Pose,
+) -> Json {
+    let s = Summary::new(answer);
+    object! {
+        "format": "truepose-compensation/1",
+        "model": model,
+        "file": file,
+        "as": language,
+        "frame": pose(frame),
+        "summary": object! {
+            "targets": s.targets,
+            "corrected": s.corrected,
+            "left": s.left,
+            "at_run_time": s.at_run_time,
+            "before_mm": s.before_mm,
+            "max_before_mm": s.max_before_mm,
+            "after_mm": s.after_mm,
+            "max_after_mm": s.max_after_mm,
+        },
+        "targets": list(&answer.targets, |target| entry(target, robot)),
+        "at_run_time": placed(&answer.at_run_time),
+        "remarks": placed(&answer.remarks),
+        "notes": &answer.notes,
     }
 }
 
@@ -155,48 +110,41 @@ impl Summary {
     }
 }
 
-fn entry<'a>(outcome: &'a Outcome, robot: &Robot) -> Entry<'a> {
+fn entry(outcome: &Outcome, robot: &Robot) -> Json {
     let (line, column) = outcome.place;
     let written = outcome.result.as_ref().ok();
     let left = outcome.result.as_ref().err();
-    let outer = |values: Vec<f64>| -> Vec<f64> {
+    let outer = |values: &[f64]| -> Vec<f64> {
         let pairs = robot.joints.iter().zip(values);
         pairs
-            .map(|(joint, value)| joint.kind.outer(value))
+            .map(|(joint, value)| joint.kind.outer(*value))
             .collect()
     };
-    let change = |w: &crate::programs::Written| {
+    let change = |w: &Written| {
         let pairs = w.corrected.iter().zip(&w.commanded);
-        outer(
-            pairs
-                .map(|(corrected, commanded)| corrected - commanded)
-                .collect(),
-        )
+        outer(&pairs.map(|(to, from)| to - from).collect::<Vec<_>>())
     };
-    Entry {
-        name: &outcome.name,
-        line,
-        column,
-        kind: if outcome.is_pose { "pose" } else { "joints" },
-        corrected: written.is_some(),
-        because: left.map(|l| l.reason.name()),
-        says: left.map(|l| l.says.as_str()),
-        q_deg: written.map(|w| outer(w.commanded.clone())),
-        change_deg: written.map(change),
-        dir: written.map(|w| &w.dir[..]),
-        load_kg: written.map(|w| w.load_kg),
-        before_mm: written.map(|w| w.position_mm[0]),
-        after_mm: written.map(|w| w.position_mm[1]),
-        before_mrad: written.map(|w| MRAD * w.rotation_rad[0]),
-        after_mrad: written.map(|w| MRAD * w.rotation_rad[1]),
+    object! {
+        "name": &outcome.name,
+        "line": line,
+        "column": column,
+        "kind": if outcome.is_pose { "pose" } else { "joints" },
+        "corrected": written.is_some(),
+        "because": left.map(|l| l.reason.name()),
+        "says": left.map(|l| &l.says),
+        "q_deg": written.map(|w| outer(&w.commanded)),
+        "change_deg": written.map(change),
+        "dir": written.map(|w| &w.dir),
+        "load_kg": written.map(|w| w.load_kg),
+        "before_mm": written.map(|w| w.position_mm[0]),
+        "after_mm": written.map(|w| w.position_mm[1]),
+        "before_mrad": written.map(|w| MRAD * w.rotation_rad[0]),
+        "after_mrad": written.map(|w| MRAD * w.rotation_rad[1]),
     }
 }
 
-fn placed(all: &[(u64, u64, String)]) -> Vec<Placed<'_>> {
-    let placed = all.iter().map(|(line, column, says)| Placed {
-        line: *line,
-        column: *column,
-        says,
-    });
-    placed.collect()
+fn placed(all: &[(u64, u64, String)]) -> Json {
+    list(all, |(line, column, says)| {
+        object! { "line": *line, "column": *column, "says": says }
+    })
 }

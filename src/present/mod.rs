@@ -1,12 +1,26 @@
-//! What is shown of an answer, without computing any of it: JSON documents, charts and drawings, the words
-//! for a place.
+//! What is shown of an answer, without computing any of it, once for terminal, window and report: JSON
+//! documents, charts and drawings, names, numbers, and the words for a place.
 
 pub mod chart;
 pub mod compensation_v1;
 pub mod diagnosis_v1;
 pub mod drawing;
+pub mod effects_v1;
+pub mod history_v1;
+pub mod identification_v1;
+pub mod import_v1;
+pub mod json;
 pub mod kinds;
+pub mod names;
+pub mod numbers;
+mod parts;
 pub mod plan_v1;
+pub mod poses;
+pub mod standards;
+pub mod standards_v1;
+pub mod table;
 pub mod test_cube_v1;
+pub mod units;
+pub mod verification_v1;
 
 mod place;

@@ -1,5 +1,6 @@
 //! Where something unexplained is, in words: not by the names of columns, which are for files.
 
+use super::numbers::trimmed;
 use crate::model::shapes::Where;
 
 impl Where {
@@ -10,7 +11,7 @@ impl Where {
                 let (name, unit) = in_words(variable);
                 // Sides and reflectors are no range of numbers.
                 let Some(unit) = unit else { return name };
-                let [from, to] = [from, to].map(|value| format!("{}{unit}", number(*value)));
+                let [from, to] = [from, to].map(|value| format!("{}{unit}", trimmed(*value, 2)));
                 format!("{name} from {from} to {to}")
             }
             Self::Cycles {
@@ -20,7 +21,10 @@ impl Where {
                 let (name, unit) = in_words(variable);
                 // A joint that slides has no turns: its waves are counted by the metre.
                 let per = if unit == Some("°") { "turn" } else { "metre" };
-                format!("{} cycles per {per} of {name}", number(*cycles_per_turn))
+                format!(
+                    "{} cycles per {per} of {name}",
+                    trimmed(*cycles_per_turn, 2)
+                )
             }
         }
     }
@@ -57,14 +61,6 @@ fn in_words(column: &str) -> (String, Option<&'static str>) {
         "target" => ("one reflector against the others".to_owned(), None),
         other => (other.to_owned(), Some("")),
     }
-}
-
-/// Two decimals are more than such a place is known to.
-fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    let text = if text == "-0" { "0" } else { text };
-    text.replace('-', "−")
 }
 
 #[cfg(test)]

@@ -37,223 +37,84 @@
 //!   percentile, from the noise and the number of poses alone. `enough` is null without `--accuracy`; `curve`
 //!   says the error with other numbers of poses, beside the session.
 
-use serde::Serialize;
-
-use super::diagnosis_v1::{Pose, poses};
+use super::diagnosis_v1::poses;
+use super::json::{Json, given, list, object};
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
 use crate::design::outlook::ExpectedError;
 use crate::design::pair_separation::Separation;
 use crate::design::plan::{Plan, Subject};
 
-/// The document.
-#[derive(Debug, Serialize)]
-pub struct Document {
-    format: &'static str,
-    #[serde(rename = "for")]
-    subject: &'static str,
-    name: String,
-    sigma_mm: f64,
-    poses: Vec<Pose>,
-    separates: Vec<Open>,
-    separation: Option<Between>,
-    unlocks: Vec<UntestableEntry>,
-    cannot: Vec<UntestableEntry>,
-    will_be_seen_above: Vec<Seen>,
-    alike: Vec<Alike>,
-    geometry: Option<OfGeometry>,
-}
-
-#[derive(Debug, Serialize)]
-struct OfGeometry {
-    parameters: usize,
-    before_is: &'static str,
-    observability_mm: BeforeAfter<f64>,
-    expected_error: BeforeAfter<Error>,
-    enough: Option<Enough>,
-    curve: Vec<AtPoses>,
-}
-
-#[derive(Debug, Serialize)]
-struct BeforeAfter<T> {
-    before: T,
-    after: T,
-}
-
-#[derive(Debug, Serialize)]
-struct Error {
-    rms_mm: f64,
-    p95_mm: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct Enough {
-    accuracy_mm: f64,
-    poses: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct AtPoses {
-    poses: usize,
-    #[serde(flatten)]
-    error: Error,
-}
-
-#[derive(Debug, Serialize)]
-struct Open {
-    explanation: Vec<String>,
-    instead: Vec<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct Named {
-    effect: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    joint: Option<usize>,
-}
-
-#[derive(Debug, Serialize)]
-struct Between {
-    between: Vec<Named>,
-    possible: bool,
-    because: Option<String>,
-    decided: bool,
-    share_left_before: [f64; 2],
-    share_left_after: [f64; 2],
-}
-
-#[derive(Debug, Serialize)]
-struct UntestableEntry {
-    #[serde(flatten)]
-    named: Named,
-    because: String,
-    #[serde(rename = "do")]
-    needs: Vec<&'static str>,
-}
-
-#[derive(Debug, Serialize)]
-struct Seen {
-    #[serde(flatten)]
-    named: Named,
-    sizes: serde_json::Map<String, serde_json::Value>,
-}
-
-#[derive(Debug, Serialize)]
-struct Alike {
-    effects: [&'static str; 2],
-    joints: [Option<usize>; 2],
-    correlation: f64,
-}
-
-impl Document {
-    /// The document of a plan.
-    pub fn new(plan: &Plan) -> Self {
-        Self {
-            format: "truepose-plan/1",
-            subject: match plan.subject {
-                Subject::Session => "session",
-                Subject::Robot => "robot",
-            },
-            name: plan.name.clone(),
-            sigma_mm: plan.sigma_mm,
-            poses: poses(&plan.poses, &plan.robot),
-            separates: plan
-                .open
-                .iter()
-                .map(|[explanation, instead]| Open {
-                    explanation: explanation.clone(),
-                    instead: instead.clone(),
-                })
-                .collect(),
-            separation: plan.separation.as_ref().map(between),
-            unlocks: plan.enables.iter().map(untestable_entry).collect(),
-            cannot: plan.cannot.iter().map(untestable_entry).collect(),
-            will_be_seen_above: seen(plan),
-            alike: plan
-                .expected
-                .alike
-                .iter()
-                .map(|a| Alike {
-                    effects: [a.one.0, a.other.0],
-                    joints: [a.one.1, a.other.1].map(|j| j.map(|j| j + 1)),
-                    correlation: a.correlation,
-                })
-                .collect(),
-            geometry: plan.geometry.as_ref().map(|g| of_geometry(g, plan.subject)),
-        }
+/// The document of a plan.
+pub fn document(plan: &Plan) -> Json {
+    object! {
+        "format": "truepose-plan/1",
+        "for": match plan.subject {
+            Subject::Session => "session",
+            Subject::Robot => "robot",
+        },
+        "name": &plan.name,
+        "sigma_mm": plan.sigma_mm,
+        "poses": poses(&plan.poses, &plan.robot),
+        "separates": list(&plan.open, |[explanation, instead]| {
+            object! { "explanation": explanation, "instead": instead }
+        }),
+        "separation": plan.separation.as_ref().map(separation),
+        "unlocks": list(&plan.enables, untestable),
+        "cannot": list(&plan.cannot, untestable),
+        "will_be_seen_above": list(plan.seen_above(), |limit| {
+            let mut sizes = limit.sizes;
+            sizes.sort_by_key(|(name, _)| *name);
+            let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), size.into()));
+            named(limit.effect, limit.joint).with(object! { "sizes": Json::Object(sizes.collect()) })
+        }),
+        "alike": list(&plan.expected.alike, |a| object! {
+            "effects": [a.one.0, a.other.0],
+            "joints": [a.one.1, a.other.1].map(|j| j.map(|j| j + 1)),
+            "correlation": a.correlation,
+        }),
+        "geometry": plan.geometry.as_ref().map(|g| geometry(g, plan.subject)),
     }
 }
 
-fn of_geometry(geometry: &Geometry, subject: Subject) -> OfGeometry {
+fn named(effect: &str, joint: Option<usize>) -> Json {
+    object! { "effect": effect, "joint": given(joint) }
+}
+
+fn geometry(geometry: &Geometry, subject: Subject) -> Json {
     let (before, after) = (&geometry.before, &geometry.after);
-    let error = |e: &ExpectedError| Error {
-        rms_mm: e.rms_mm,
-        p95_mm: e.p95_mm,
-    };
-    let curve = geometry.curve.iter();
-    OfGeometry {
-        parameters: geometry.parameters,
-        before_is: match subject {
+    let error = |e: &ExpectedError| object! { "rms_mm": e.rms_mm, "p95_mm": e.p95_mm };
+    object! {
+        "parameters": geometry.parameters,
+        "before_is": match subject {
             Subject::Session => "session",
             Subject::Robot => "random poses",
         },
-        observability_mm: BeforeAfter {
-            before: before.observability,
-            after: after.observability,
-        },
-        expected_error: BeforeAfter {
-            before: error(&before.error),
-            after: error(&after.error),
-        },
-        enough: geometry
-            .enough
-            .map(|(accuracy_mm, poses)| Enough { accuracy_mm, poses }),
-        curve: curve
-            .map(|(poses, e)| AtPoses {
-                poses: *poses,
-                error: error(e),
-            })
-            .collect(),
+        "observability_mm": object! { "before": before.observability, "after": after.observability },
+        "expected_error": object! { "before": error(&before.error), "after": error(&after.error) },
+        "enough": geometry.enough.map(|(accuracy_mm, poses)| {
+            object! { "accuracy_mm": accuracy_mm, "poses": poses }
+        }),
+        "curve": list(&geometry.curve, |(poses, e)| object! { "poses": *poses }.with(error(e))),
     }
 }
 
-fn between(separation: &Separation) -> Between {
-    let named = |n: &crate::design::pair_separation::Named| Named {
-        effect: n.id,
-        joint: n.per_joint().then_some(n.joint + 1),
-    };
-    Between {
-        between: separation.between.iter().map(named).collect(),
-        possible: separation.impossible.is_none(),
-        because: separation.impossible.clone(),
-        decided: separation.decided,
-        share_left_before: separation.left_before,
-        share_left_after: separation.left_after,
+fn separation(separation: &Separation) -> Json {
+    object! {
+        "between": list(&separation.between, |n| {
+            named(n.id, n.per_joint().then_some(n.joint + 1))
+        }),
+        "possible": separation.impossible.is_none(),
+        "because": separation.impossible.as_ref(),
+        "decided": separation.decided,
+        "share_left_before": separation.left_before,
+        "share_left_after": separation.left_after,
     }
 }
 
-fn untestable_entry(untestable: &Untestable) -> UntestableEntry {
-    UntestableEntry {
-        named: Named {
-            effect: untestable.effect,
-            joint: untestable.joint.map(|j| j + 1),
-        },
-        because: untestable.because.clone(),
-        needs: untestable.needs.iter().map(|n| n.says()).collect(),
-    }
-}
-
-fn seen(plan: &Plan) -> Vec<Seen> {
-    let one = |limit: crate::design::plan::SeenAbove| Seen {
-        named: Named {
-            effect: limit.effect,
-            joint: limit.joint,
-        },
-        sizes: limit
-            .sizes
-            .into_iter()
-            .map(|(name, size)| (name.to_owned(), size.into()))
-            .collect(),
-    };
-    plan.seen_above().into_iter().map(one).collect()
+fn untestable(one: &Untestable) -> Json {
+    named(one.effect, one.joint.map(|j| j + 1)).with(object! {
+        "because": &one.because,
+        "do": list(&one.needs, |need| need.says().into()),
+    })
 }

@@ -1,9 +1,10 @@
 //! The standards' figures in a report.
 
 use crate::compensation::verification::VerifyError;
-use crate::standards::axis::AxisTest;
+use crate::present::poses::sides;
+use crate::present::standards::{Group, groups};
+use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
-use crate::standards::{Positioning, Standards, at_least};
 
 use super::document::{Block, Section, Table, clean};
 use super::numbers::{plain, short};
@@ -17,10 +18,10 @@ pub(super) fn section(standards: &Standards) -> Section {
          definitions are those of ISO 230-2:2014 and ISO 9283:1998"
             .to_owned(),
     )];
-    for axis in &standards.axes {
-        axis_blocks(axis, &mut blocks);
+    for group in groups(standards, 1) {
+        group_blocks(&group, &mut blocks);
     }
-    pose_blocks(&standards.poses, standards.compensated, &mut blocks);
+    pose_blocks(&standards.poses, &mut blocks);
     if !standards.notes.is_empty() {
         blocks.push(Block::List(standards.notes.clone()));
     }
@@ -41,92 +42,27 @@ pub(super) fn none(because: &VerifyError) -> Section {
     }
 }
 
-fn axis_blocks(axis: &AxisTest, blocks: &mut Vec<Block>) {
-    let unit = if axis.unit == "arcsec" {
-        "seconds of arc"
-    } else {
-        "mm"
-    };
+fn group_blocks(group: &Group, blocks: &mut Vec<Block>) {
     blocks.push(Block::Heading(format!(
-        "Positioning of joint {} ({}), ISO 230-2",
-        axis.joint + 1,
-        clean(&axis.name)
+        "{}, {}",
+        clean(&group.title()),
+        group.standard
     )));
-    if let Some(missing) = &axis.missing {
-        blocks.push(Block::Text(format!("No figures: {missing}")));
+    if !group.rows.is_empty() {
+        blocks.push(Block::Text(clean(&group.says)));
+        blocks.push(Block::Table(group.table()));
     }
-    let Some(series) = axis.series.first() else {
-        return;
-    };
-    let [up, down] = series.before.fewest_runs();
-    blocks.push(Block::Text(format!(
-        "{}; {} positions, each approached {} from below and {} from above; figures in {unit}",
-        clean(&series.fixed.in_words(axis)),
-        series.before.positions.len(),
-        at_least(up),
-        at_least(down),
-    )));
-    let mut table = Table::new(&["Symbol", "Figure", ">As measured", ">Corrected commands"]);
-    let digits = if axis.unit == "mm" { 4 } else { 1 };
-    let show = |v: Option<f64>| {
-        v.map_or_else(
-            || "–".to_owned(),
-            |v| format!("{v:.digits$}").replace('-', "−"),
-        )
-    };
-    let after = series.after.as_ref().map(Positioning::rows);
-    for (k, (symbol, name, before)) in series.before.rows().into_iter().enumerate() {
-        if before.is_none() {
-            continue;
-        }
-        let corrected = after
-            .as_ref()
-            .map_or_else(|| "–".to_owned(), |rows| show(rows[k].2));
-        table.row([symbol.to_owned(), name.to_owned(), show(before), corrected]);
-    }
-    blocks.push(Block::Table(table));
-    let mut remarks = series.missing.clone();
-    let others = axis.series.len() - 1 + axis.more;
-    if others > 0 {
-        remarks.push(format!(
-            "the session holds {others} more series of this joint under other conditions; the \
-             program's command for the standards lists them"
-        ));
-    }
-    if !remarks.is_empty() {
-        blocks.push(Block::List(remarks));
+    if !group.missing.is_empty() {
+        blocks.push(Block::List(group.missing.clone()));
     }
 }
 
-fn pose_blocks(test: &PoseTest, compensated: bool, blocks: &mut Vec<Block>) {
-    blocks.push(Block::Heading("Poses, ISO 9283".to_owned()));
-    if test.poses.is_empty() && test.paths.is_empty() {
-        blocks.push(Block::Text(format!(
-            "No figures: {}",
-            test.missing.join("; ")
-        )));
+/// The poses of the largest error.
+fn pose_blocks(test: &PoseTest, blocks: &mut Vec<Block>) {
+    if test.poses.is_empty() {
         return;
     }
-    let (before, after) = (test.largest(false), test.largest(true));
-    let mut table = Table::new(&[
-        "Symbol",
-        "Largest over poses and paths, mm",
-        ">As measured",
-        ">Corrected commands",
-    ]);
     let show = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), plain);
-    for ((symbol, name, before), (_, _, after)) in before.rows().into_iter().zip(after.rows()) {
-        if before.is_none() && symbol.ends_with('T') {
-            continue;
-        }
-        let corrected = if compensated {
-            show(after)
-        } else {
-            "–".to_owned()
-        };
-        table.row([symbol.to_owned(), name.to_owned(), show(before), corrected]);
-    }
-    blocks.push(Block::Table(table));
     let mut worst: Vec<usize> = (0..test.poses.len()).collect();
     let size = |k: &usize| test.poses[*k].before.accuracy;
     worst.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
@@ -137,7 +73,7 @@ fn pose_blocks(test: &PoseTest, compensated: bool, blocks: &mut Vec<Block>) {
             test.poses.len()
         )));
     }
-    let mut table = Table::new(&[
+    let mut table = Table::new([
         "Pose",
         "Side",
         "Reflector",
@@ -168,17 +104,4 @@ fn pose_blocks(test: &PoseTest, compensated: bool, blocks: &mut Vec<Block>) {
         ]);
     }
     blocks.push(Block::Table(table));
-    if !test.missing.is_empty() {
-        blocks.push(Block::List(test.missing.clone()));
-    }
-}
-
-/// Sides as arrows: ↑ from below, ↓ from above, · not known.
-pub(super) fn sides(dir: &[f64]) -> String {
-    let arrow = |d: &f64| match *d {
-        d if d > 0.0 => "↑",
-        d if d < 0.0 => "↓",
-        _ => "·",
-    };
-    dir.iter().map(arrow).collect::<Vec<_>>().join(" ")
 }

@@ -88,7 +88,7 @@ fn origin(c: &Calibration, hash: &str) -> Section {
 }
 
 fn history(c: &Calibration) -> Section {
-    let mut table = Table::new(&["Step", ">RMS error on the fit, mm", ">Cross-validated, mm"]);
+    let mut table = Table::new(["Step", ">RMS error on the fit, mm", ">Cross-validated, mm"]);
     let mut steps = c.history.clone();
     for step in &mut steps {
         step.what = clean(&step.what);
@@ -119,7 +119,7 @@ pub(super) fn values(c: &Calibration) -> Section {
         blocks.extend(implausible(all.iter(), &c.model.robot));
     }
     if !c.regions.is_empty() {
-        let mut table = Table::new(&[
+        let mut table = Table::new([
             "Region",
             ">From, °",
             ">To, °",

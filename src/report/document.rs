@@ -2,6 +2,7 @@
 //! in the reader's units; whatever a user named has passed [`clean`].
 
 use crate::present::drawing::Drawing;
+pub use crate::present::table::Table;
 
 /// A report.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,34 +58,6 @@ pub enum Block {
     Plot(Drawing, String),
     /// Lines to fill in by hand: label and what is there already.
     Sign(Vec<(String, String)>),
-}
-
-/// A table.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Table {
-    /// Headings; `true` sets a column to the right, for numbers.
-    pub columns: Vec<(String, bool)>,
-    /// Rows, each with one cell per column.
-    pub rows: Vec<Vec<String>>,
-}
-
-impl Table {
-    /// An empty table; a heading that starts with `>` is that of a column of numbers.
-    pub fn new(columns: &[&str]) -> Self {
-        let column = |name: &&str| {
-            let right = name.strip_prefix('>');
-            (right.unwrap_or(name).to_owned(), right.is_some())
-        };
-        Self {
-            columns: columns.iter().map(column).collect(),
-            rows: Vec::new(),
-        }
-    }
-
-    /// Adds a row.
-    pub fn row<const N: usize>(&mut self, cells: [String; N]) {
-        self.rows.push(cells.into());
-    }
 }
 
 /// Longest name of a user that a report repeats, characters.

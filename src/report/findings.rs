@@ -3,12 +3,12 @@
 use crate::diagnosis::Found;
 use crate::effects;
 
-use super::accuracy::sides;
 use super::document::{Block, Section, Table, clean};
-use super::numbers::{in_words, mm, plain, short, three_digits};
-use super::parts::{fact, title, title_of};
+use super::numbers::{mm, plain};
+use super::parts::fact;
 use super::session::{MOST_ROWS, Told};
-use crate::diagnosis::Sight;
+use crate::present::names::{detection_limit, title_of, title_on};
+use crate::present::poses::{new_reflectors, table};
 
 impl Told<'_> {
     pub(super) fn effects(&self) -> Option<Section> {
@@ -43,7 +43,7 @@ impl Told<'_> {
         }
         facts.push(fact("Check on the machine", f.check));
         [
-            Block::Heading(title(f.effect, f.joint, self.robot())),
+            Block::Heading(title_on(f.effect, f.joint, self.robot().joints.len())),
             Block::Facts(facts),
         ]
     }
@@ -83,7 +83,7 @@ impl Told<'_> {
             blocks.push(Block::Heading(
                 "Names that the samples cannot tell apart".to_owned(),
             ));
-            let mut table = Table::new(&[
+            let mut table = Table::new([
                 "In the model",
                 "Could be instead",
                 ">Odds against",
@@ -101,7 +101,7 @@ impl Told<'_> {
         }
         if !d.identification.not_identifiable.is_empty() {
             blocks.push(Block::Heading("Not identifiable".to_owned()));
-            let mut table = Table::new(&["Parameter or combination", "Why"]);
+            let mut table = Table::new(["Parameter or combination", "Why"]);
             for open in d.identification.not_identifiable.iter().take(4 * MOST_ROWS) {
                 table.row([clean(&open.combination), clean(&open.because)]);
             }
@@ -130,36 +130,22 @@ impl Told<'_> {
         if poses.is_empty() {
             return Vec::new();
         }
-        let mut table = Table::new(&["Joints", "Side", "Reflector", "Speed", ">Load", "Why"]);
-        let joints = &self.robot().joints;
-        let values = |q: &[f64]| {
-            let each = joints
-                .iter()
-                .zip(q)
-                .map(|(joint, q)| format!("{}{}", short(joint.kind.outer(*q)), joint.kind.sign()));
-            each.collect::<Vec<_>>().join(", ")
-        };
-        for pose in poses.iter().take(MOST_ROWS) {
-            let place = pose
-                .target_mm
-                .map(|[x, y, z]| format!(" at ({}, {}, {}) mm", short(x), short(y), short(z)));
-            let target = pose.target.as_deref().map_or_else(|| "–".to_owned(), clean);
-            table.row([
-                values(&pose.q),
-                sides(&pose.dir),
-                target + &place.unwrap_or_default(),
-                pose.speed
-                    .as_ref()
-                    .map_or_else(|| "–".to_owned(), |s| values(s) + "/s"),
-                pose.load_kg
-                    .map_or_else(|| "–".to_owned(), |kg| format!("{} kg", short(kg))),
-                clean(&pose.why),
-            ]);
+        let shown = &poses[..poses.len().min(MOST_ROWS)];
+        let mut table = table(shown, self.robot());
+        for column in &mut table.columns {
+            column.heading = sentence(&column.heading);
+        }
+        for cell in table.rows.iter_mut().flatten() {
+            cell.shown = clean(&cell.shown);
         }
         let mut blocks = vec![
             Block::Heading("Poses that would decide".to_owned()),
             Block::Table(table),
         ];
+        let new = new_reflectors(poses);
+        if !new.is_empty() {
+            blocks.push(Block::List(new.iter().map(|line| clean(line)).collect()));
+        }
         if poses.len() > MOST_ROWS {
             blocks.push(Block::Text(format!("and {} more", poses.len() - MOST_ROWS)));
         }
@@ -171,7 +157,7 @@ impl Told<'_> {
         if outliers.is_empty() {
             return Vec::new();
         }
-        let mut table = Table::new(&["Sample", ">Off by, mm"]);
+        let mut table = Table::new(["Sample", ">Off by, mm"]);
         for outlier in outliers.iter().take(MOST_ROWS) {
             table.row([
                 (outlier.sample + 1).to_string(),
@@ -198,9 +184,9 @@ impl Told<'_> {
         let mut blocks = Vec::new();
         if !d.not_testable.is_empty() {
             blocks.push(Block::Heading("Not testable with this session".to_owned()));
-            let mut table = Table::new(&["Effect", "Why"]);
+            let mut table = Table::new(["Effect", "Why"]);
             for n in d.not_testable.iter().take(4 * MOST_ROWS) {
-                let name = title(n.effect, n.joint.map(|j| j + 1), self.robot());
+                let name = title_on(n.effect, n.joint.map(|j| j + 1), self.robot().joints.len());
                 table.row([name, clean(&n.because)]);
             }
             blocks.push(Block::Table(table));
@@ -209,22 +195,14 @@ impl Told<'_> {
             blocks.push(Block::Heading(
                 "Not found, with detection limits".to_owned(),
             ));
-            let mut table = Table::new(&["Effect", "Detection limit (95 %)"]);
+            let mut table = Table::new(["Effect", "Detection limit (95 %)"]);
             for limit in d.not_found.iter().take(4 * MOST_ROWS) {
-                let sizes = limit.sizes.iter().map(|(name, size)| {
-                    let (stem, unit) = in_words(name);
-                    match Sight::of(*size) {
-                        Sight::AtNoSize => {
-                            format!("{stem}: not observable with these poses")
-                        }
-                        Sight::AtAnySize => format!("{stem}: any size, there is no noise"),
-                        Sight::Above(size) => {
-                            format!("{stem} {} {unit}", three_digits(size)).replace(" °", "°")
-                        }
-                    }
-                });
-                let name = title(limit.effect, limit.joint.map(|j| j + 1), self.robot());
-                table.row([name, sizes.collect::<Vec<_>>().join(", ")]);
+                let name = title_on(
+                    limit.effect,
+                    limit.joint.map(|j| j + 1),
+                    self.robot().joints.len(),
+                );
+                table.row([name, detection_limit(limit)]);
             }
             blocks.push(Block::Table(table));
         }

@@ -112,14 +112,16 @@ fn write_block(block: &Block, out: &mut String) {
 fn write_table(table: &Table, out: &mut String) {
     out.push_str("<div class=\"table\"><table>\n<thead><tr>");
     let class = |right: bool| if right { " class=\"n\"" } else { "" };
-    for (name, right) in &table.columns {
-        let _ = write!(out, "<th{}>{}</th>", class(*right), escape(name));
+    for column in &table.columns {
+        let (class, heading) = (class(column.right), escape(&column.heading));
+        let _ = write!(out, "<th{class}>{heading}</th>");
     }
     out.push_str("</tr></thead>\n<tbody>\n");
     for row in &table.rows {
         out.push_str("<tr>");
-        for ((_, right), cell) in table.columns.iter().zip(row) {
-            let _ = write!(out, "<td{}>{}</td>", class(*right), escape(cell));
+        for (column, cell) in table.columns.iter().zip(row) {
+            let (class, shown) = (class(column.right), escape(&cell.shown));
+            let _ = write!(out, "<td{class}>{shown}</td>");
         }
         out.push_str("</tr>\n");
     }

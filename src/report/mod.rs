@@ -1,8 +1,8 @@
 //! The calibration report that a customer signs: what was measured, what was found and how sure
 //! that is, what it brings, what stays open.
 //!
-//! A [`Report`] is built once, from a session ([`Report::of_session`], which runs the diagnosis) or
-//! from a model file ([`Report::of_model`]), and rendered by [`html`](fn@html) or [`pdf`](fn@pdf):
+//! A [`Report`] is built once, from what is known of a session ([`Report::of_session`]) or from a
+//! model file ([`Report::of_model`]), and rendered by [`html`](fn@html) or [`pdf`](fn@pdf):
 //! both say the same. The same input gives the same bytes; there is no clock, the date is a line to fill in.
 //!
 //! - [`document`]: sections and blocks. `session`, `findings`, `stages`,
@@ -21,7 +21,6 @@ pub mod svg;
 mod accuracy;
 mod calibration;
 mod findings;
-mod numbers;
 mod parts;
 mod session;
 mod stages;
@@ -30,10 +29,56 @@ pub use document::Report;
 pub use exported::{ExportedTable, TableFileError};
 pub use html::html;
 pub use pdf::{PdfError, Written, pdf, pdf_with};
+pub use session::Evidence;
 pub use stages::{as_measured, stages};
+
+use std::collections::BTreeSet;
+use std::path::Path;
 
 use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;
+use crate::fonts::Library;
+use crate::present::numbers;
+
+/// What a report is written as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// One HTML file that needs nothing else.
+    Html,
+    /// PDF on A4.
+    Pdf,
+}
+
+impl Kind {
+    /// What a file of this name is.
+    ///
+    /// # Errors
+    /// What was expected, where its ending is another.
+    pub fn of(path: &Path) -> Result<Self, &'static str> {
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        match ending.map(str::to_ascii_lowercase).as_deref() {
+            Some("html" | "htm") => Ok(Self::Html),
+            Some("pdf") => Ok(Self::Pdf),
+            _ => Err("expected a file name that ends in .html or .pdf"),
+        }
+    }
+}
+
+impl Report {
+    /// The bytes of a file of this kind, with the fonts of a library where the bundled ones do not do.
+    ///
+    /// # Errors
+    /// If a font cannot be used.
+    pub fn written(&self, kind: Kind, library: &Library) -> Result<Written, PdfError> {
+        match kind {
+            Kind::Html => Ok(Written {
+                bytes: html(self).into_bytes(),
+                unshown: BTreeSet::new(),
+            }),
+            Kind::Pdf => pdf_with(self, library),
+        }
+    }
+}
 
 /// What a report holds besides its session or model.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -1,35 +1,13 @@
 //! Pieces that reports of sessions and of models share.
 
-use crate::effects;
 use crate::fit::{Estimate, IMPLAUSIBLE};
 use crate::kinematics::{JointKind, Range, Robot};
 use crate::sessions::{Instrument, Sigma};
 
 use super::Extras;
 use super::document::{Block, Section, Table, clean};
-use super::numbers::{in_words, plain, short, with_interval};
-
-/// The name of an effect in words, with its joint where there are several.
-pub(super) fn title(effect: &str, joint: Option<usize>, robot: &Robot) -> String {
-    let name = effects::find(effect).map_or(effect, |e| e.about().title);
-    match joint.filter(|_| robot.joints.len() > 1) {
-        Some(joint) => format!("{name}, joint {joint}"),
-        None => name.to_owned(),
-    }
-}
-
-/// A name in words that may end with its joint, `id joint`.
-pub(super) fn title_of(name: &str) -> String {
-    match name.split_once(' ') {
-        Some((id, joint)) => {
-            let title = effects::find(id).map_or(id, |e| e.about().title);
-            format!("{title}, joint {joint}")
-        }
-        None => effects::find(name)
-            .map_or(name, |e| e.about().title)
-            .to_owned(),
-    }
-}
+use super::numbers::{plain, short, with_interval};
+use crate::present::names::{parameter, title_on, usual_size};
 
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {
@@ -85,18 +63,19 @@ pub(super) fn parameters<'a>(
     estimates: impl Iterator<Item = &'a Estimate>,
     robot: &Robot,
 ) -> Block {
-    let mut table = Table::new(&["Effect", "Parameter", ">Value", "Unit", ">95 % interval"]);
+    let mut table = Table::new(["Effect", "Parameter", ">Value", "Unit", ">95 % interval"]);
     let mut last = String::new();
     for estimate in estimates {
-        let name = title(estimate.effect, estimate.joint, robot);
-        let (mut parameter, unit) = in_words(estimate.name);
+        let name = title_on(estimate.effect, estimate.joint, robot.joints.len());
+        let (mut parameter, unit) = parameter(estimate.name);
         if let Some(setup) = &estimate.setup {
             parameter += &format!(", setup {}", clean(setup));
         }
         let (value, interval) = if estimate.is_whole_number() {
             (short(estimate.value), String::new())
         } else {
-            with_interval(estimate.value, estimate.ci95)
+            let [value, _, interval] = with_interval(estimate.value, estimate.ci95);
+            (value, interval)
         };
         let shown = if name == last {
             String::new()
@@ -115,9 +94,9 @@ pub(super) fn implausible<'a>(
     robot: &Robot,
 ) -> Option<Block> {
     let remark = |one: &Estimate| {
-        let usual = effects::find(one.effect).map_or("", |e| e.about().usual_size);
-        let name = title(one.effect, one.joint, robot);
-        let (parameter, _) = in_words(one.name);
+        let usual = usual_size(one);
+        let name = title_on(one.effect, one.joint, robot.joints.len());
+        let (parameter, _) = parameter(one.name);
         format!("{name}, {parameter}: {IMPLAUSIBLE} ({usual})")
     };
     let remarks: Vec<String> = estimates

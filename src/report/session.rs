@@ -1,8 +1,8 @@
-//! The report of a session: runs the diagnosis and says everything that came out.
+//! The report of a session: everything that its diagnosis, verification and standards say.
 
 use crate::compensation::verification::VerifyError;
-use crate::compensation::{Remainder, Verification, verify};
-use crate::diagnosis::{Diagnosis, FloorFrom, Options, Verdict, Watch};
+use crate::compensation::{Remainder, Verification};
+use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
 use crate::effects::{Inputs, JointValues};
 use crate::export::Job;
 use crate::export::sidecar::measured_poses;
@@ -10,10 +10,10 @@ use crate::fit::measured_ranges;
 use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
-use crate::pipeline::diagnose;
+use crate::present::kinds;
+use crate::present::names::title;
 use crate::sessions::{Session, hash_of_samples};
-use crate::set_up_errors::mend;
-use crate::standards::standards;
+use crate::standards::Standards;
 
 use super::accuracy;
 use super::calibration::values;
@@ -21,7 +21,7 @@ use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
 use super::numbers::{mm, plain, short};
 use super::parts::{
     fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts, signatures,
-    tables, title, tolerance,
+    tables, tolerance,
 };
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
@@ -30,69 +30,66 @@ use super::{Extras, ReportError};
 /// Rows of lists that have no end of their own.
 pub(super) const MOST_ROWS: usize = 20;
 
-impl Report {
-    /// The report of a session. `watch` is told of progress and may stop it.
-    ///
-    /// # Errors
-    /// If the session cannot be diagnosed, or `watch` stops it.
-    pub fn of_session(
-        session: &Session,
-        options: &Options,
-        extras: &Extras,
-        watch: Watch,
-    ) -> Result<Self, ReportError> {
-        let found = diagnose(session, options, watch)?;
-        Self::of_diagnosis(session, &found, None, options, extras)
-    }
+/// What a report of a session is made from.
+#[derive(Debug)]
+pub struct Evidence<'a> {
+    /// The session that was diagnosed: without the set-up errors that were corrected.
+    pub session: &'a Session,
+    /// The session as it was read.
+    pub given: &'a Session,
+    /// What the diagnosis found.
+    pub found: &'a Diagnosis,
+    /// The model of everything that was found.
+    pub all_found: &'a Calibration,
+    /// The model in use, from which tables are made; `None`: that one.
+    pub in_use: Option<&'a Calibration>,
+    /// The model in use held against the session.
+    pub verification: Verification,
+    /// The figures of the standards with it, or why there are none.
+    pub standards: Result<Standards, VerifyError>,
+}
 
-    /// The report of a session whose diagnosis is there already, with the model that is in use: tables
-    /// are made from it, and so the gaps that are promised are its own. `None`: what was found. Where
-    /// the two differ the report says in what.
+impl Report {
+    /// The report of a session.
     ///
     /// # Errors
-    /// If no sample can be used.
-    pub fn of_diagnosis(
-        session: &Session,
-        found: &Diagnosis,
-        in_use: Option<&Calibration>,
-        options: &Options,
-        extras: &Extras,
-    ) -> Result<Self, ReportError> {
-        // What is reported is the session that was diagnosed: with its blunders mended.
-        let mended = mend(session, options.joint_values);
-        let all_found = found.calibration(&mended.session);
-        let calibration = in_use.unwrap_or(&all_found);
-        let verification = verify(calibration, &mended.session)?;
-        let hash = hash_of_samples(session);
+    /// If the model is another robot's.
+    pub fn of_session(evidence: &Evidence, extras: &Extras) -> Result<Self, ReportError> {
+        let Evidence {
+            session,
+            given,
+            found,
+            all_found,
+            in_use,
+            ..
+        } = *evidence;
+        let calibration = in_use.unwrap_or(all_found);
+        let verification = &evidence.verification;
+        let hash = hash_of_samples(given);
         let told = Told {
-            session: &mended.session,
-            given: session,
+            session,
+            given,
             found,
             calibration,
-            other: difference(calibration, &all_found),
-            verification: &verification,
-            model_hash: in_use.map_or_else(|| model_hash(&found.calibration(session)), model_hash),
+            other: difference(calibration, all_found),
+            verification,
+            model_hash: in_use.map_or_else(|| model_hash(&found.calibration(given)), model_hash),
         };
         let mut sections = vec![told.measured(&hash), told.result(), told.parameters()];
         sections.extend(told.effects());
         sections.push(told.open());
-        let stages = stages(
-            &mended.session,
-            calibration,
-            &verification,
-            Some(found.floor.mm),
-        )?;
+        let stages = stages(session, calibration, verification, Some(found.floor.mm))?;
         sections.push(deviations_of(&stages));
-        sections.push(match standards(&mended.session, Some(calibration)) {
-            Ok(figures) => accuracy::section(&figures),
+        sections.push(match &evidence.standards {
+            Ok(figures) => accuracy::section(figures),
             // They are figures of points.
-            Err(error @ VerifyError::NoPoints { .. }) => accuracy::none(&error),
-            Err(error) => return Err(error.into()),
+            Err(error @ VerifyError::NoPoints { .. }) => accuracy::none(error),
+            Err(error) => return Err(error.clone().into()),
         });
         sections.push(told.limits());
         sections.extend(tables(extras, &hash, &told.model_hash));
         sections.push(signatures(extras));
-        let subject = or_unnamed(&session.name);
+        let subject = or_unnamed(&given.name);
         Ok(Self {
             title: "Calibration report".to_owned(),
             answer: told.answer(),
@@ -122,9 +119,7 @@ fn difference(model: &Calibration, found: &Calibration) -> Option<String> {
     let (has, had) = (ids(model), ids(found));
     let lacks = |these: &[&'static str], all: &[&'static str], word: &str| {
         let names = all.iter().filter(|id| !these.contains(id));
-        let names: Vec<String> = names
-            .map(|id| title(id, None, &model.model.robot))
-            .collect();
+        let names: Vec<&str> = names.map(|id| title(id)).collect();
         (!names.is_empty()).then(|| format!("{word} {}", names.join(", ")))
     };
     let parts = [lacks(&has, &had, "without"), lacks(&had, &has, "with")];
@@ -335,7 +330,7 @@ impl Told<'_> {
 
     fn result(&self) -> Section {
         let (d, v) = (self.found, self.verification);
-        let mut table = Table::new(&[
+        let mut table = Table::new([
             "RMS error, mm",
             ">Fit",
             ">Cross-validated",
@@ -458,38 +453,13 @@ impl Told<'_> {
         if kinds.is_empty() {
             return Vec::new();
         }
-        let mut table = Table::new(&[
-            "Kind",
-            ">Number",
-            "Unit",
-            ">Nominal",
-            ">Model",
-            ">Unseen",
-            ">Largest",
-            ">σ stated",
-            ">σ found",
-        ]);
-        for own in kinds {
-            let Some(e) = &own.fitted else { continue };
-            table.row([
-                own.kind.to_owned(),
-                e.count.to_string(),
-                own.unit.to_owned(),
-                plain(e.before_rms),
-                plain(e.after_rms),
-                gap(own.unseen_rms),
-                plain(e.after_max),
-                gap(own.stated_sigma),
-                gap(own.found_sigma),
-            ]);
-        }
         vec![
             Block::Text(
                 "By kind of measurement, root mean square; an angle counts in the gap as the length \
                  across which it is seen"
                     .to_owned(),
             ),
-            Block::Table(table),
+            Block::Table(kinds::table(kinds)),
         ]
     }
 

@@ -12,7 +12,6 @@
 //! give is named, never guessed.
 
 pub mod axis;
-pub mod format_v1;
 pub mod path;
 pub mod pose;
 pub mod positioning;

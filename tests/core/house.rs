@@ -163,6 +163,110 @@ fn the_core_knows_nothing_of_the_window() {
     report("the core does not import the window:", &found);
 }
 
+/// The steps of the job: module and function. Terminal and window reach them by `pipeline` alone.
+const STEPS: [(&str, &str); 29] = [
+    ("sessions", "load"),
+    ("sessions", "load_robot"),
+    ("sessions", "load_watched"),
+    ("sessions", "parse"),
+    ("sessions", "parse_with_csv"),
+    ("sessions", "save"),
+    ("sessions", "save_watched"),
+    ("sessions", "write_inline"),
+    ("model", "is_model"),
+    ("model", "load_model"),
+    ("model", "write_model"),
+    ("fit", "identify_exact"),
+    ("fit", "identify_regional"),
+    ("fit", "identify_watched"),
+    ("fit", "identify_without_priors"),
+    ("diagnosis", "diagnose"),
+    ("paper", "regional_start"),
+    ("compensation", "verify"),
+    ("standards", "standards"),
+    ("programs", "compensate"),
+    ("design", "measuring_list"),
+    ("design", "measuring_program"),
+    ("design", "plan_robot"),
+    ("design", "plan_session"),
+    ("simulation", "load_scenario"),
+    ("simulation", "simulate"),
+    ("importers", "import"),
+    ("importers", "import_watched"),
+    ("history", "history"),
+];
+
+/// The paths that `use` brings into a file.
+fn imported(code: &str) -> Vec<String> {
+    fn expand(before: &str, tree: &str, paths: &mut Vec<String>) {
+        let tree = tree.trim();
+        let Some(brace) = tree.find('{') else {
+            let path = tree.split(" as ").next().unwrap_or_default();
+            paths.push(format!("{before}{path}"));
+            return;
+        };
+        let before = format!("{before}{}", &tree[..brace]);
+        let inside = &tree[brace + 1..tree.rfind('}').unwrap()];
+        let (mut depth, mut start) = (0, 0);
+        for (at, c) in inside.char_indices().chain([(inside.len(), ',')]) {
+            match c {
+                '{' => depth += 1,
+                '}' => depth -= 1,
+                ',' if depth == 0 => {
+                    expand(&before, &inside[start..at], paths);
+                    start = at + 1;
+                }
+                _ => {}
+            }
+        }
+    }
+    let mut paths = Vec::new();
+    for statement in code.split(';') {
+        let tree = statement.rsplit_once("use ").map(|(_, tree)| tree);
+        if let Some(tree) = tree.filter(|t| t.starts_with("crate::") || t.starts_with("truepose::"))
+        {
+            expand("", tree, &mut paths);
+        }
+    }
+    paths
+}
+
+#[test]
+fn terminal_and_window_go_through_the_pipeline_and_nothing_else() {
+    let mut files: Vec<(String, String)> = Vec::new();
+    for line in code() {
+        if !line.path.starts_with("cli/") && !line.path.starts_with("gui/") {
+            continue;
+        }
+        if files.last().is_none_or(|(path, _)| *path != line.path) {
+            files.push((line.path.clone(), String::new()));
+        }
+        let (_, text) = files.last_mut().unwrap();
+        *text += line.text.trim();
+        text.push(' ');
+    }
+    let mut found = Vec::new();
+    for (path, text) in &files {
+        let paths = imported(text);
+        for (module, step) in STEPS {
+            let is_step = |path: &String| {
+                let names: Vec<&str> = path.split("::").collect();
+                names.len() > 2 && names[1] == module && names.last() == Some(&step)
+            };
+            let in_full = format!("{module}::{step}(");
+            if paths.iter().any(is_step) || text.contains(&in_full) {
+                found.push(format!("src/{path}: {module}::{step}"));
+            }
+        }
+        for step in [".exporter", "Report::of_", "report::html", "pdf_with"] {
+            if text.contains(step) {
+                found.push(format!("src/{path}: {step}"));
+            }
+        }
+    }
+    report("take it from `pipeline`:", &found);
+}
+
 #[test]
 fn the_window_takes_no_joint_for_the_only_one() {
     let found: Vec<String> = code()

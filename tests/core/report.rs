@@ -14,7 +14,7 @@ use truepose::fit::NotIdentifiable;
 use truepose::fonts::{Library, Purpose, cannot_be_shown};
 use truepose::model::Calibration;
 use truepose::model::format_v1::model_hash;
-use truepose::pipeline::diagnose;
+use truepose::pipeline::{self, diagnose};
 use truepose::report::svg::svg_file;
 use truepose::report::{Extras, Report, ReportError, html, pdf, pdf_with, plots, stages};
 use truepose::sessions::{Session, load, parse};
@@ -32,7 +32,7 @@ fn lamp() -> Session {
 }
 
 fn report(session: &Session) -> Report {
-    let made = Report::of_session(session, &Options::default(), &Extras::default(), &|_| true);
+    let made = pipeline::report(session, &Options::default(), &Extras::default(), &|_| true);
     made.unwrap_or_else(|e| panic!("{}: {e}", session.name))
 }
 
@@ -234,7 +234,7 @@ fn a_report_is_of_the_model_that_is_in_use_and_says_in_what_it_is_another() {
     let found = diagnose(&session, &options, &|_| true).unwrap();
     let all = found.calibration(&session);
     let of = |model: Option<&Calibration>| {
-        html(&Report::of_diagnosis(&session, &found, model, &options, &extras).unwrap())
+        html(&pipeline::report_of_diagnosis(&session, &found, model, &options, &extras).unwrap())
     };
     assert_eq!(of(Some(&all)), of(None), "what was found is in use");
     let model = all
@@ -406,7 +406,7 @@ fn noise_outliers_and_a_fit_that_did_not_converge_are_reported() {
     let mut found = diagnose(&session, &options, &|_| true).unwrap();
     let page = |found: &Diagnosis| {
         let extras = Extras::default();
-        let made = Report::of_diagnosis(&session, found, None, &options, &extras).unwrap();
+        let made = pipeline::report_of_diagnosis(&session, found, None, &options, &extras).unwrap();
         let page = html(&made);
         check_offline(&page);
         check_pdf(&pdf(&made).unwrap());
@@ -473,7 +473,7 @@ fn the_plots_are_files_of_their_own_too() {
 
 #[test]
 fn whoever_watches_can_stop_it() {
-    let stopped = Report::of_session(&lamp(), &Options::default(), &Extras::default(), &|_| false);
+    let stopped = pipeline::report(&lamp(), &Options::default(), &Extras::default(), &|_| false);
     assert_eq!(
         stopped,
         Err(ReportError::Diagnose(DiagnoseError::Cancelled))

@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 use truepose::diagnosis::Options;
 use truepose::pipeline::diagnose;
+use truepose::present::standards_v1;
 use truepose::sessions::{Session, parse};
-use truepose::standards::format_v1::Document;
 use truepose::standards::standards;
 
 fn reference() -> Value {
@@ -25,7 +25,7 @@ fn session(document: &Value) -> Session {
 
 fn figures(session: &Session) -> Value {
     let figures = standards(session, None).expect("samples that can be used");
-    serde_json::to_value(Document::new(&figures)).unwrap()
+    serde_json::to_value(standards_v1::document(&figures)).unwrap()
 }
 
 fn near(value: &Value, expected: &Value, within: f64, what: &str) {

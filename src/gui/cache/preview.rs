@@ -5,8 +5,9 @@ use std::sync::Arc;
 use crate::compensation::Remainder;
 use crate::effects::{Inputs, JointValues};
 use crate::export::sidecar::measured_poses;
-use crate::export::{Document, Export, Job, find, gap_after_export};
+use crate::export::{Document, Export, Job, gap_after_export};
 use crate::fit::gap::Spread;
+use crate::pipeline;
 
 use super::identified::Outcome;
 use crate::gui::core::document::ExportChoice;
@@ -79,8 +80,7 @@ fn made(wanted: &Wanted) -> Result<Made, String> {
     } else {
         Inputs::new(session, JointValues::Commanded)
     };
-    let format = find(choice.format).ok_or("there is no such format")?;
-    let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
+    let export = pipeline::export(choice.format, &job).map_err(|e| e.to_string())?;
     let sidecar = export.documents.iter().find(|d| d.name.ends_with(SIDECAR));
     let said: Option<serde_json::Value> =
         sidecar.and_then(|d: &Document| serde_json::from_slice(&d.bytes).ok());

@@ -1,7 +1,7 @@
 //! How the joint's range came to be divided, and what the adaptive division decided and why.
 
 use crate::effects::JointValues;
-use crate::fit::identify_regional;
+use crate::pipeline::{Method, identify};
 use crate::sessions::division::RegionChoice;
 use crate::sessions::{Region, Session};
 
@@ -56,14 +56,15 @@ pub(crate) fn adapt(session: &Session) -> Result<(Vec<Region>, Decision), String
     let regions = RegionChoice::Adaptive
         .resolve(session)
         .map_err(|e| e.to_string())?;
-    let left = |choice: &RegionChoice| {
-        let found = identify_regional(session, choice, JointValues::Commanded).ok()?;
+    let left = |choice| {
+        let method = Method::Regional(choice);
+        let (found, _) = identify(session, &method, JointValues::Commanded).ok()?;
         Some(found.gap.after.rms_mm)
     };
     let decision = Decision {
         regions: regions.len(),
-        left_mm: left(&RegionChoice::Given(regions.clone())),
-        even_mm: left(&RegionChoice::Uniform(regions.len())),
+        left_mm: left(RegionChoice::Given(regions.clone())),
+        even_mm: left(RegionChoice::Uniform(regions.len())),
     };
     Ok((regions, decision))
 }

@@ -5,10 +5,11 @@ use std::cell::Cell;
 use crate::diagnosis::Diagnosis;
 use crate::effects::inputs::reflectors_at_home;
 use crate::effects::{Inputs, JointValues, Term};
+use crate::fit::Identification;
 use crate::fit::gap::{Spread, deviations};
 use crate::fit::problem::Problem;
-use crate::fit::{Identification, identify_regional, identify_watched};
-use crate::model::{Calibration, GapStep};
+use crate::model::Calibration;
+use crate::pipeline::{Method, identify, identify_unless};
 use crate::sessions::Session;
 use crate::sessions::division::RegionChoice;
 use crate::sessions::regions::Assignment;
@@ -39,11 +40,8 @@ pub(crate) fn answer(question: &Question, watch: &Watch) -> Result<Answer, Strin
             }
         }
         Asks::Regional(regions) => {
-            let choice = RegionChoice::Given(regions.to_vec());
-            let identification =
-                identify_regional(session, &choice, values).map_err(|e| e.to_string())?;
-            let calibration = identification.calibration(session, &Inputs::new(session, values));
-            (identification, calibration)
+            let method = Method::Regional(RegionChoice::Given(regions.to_vec()));
+            identify(session, &method, values).map_err(|e| e.to_string())?
         }
     };
     let after_mm = if let Asks::Regional(_) = &question.asks {
@@ -96,8 +94,6 @@ fn fitted(
     with: &[Term],
     watch: &Watch,
 ) -> Result<(Identification, Calibration), String> {
-    let values = JointValues::Commanded;
-    let effects: Vec<String> = effects.iter().map(|&e| e.to_owned()).collect();
     // How many passes there will be nobody knows; each takes a part of what is left.
     let left = Cell::new(1.0_f64);
     let go_on = || {
@@ -105,35 +101,12 @@ fn fitted(
         watch.done(1.0 - left.get());
         !watch.stopped()
     };
-    let first = |n: usize| {
-        identify_watched(session, &effects, &with[..n], values, &go_on).map_err(|e| e.to_string())
+    let method = Method::Exact {
+        effects: effects.iter().map(|&id| id.to_owned()).collect(),
+        with: with.to_vec(),
+        priors: true,
     };
-    let identification = first(with.len())?;
-    let mut calibration = identification.calibration(session, &Inputs::new(session, values));
-    if !with.is_empty() {
-        let mut steps = Vec::with_capacity(with.len() + 1);
-        for n in 0..with.len() {
-            steps.push(first(n)?.gap.after.rms_mm);
-        }
-        steps.push(identification.gap.after.rms_mm);
-        calibration.history.truncate(1);
-        calibration.history.extend(history(with, &steps));
-    }
-    Ok((identification, calibration))
-}
-
-/// The gap after the identification and after each effect that was added.
-fn history(with: &[Term], gaps_mm: &[f64]) -> Vec<GapStep> {
-    let name = |k: usize| match k.checked_sub(1).map(|k| &with[k]) {
-        None => "exact identification".to_owned(),
-        Some(term) => format!("with {}", term.effect.about().id),
-    };
-    let step = |(k, gap_mm): (usize, &f64)| GapStep {
-        what: name(k),
-        gap_mm: *gap_mm,
-        held_out_mm: None,
-    };
-    gaps_mm.iter().enumerate().map(step).collect()
+    identify_unless(session, &method, JointValues::Commanded, &go_on).map_err(|e| e.to_string())
 }
 
 /// Deviations after the paper's correction (8): e + M Δρ of the sample's region, in the plane of

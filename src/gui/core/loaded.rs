@@ -1,11 +1,12 @@
 //! What a model that was read from a file says about a session, in the form of an identification:
 //! the same panels show both.
 
-use crate::compensation::{Verification, verify};
+use crate::compensation::Verification;
 use crate::fit::gap::Spread;
 use crate::fit::uncertainty::estimates;
 use crate::fit::{Estimate, Gap, Identification, Outlier, Quality, RegionResult};
 use crate::model::{Calibration, RegionalCorrection};
+use crate::pipeline::verify;
 use crate::sessions::Region;
 use crate::sessions::regions::Assignment;
 

@@ -9,7 +9,7 @@ use crate::effects::{CATALOGUE, Over, Role, Term, find, joint_zero, role, tool_r
 use crate::kinematics::{Axis, Joint, JointKind, LinkMass, Pose, Range, Robot};
 use crate::sessions::{Instrument, Session, Sigma};
 use crate::simulation::{
-    Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature, simulate,
+    Noise, NoiseKind, Order, Poses, Scenario, SimulateError, Sweep, Temperature,
 };
 use crate::units::rad_from_deg;
 
@@ -213,7 +213,7 @@ impl Form {
             return Err(vec![problem]);
         }
         let scenario = self.scenario().map_err(|problem| vec![problem])?;
-        match simulate(&scenario, self.seed, watch) {
+        match crate::pipeline::simulate(&scenario, self.seed, watch) {
             Ok((session, _)) => Ok(session),
             Err(SimulateError::Rejected(rejected)) => {
                 let problems = rejected.diagnostics.iter();

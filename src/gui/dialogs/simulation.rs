@@ -100,7 +100,7 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     ScrollArea::vertical().max_height(150.0).show(ui, |ui| {
         for (index, chosen) in form.effects.iter_mut().enumerate() {
             ui.horizontal_wrapped(|ui| {
-                let title = crate::effects::find(chosen.id).map_or(chosen.id, |e| e.about().title);
+                let title = crate::present::names::title(chosen.id);
                 ui.label(title);
                 for (name, value) in &mut chosen.parameters {
                     let muted = Palette::of(ui).muted;

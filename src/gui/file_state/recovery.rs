@@ -19,7 +19,8 @@ use crate::document::number::hexadecimal;
 use crate::effects::{Term, find, form_with};
 use crate::gui::core::document::{Added, Choices, Document, Method};
 use crate::kinematics::Robot;
-use crate::sessions::{self, Session};
+use crate::pipeline;
+use crate::sessions::Session;
 
 const FORMAT: &str = "truepose-recovery/1";
 const ENDING: &str = "recovery";
@@ -181,7 +182,7 @@ pub(crate) fn write(path: &Path, kept: &Kept) -> Result<(), WriteError> {
         source,
     };
     let mut document = Vec::new();
-    sessions::write_inline(&kept.session, &mut document).map_err(failed)?;
+    pipeline::write_inline(&kept.session, &mut document).map_err(failed)?;
     let header = Header {
         format: FORMAT.to_owned(),
         name: kept.session.name.clone(),
@@ -221,7 +222,7 @@ fn read(path: &Path) -> Result<Kept, String> {
     if hexadecimal(&Sha256::digest(document)) != header.sha256 {
         return Err("its contents do not agree with their hash".to_owned());
     }
-    let loaded = sessions::parse(document).map_err(|e| e.to_string())?;
+    let loaded = pipeline::parse(document).map_err(|e| e.to_string())?;
     Ok(Kept {
         session: loaded.session,
         file: header.file,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::gui::core::examples::EXAMPLES;
 use crate::gui::core::loaded_session::{Origin, Subject};
 use crate::gui::view::Message;
+use crate::pipeline;
 use crate::progress::{Progress, ReadError, unwatched};
-use crate::sessions;
 
 use super::opening::{Opened, looked_through, not_read};
 
@@ -14,7 +14,7 @@ use super::opening::{Opened, looked_through, not_read};
 pub(crate) fn first_example() -> Arc<Subject> {
     let example = &EXAMPLES[0];
     let (document, samples) = example.files();
-    let loaded = sessions::parse_with_csv(document, samples);
+    let loaded = pipeline::parse_with_csv(document, samples);
     let loaded = loaded.expect("a test reads every bundled session");
     Arc::new(Subject::new(
         loaded.session,
@@ -33,7 +33,7 @@ pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
         });
     };
     let (document, samples) = example.files();
-    let loaded = sessions::parse_with_csv(document, samples);
+    let loaded = pipeline::parse_with_csv(document, samples);
     let nobody = Progress::new(&unwatched);
     let subject = loaded.map_err(ReadError::from);
     let subject = subject.and_then(|l| Ok(looked_through(l, Origin::Bundled, nobody.whole())?));

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use crate::atomic::{
     Prepared, WriteError, commit_both, refuse_to_replace_inputs, write_atomically,
 };
-use crate::export::{Document, Job, find};
-use crate::model::format_v1::write_model;
+use crate::export::{Document, Job};
+use crate::pipeline;
 use crate::progress::Cancelled;
 
 use crate::gui::cache::preview::Wanted;
@@ -38,7 +38,7 @@ fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, 
     if what == What::Model {
         return Ok(vec![Document {
             name: name.to_owned(),
-            bytes: write_model(&answer.calibration).into_bytes(),
+            bytes: pipeline::write_model(&answer.calibration).into_bytes(),
         }]);
     }
     // Not as it is shown: the documents say what the file is called.
@@ -47,8 +47,7 @@ fn documents(wanted: &Wanted, what: What, path: &Path) -> Result<Vec<Document>, 
         step: choice.step,
         ..Job::new(&answer.calibration, name)
     };
-    let format = find(choice.format).ok_or("there is no such format")?;
-    let export = format.exporter.export(&job).map_err(|e| e.to_string())?;
+    let export = pipeline::export(choice.format, &job).map_err(|e| e.to_string())?;
     Ok(export.documents)
 }
 

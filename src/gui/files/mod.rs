@@ -17,7 +17,7 @@ pub(crate) use opening::{Opened, open, simulate};
 pub(crate) use pictures::write_picture;
 pub(crate) use saving::{NotSaved, Replace, Saved, save};
 
-pub(crate) use crate::model::format_v1::is_model;
+pub(crate) use crate::pipeline::is_model;
 
 use crate::sessions::Session;
 

@@ -5,9 +5,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::diagnostic::Diagnostic;
-use crate::model::format_v1::{is_model, load_model};
+use crate::pipeline::{self, is_model, load_model};
 use crate::progress::{Cancelled, Part, Progress, ReadError};
-use crate::sessions::{self, Loaded};
+use crate::sessions::Loaded;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::core::disk::Print;
@@ -48,7 +48,7 @@ pub(crate) fn open(path: &Path, watch: &Watch) -> Result<Opened, Message> {
             return Err(not_read(path.display(), "read", &error));
         }
     }
-    let loaded = sessions::load_watched(path, whole.part(0.0, READING).watch());
+    let loaded = pipeline::load_watched(path, whole.part(0.0, READING).watch());
     let subject = loaded.and_then(|loaded| {
         watch.doing(format!("checking {} samples", loaded.session.samples.len()));
         let origin = Origin::File(path.to_path_buf());
@@ -138,7 +138,7 @@ mod tests {
         let through = |watch: &dyn Fn(f64) -> std::ops::ControlFlow<()>| {
             let loaded = {
                 let (document, samples) = example.files();
-                sessions::parse_with_csv(document, samples)
+                pipeline::parse_with_csv(document, samples)
             };
             let progress = Progress::new(watch);
             looked_through(loaded.unwrap(), Origin::Bundled, progress.whole())

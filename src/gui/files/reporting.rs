@@ -4,10 +4,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::fonts::{self, Library};
-use crate::pipeline::diagnose;
+use crate::fonts;
+use crate::pipeline;
 use crate::report::exported::sidecar_of;
-use crate::report::{self, ExportedTable, Extras};
+use crate::report::{ExportedTable, Extras, Kind};
 
 use crate::gui::cache::identified::Outcome;
 use crate::gui::core::document::Document;
@@ -35,12 +35,6 @@ pub(crate) struct Wanted {
     pub(crate) inputs: Vec<PathBuf>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Html,
-    Pdf,
-}
-
 /// Writes it, whole or not at all.
 pub(crate) fn write(wanted: &Wanted, path: &Path, replace: bool, watch: &Watch) -> Message {
     let mut details = Vec::new();
@@ -58,7 +52,7 @@ fn make(
     watch: &Watch,
     details: &mut Vec<String>,
 ) -> Result<(), String> {
-    let kind = kind_of(path)?;
+    let kind = Kind::of(path)?;
     // A long search is not begun for a file that cannot be written.
     files::can_be_written(path, replace, &wanted.inputs)?;
     let extras = Extras {
@@ -68,7 +62,7 @@ fn make(
     let report = match &wanted.source {
         Source::Model(outcome) => {
             let answer = outcome.answer.as_ref().map_err(Clone::clone)?;
-            report::Report::of_model(&answer.calibration, &extras)
+            pipeline::report_of_model(&answer.calibration, &extras)
         }
         Source::Session(document, searched, in_use) => {
             let session = document.session_to_save();
@@ -80,29 +74,22 @@ fn make(
                 found
             } else {
                 details.push("The session was searched for it, as step 4 does".to_owned());
-                made = diagnose(&session, &options, &search::told(watch))
+                made = pipeline::diagnose(&session, &options, &search::told(watch))
                     .map_err(|e| e.to_string())?;
                 &made
             };
             let in_use = in_use.as_ref().and_then(|o| o.answer.as_ref().ok());
             let in_use = in_use.map(|answer| &answer.calibration);
-            report::Report::of_diagnosis(&session, found, in_use, &options, &extras)
+            pipeline::report_of_diagnosis(&session, found, in_use, &options, &extras)
                 .map_err(|e| e.to_string())?
         }
     };
-    let bytes = match kind {
-        Kind::Html => report::html(&report).into_bytes(),
-        Kind::Pdf => {
-            let written = report::pdf_with(&report, &Library::system());
-            let written = written.map_err(|e| e.to_string())?;
-            if !written.unshown.is_empty() {
-                let says = fonts::cannot_be_shown(&written.unshown);
-                details.push(format!("Some letters stand in it as codes: {says}"));
-            }
-            written.bytes
-        }
-    };
-    files::write_one(path, replace, &bytes, watch)
+    let written = pipeline::write_report(&report, kind).map_err(|e| e.to_string())?;
+    if !written.unshown.is_empty() {
+        let says = fonts::cannot_be_shown(&written.unshown);
+        details.push(format!("Some letters stand in it as codes: {says}"));
+    }
+    files::write_one(path, replace, &written.bytes, watch)
 }
 
 /// The tables with their hashes; what cannot be named any more is said.
@@ -119,14 +106,6 @@ fn named_tables(paths: &[PathBuf], details: &mut Vec<String>) -> Vec<ExportedTab
         }
     }
     tables
-}
-
-fn kind_of(path: &Path) -> Result<Kind, String> {
-    match files::ending(path).as_deref() {
-        Some("html" | "htm") => Ok(Kind::Html),
-        Some("pdf") => Ok(Kind::Pdf),
-        _ => Err("expected a file name that ends in .html or .pdf".to_owned()),
-    }
 }
 
 #[cfg(test)]

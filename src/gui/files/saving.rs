@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::sessions::{self, Replacing};
+use crate::pipeline;
+use crate::sessions::{Replacing, samples_path};
 
 use crate::gui::core::disk::{Fate, Print};
 use crate::gui::jobs::Watch;
@@ -56,7 +57,7 @@ pub(crate) fn save(
     } else {
         path.to_path_buf()
     };
-    let outputs = [path.clone(), sessions::samples_path(&path)];
+    let outputs = [path.clone(), samples_path(&path)];
     let changed = outputs.iter().find(|output| {
         let print = known.iter_mut().find(|k| same_file(&k.path, output));
         print.is_some_and(|print| print.look() == Some(Fate::Changed))
@@ -72,7 +73,7 @@ pub(crate) fn save(
         };
         let replacing = Replacing { force, inputs: &[] };
         let session = document.session_to_save();
-        match sessions::save_watched(&session, &path, replacing, watch.told()) {
+        match pipeline::save_watched(&session, &path, replacing, watch.told()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
             Err(error) => Err(NotSaved::Because(Message {
                 wrong: true,

@@ -7,7 +7,7 @@ use nalgebra::{Point3, Vector3};
 use crate::diagnostic::{Diagnostic, Place, Rejected};
 use crate::gui::core::examples::EXAMPLES;
 use crate::kinematics::{Axis, Joint, JointKind, Range, Robot, pose_from_parts, robot_from_file};
-use crate::sessions;
+use crate::pipeline;
 use crate::units::rad_from_deg;
 
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -125,7 +125,7 @@ impl RobotFrom {
             Self::Here(robot) => Some(Ok(Robot::clone(robot))),
             Self::Example(index) => {
                 let (document, samples) = EXAMPLES[*index % EXAMPLES.len()].files();
-                let loaded = sessions::parse_with_csv(document, samples);
+                let loaded = pipeline::parse_with_csv(document, samples);
                 Some(loaded.map(|loaded| loaded.session.robot))
             }
             Self::File { path, .. } if path.trim().is_empty() => None,
@@ -145,9 +145,9 @@ impl RobotFrom {
 
 /// A robot by itself, or a session that has one.
 fn from_file(path: &Path) -> Result<Robot, Rejected> {
-    sessions::load_robot(path)
+    pipeline::load_robot(path)
         .map(|loaded| loaded.robot)
-        .or_else(|rejected| match sessions::load(path) {
+        .or_else(|rejected| match pipeline::load(path) {
             Ok(loaded) => Ok(loaded.session.robot),
             Err(_) => Err(rejected),
         })

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use super::answers::Said;
 use crate::diagnostic::{Diagnostic, Rejected, Severity};
 use crate::gui::core::loaded_session::{Origin, Subject};
-use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings, import_watched};
+use crate::importers::{Alignment, Companion, IMPORTERS, Matched, Settings};
 use crate::kinematics::Robot;
+use crate::pipeline::import_watched;
 use crate::progress::{Part, ReadError};
 use crate::sessions::files;
 

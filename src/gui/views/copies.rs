@@ -6,16 +6,14 @@ use std::time::Duration;
 use egui::{Button, Id, Popup, PopupKind, RichText, Ui, vec2};
 
 use crate::diagnosis::{Diagnosis, NextPose, Sight};
-use crate::effects::find;
 use crate::fit::{Estimate, RegionResult};
 use crate::gui::style::tokens::{size, space};
-use crate::gui::units::{cell, plain_number};
 use crate::gui::widgets;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::Robot;
+use crate::present::names::{parameter, title};
+use crate::present::table::{Cell, Table};
 use crate::units::deg_from_rad;
-
-use super::names::named;
 
 /// A button that copies a table.
 pub(super) fn button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String) {
@@ -76,53 +74,95 @@ pub(super) fn chart_button(ui: &mut Ui, of: &str, text: impl FnOnce() -> String)
     }
 }
 
+/// The columns of a parameter with its interval.
+const PARAMETER: [&str; 7] = [
+    "effect",
+    "joint",
+    "parameter",
+    "value",
+    "95 % from",
+    "95 % to",
+    "unit",
+];
+
+/// The cells of a parameter with its interval.
+fn estimate(one: &Estimate) -> Vec<Cell> {
+    let (name, unit) = parameter(one.name);
+    let [from, to] = ends(one.ci95);
+    let (effect, value) = (title(one.effect).into(), one.value.into());
+    vec![
+        effect,
+        one.joint.into(),
+        name.into(),
+        value,
+        from,
+        to,
+        unit.into(),
+    ]
+}
+
+fn ends(interval: Option<[f64; 2]>) -> [Cell; 2] {
+    interval.map_or_else(Default::default, |ends| ends.map(Cell::from))
+}
+
+/// Every parameter with its interval.
+pub(super) fn parameters(estimates: &[Estimate]) -> String {
+    let mut table = Table::new(PARAMETER);
+    table.rows = estimates.iter().map(estimate).collect();
+    table.tabbed()
+}
+
 /// What was found, parameter by parameter, each with the evidence of its name.
 pub(super) fn found(d: &Diagnosis) -> String {
-    let mut text = "effect\tjoint\tparameter\tvalue\t95 % from\t95 % to\tunit\tnoise alone, 1 of\t\
-                    odds over the next candidate\tshare\tRMS error before, mm\tRMS error after, mm\t\
-                    held-out gap before, mm\theld-out gap after, mm\n"
-        .to_owned();
+    let evidence = [
+        "noise alone, 1 of",
+        "odds over the next candidate",
+        "share",
+        "RMS error before, mm",
+        "RMS error after, mm",
+        "held-out gap before, mm",
+        "held-out gap after, mm",
+    ];
+    let mut table = Table::new(PARAMETER.into_iter().chain(evidence));
     for found in &d.found {
-        let [held_before, held_after] = ends(found.held_out_mm);
         for one in &found.parameters {
-            let mut cells = estimate(one).to_vec();
-            cells.extend([
-                plain_number((1.0 / found.p_family.p).round()),
-                plain_number(found.odds_over_next),
-                plain_number(found.share),
-                plain_number(found.gap_mm[0]),
-                plain_number(found.gap_mm[1]),
-                held_before.clone(),
-                held_after.clone(),
-            ]);
-            row(&mut text, &cells);
+            let mut cells = estimate(one);
+            let odds = [
+                (1.0 / found.p_family.p).round(),
+                found.odds_over_next,
+                found.share,
+            ];
+            cells.extend(odds.into_iter().chain(found.gap_mm).map(Cell::from));
+            cells.extend(ends(found.held_out_mm));
+            table.rows.push(cells);
         }
     }
-    text
+    table.tabbed()
 }
 
 /// How large each effect could be without having been seen; an empty size was not to be seen at all.
 pub(super) fn limits(d: &Diagnosis) -> String {
-    let mut text = "effect\tjoint\tparameter\tdetection limit (95 %)\tunit\n".to_owned();
+    let mut table = Table::new([
+        "effect",
+        "joint",
+        "parameter",
+        "detection limit (95 %)",
+        "unit",
+    ]);
     for limit in &d.not_found {
         for (name, size) in &limit.sizes {
-            let (parameter, unit) = named(name);
+            let (name, unit) = parameter(name);
             let size = match Sight::of(*size) {
-                Sight::Above(size) => plain_number(size),
-                Sight::AtAnySize => plain_number(0.0),
-                Sight::AtNoSize => String::new(),
+                Sight::Above(size) => Some(size),
+                Sight::AtAnySize => Some(0.0),
+                Sight::AtNoSize => None,
             };
-            let cells = [
-                title(limit.effect),
-                number_of(limit.joint.map(|joint| joint + 1)),
-                parameter,
-                size,
-                unit.to_owned(),
-            ];
-            row(&mut text, &cells);
+            let joint = limit.joint.map(|joint| joint + 1);
+            let effect = Cell::from(title(limit.effect));
+            table.row([effect, joint.into(), name.into(), size.into(), unit.into()]);
         }
     }
-    text
+    table.tabbed()
 }
 
 /// The poses to measure next, with everything that the measuring list holds.
@@ -133,38 +173,35 @@ pub(super) fn poses(poses: &[NextPose], robot: &Robot) -> String {
         .collect();
     heads.extend(joints().map(|(j, _)| format!("from, joint {}", j + 1)));
     heads.extend(joints().map(|(j, joint)| format!("speed{}, {}/s", j + 1, joint.kind.unit())));
-    heads.extend(
-        [
-            "load, kg",
-            "temperature, °C",
-            "reflector",
-            "x, mm",
-            "y, mm",
-            "z, mm",
-            "why",
-        ]
-        .map(str::to_owned),
-    );
-    let mut text = String::new();
-    row(&mut text, &heads);
-    let optional = |value: Option<f64>| value.map_or_else(String::new, plain_number);
+    let others = [
+        "load, kg",
+        "temperature, °C",
+        "reflector",
+        "x, mm",
+        "y, mm",
+        "z, mm",
+        "why",
+    ];
+    heads.extend(others.map(str::to_owned));
+    let mut table = Table::new(heads);
     for pose in poses {
-        let outer = |(j, value): (usize, &f64)| plain_number(robot.joints[j].kind.outer(*value));
-        let mut cells: Vec<String> = pose.q.iter().enumerate().map(outer).collect();
-        cells.extend(pose.dir.iter().map(|dir| plain_number(*dir)));
+        let outer = |(j, value): (usize, &f64)| Cell::from(robot.joints[j].kind.outer(*value));
+        let mut cells: Vec<Cell> = pose.q.iter().enumerate().map(outer).collect();
+        cells.extend(pose.dir.iter().map(|dir| Cell::from(*dir)));
         match &pose.speed {
             Some(speed) => cells.extend(speed.iter().enumerate().map(outer)),
-            None => cells.extend(joints().map(|_| String::new())),
+            None => cells.extend(joints().map(|_| Cell::default())),
         }
-        cells.extend([optional(pose.load_kg), optional(pose.temperature_c)]);
-        cells.push(pose.target.as_deref().map_or_else(String::new, cell));
-        for axis in 0..3 {
-            cells.push(optional(pose.target_mm.map(|at| at[axis])));
-        }
-        cells.push(cell(&pose.why));
-        row(&mut text, &cells);
+        cells.extend([
+            pose.load_kg.into(),
+            pose.temperature_c.into(),
+            pose.target.as_deref().into(),
+        ]);
+        cells.extend((0..3).map(|axis| Cell::from(pose.target_mm.map(|at| at[axis]))));
+        cells.push(pose.why.as_str().into());
+        table.rows.push(cells);
     }
-    text
+    table.tabbed()
 }
 
 /// Sample by sample: what was commanded and measured, and how far that is from the simulation.
@@ -183,105 +220,62 @@ pub(super) fn samples(workbench: &Workbench) -> String {
         "after, mm",
     ];
     heads.extend(others.map(str::to_owned));
-    let mut text = String::new();
-    row(&mut text, &heads);
+    let mut table = Table::new(heads);
     let samples = &session.samples;
-    let known = |value: f64| {
-        if value.is_finite() {
-            plain_number(value)
-        } else {
-            String::new()
-        }
-    };
     for sample in 0..subject.len() {
-        let mut cells = vec![(sample + 1).to_string()];
+        let mut cells = vec![Cell::from(sample + 1)];
         let joints = session.robot.joints.iter().zip(&samples.q);
-        cells.extend(joints.map(|(joint, q)| known(joint.kind.outer(q[sample]))));
+        cells.extend(joints.map(|(joint, q)| Cell::from(joint.kind.outer(q[sample]))));
         let target = samples
             .target
             .as_ref()
             .map(|target| target[sample] as usize);
         let target = target.and_then(|target| session.targets.get(target));
-        cells.push(target.map_or_else(String::new, |target| cell(&target.name)));
+        cells.push(target.map(|target| target.name.as_str()).into());
         let z = samples.z_mm.as_ref().map_or(f64::NAN, |z| z[sample]);
         let before = subject.before.length_mm[sample];
         let after = answer.map_or(f64::NAN, |answer| answer.lengths_mm[sample]);
         let numbers = [samples.x_mm[sample], samples.y_mm[sample], z, before, after];
-        cells.extend(numbers.map(known));
-        row(&mut text, &cells);
+        cells.extend(numbers.map(Cell::from));
+        table.rows.push(cells);
     }
-    text
-}
-
-fn title(effect: &str) -> String {
-    find(effect)
-        .map_or(effect, |effect| effect.about().title)
-        .to_owned()
-}
-
-fn number_of(joint: Option<usize>) -> String {
-    joint.map_or_else(String::new, |joint| joint.to_string())
-}
-
-/// The cells of a parameter with its interval.
-fn estimate(one: &Estimate) -> [String; 7] {
-    let (name, unit) = named(one.name);
-    let [from, to] = ends(one.ci95);
-    [
-        title(one.effect),
-        number_of(one.joint),
-        name,
-        plain_number(one.value),
-        from,
-        to,
-        unit.to_owned(),
-    ]
-}
-
-/// Every parameter with its interval.
-pub(super) fn parameters(estimates: &[Estimate]) -> String {
-    let mut text = "effect\tjoint\tparameter\tvalue\t95 % from\t95 % to\tunit\n".to_owned();
-    for one in estimates {
-        row(&mut text, &estimate(one));
-    }
-    text
+    table.tabbed()
 }
 
 /// Every region's correction with its intervals.
 pub(super) fn regions(results: &[RegionResult]) -> String {
-    let mut text = "region\tfrom, deg\tto, deg\tsamples\tdtheta, rad\t95 % from\t95 % to\t\
-                    dl1, mm\t95 % from\t95 % to\tgap before, mm\tgap after, mm\n"
-        .to_owned();
+    let mut table = Table::new([
+        "region",
+        "from, deg",
+        "to, deg",
+        "samples",
+        "dtheta, rad",
+        "95 % from",
+        "95 % to",
+        "dl1, mm",
+        "95 % from",
+        "95 % to",
+        "gap before, mm",
+        "gap after, mm",
+    ]);
     for result in results {
-        let correction = &result.correction;
-        let ([theta_from, theta_to], [l1_from, l1_to]) =
-            (ends(result.theta_ci95), ends(result.l1_ci95));
-        row(
-            &mut text,
-            &[
-                cell(&correction.name),
-                plain_number(deg_from_rad(correction.from_rad)),
-                plain_number(deg_from_rad(correction.to_rad)),
-                correction.samples.to_string(),
-                plain_number(correction.theta_rad),
-                theta_from,
-                theta_to,
-                plain_number(correction.l1_mm),
-                l1_from,
-                l1_to,
-                plain_number(result.rms_before_mm),
-                plain_number(result.rms_after_mm),
-            ],
-        );
+        let c = &result.correction;
+        let [theta_from, theta_to] = ends(result.theta_ci95);
+        let [l1_from, l1_to] = ends(result.l1_ci95);
+        table.row([
+            c.name.as_str().into(),
+            deg_from_rad(c.from_rad).into(),
+            deg_from_rad(c.to_rad).into(),
+            c.samples.into(),
+            c.theta_rad.into(),
+            theta_from,
+            theta_to,
+            c.l1_mm.into(),
+            l1_from,
+            l1_to,
+            result.rms_before_mm.into(),
+            Cell::from(result.rms_after_mm),
+        ]);
     }
-    text
-}
-
-fn ends(interval: Option<[f64; 2]>) -> [String; 2] {
-    interval.map_or_else(Default::default, |ends| ends.map(plain_number))
-}
-
-fn row(text: &mut String, cells: &[String]) {
-    *text += &cells.join("\t");
-    text.push('\n');
+    table.tabbed()
 }

@@ -3,7 +3,6 @@
 
 use egui::{CollapsingHeader, Rect, RichText, Sense, Ui, vec2};
 
-use crate::effects::find;
 use crate::effects::survey::JointSurvey;
 use crate::export::EXPORTERS;
 use crate::gui::core::coverage::Known;
@@ -180,7 +179,7 @@ fn strip(ui: &mut Ui, known: &Known) {
 fn testable(ui: &mut Ui, workbench: &Workbench) {
     let subject = workbench.subject();
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
-    let name = |id: &str| find(id).map_or_else(|| id.to_owned(), |e| e.about().title.to_owned());
+    let name = |id: &str| crate::present::names::title(id).to_owned();
     widgets::card(ui, |ui| {
         title(ui, "Testable effects");
         widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));

@@ -115,7 +115,7 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
 /// What was found so far; a later step may exchange it for something likelier.
 fn names_so_far(ui: &mut Ui, found: &[String]) {
     for name in found {
-        let title = super::names::title_of(name);
+        let title = crate::present::names::title_of(name);
         ui.indent(("found so far", name), |ui| ui.label(title));
     }
     if !found.is_empty() {

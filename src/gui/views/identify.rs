@@ -127,8 +127,7 @@ fn effects(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         .id_salt("not testable")
         .show(ui, |ui| {
             for one in &subject.not_testable {
-                let title = find(one.effect).map_or(one.effect, |e| e.about().title);
-                ui.label(title);
+                ui.label(crate::present::names::title(one.effect));
                 widgets::hint(ui, &one.because);
             }
         });

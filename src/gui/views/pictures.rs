@@ -3,7 +3,6 @@
 
 use std::sync::Arc;
 
-use crate::compensation::verify;
 use crate::gui::cache::identified::Outcome;
 use crate::gui::charts::{Pointed, find};
 use crate::gui::core::document::Document;
@@ -11,6 +10,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::view::Plot;
 use crate::gui::workbench::{Draw, Workbench};
 use crate::gui::workspace::polar_sheet;
+use crate::pipeline::verify;
 use crate::present::chart::{Chart, FULL_WIDTH};
 use crate::present::drawing::{Drawing, Label, MUTED};
 use crate::report::plots::workspace;

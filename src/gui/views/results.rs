@@ -2,7 +2,6 @@
 
 use egui::{Grid, RichText, Ui};
 
-use crate::effects::find;
 use crate::fit::noise::StatedNoise;
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
@@ -13,9 +12,10 @@ use crate::gui::units::{Units, grouped, number_of, trimmed};
 use crate::gui::view::{Side, Step};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::names::{parameter, title_on};
 use crate::units::deg_from_rad;
 
-use super::names::{implausible, named, not_identifiable, title};
+use super::names::{implausible, not_identifiable, title};
 use super::{copies, model, samples};
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
@@ -170,17 +170,13 @@ fn parameters(ui: &mut Ui, estimates: &[Estimate], joints: usize, units: Units) 
     for one in estimates {
         if last != Some((one.effect, one.joint)) {
             last = Some((one.effect, one.joint));
-            let title = find(one.effect).map_or(one.effect, |e| e.about().title);
-            let name = match one.joint {
-                Some(joint) if joints > 1 => format!("{title}, joint {joint}"),
-                _ => title.to_owned(),
-            };
+            let name = title_on(one.effect, one.joint, joints);
             ui.add_space(space::TIGHT);
             let name = RichText::new(name).color(palette.muted).size(size::SMALL);
             let name = ui.add(egui::Label::new(name).wrap());
             widgets::explained_effect(name, one.effect);
         }
-        let (name, unit) = named(one.name);
+        let (name, unit) = parameter(one.name);
         let (value, half, unit) = units.estimate(one, unit);
         estimate(ui, &name, &value, &format!("{half} {unit}"));
     }
@@ -353,26 +349,4 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             widgets::hint(ui, line);
         }
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::effects::CATALOGUE;
-    use crate::effects::term::parameter_names;
-
-    #[test]
-    fn every_parameter_of_the_catalogue_has_a_name_and_a_unit() {
-        for effect in CATALOGUE {
-            for parameter in parameter_names(*effect) {
-                let (name, unit) = named(parameter);
-                assert!(
-                    !name.is_empty() && !name.contains('_'),
-                    "{parameter}: {name}"
-                );
-                let pure = ["order", "ratio", "from_joint"].contains(&parameter);
-                assert_eq!(unit.is_empty(), pure, "{parameter}: {unit}");
-            }
-        }
-    }
 }

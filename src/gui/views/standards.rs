@@ -2,10 +2,11 @@
 
 use egui::{Grid, RichText, Ui};
 
-use crate::gui::cache::figures::{Group, Made, as_text};
+use crate::gui::cache::figures::{Made, as_text};
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::workbench::Workbench;
 use crate::gui::{help, widgets};
+use crate::present::standards::Group;
 
 use super::copies;
 
@@ -30,8 +31,8 @@ fn tables(ui: &mut Ui, made: &Made) {
     }
     let mut explained = "";
     for group in &made.groups {
-        widgets::section(ui, &format!("{}, {}", group.title, group.standard));
-        if !group.says.is_empty() {
+        widgets::section(ui, &format!("{}, {}", group.title(), group.standard));
+        if !group.rows.is_empty() {
             widgets::hint(ui, &group.says);
         }
         if !group.rows.is_empty() {
@@ -66,7 +67,7 @@ fn legend(group: &Group) -> String {
 fn table(ui: &mut Ui, group: &Group) {
     let palette = Palette::of(ui);
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
-    Grid::new(("standards", &group.title))
+    Grid::new(("standards", &group.of))
         .num_columns(3)
         .spacing([20.0, 3.0])
         .show(ui, |ui| {
@@ -77,7 +78,8 @@ fn table(ui: &mut Ui, group: &Group) {
             }
             ui.end_row();
             for row in &group.rows {
-                let [before, after] = row.shown();
+                let before = group.shown(row.before);
+                let after = row.after.map_or_else(|| "–".to_owned(), |v| group.shown(v));
                 ui.label(row.symbol).on_hover_ui(|ui| {
                     ui.set_max_width(space::TIP);
                     ui.label(RichText::new(row.name).font(strong(size::BODY)));

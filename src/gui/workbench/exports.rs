@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::design::measuring_list;
 use crate::export::find;
 use crate::gui::cache::preview::Wanted;
 use crate::gui::core::document::plain;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{About, What};
+use crate::pipeline::measuring_list;
 
 use super::Workbench;
 

@@ -288,11 +288,12 @@ impl Flow<'_> {
 
     fn table(&mut self, table: &Table) {
         let widths = self.column_widths(table);
-        let bold: Vec<String> = table.columns.iter().map(|(name, _)| name.clone()).collect();
-        let head = self.cells(&bold, &widths, true);
+        let headings = table.columns.iter().map(|column| &*column.heading);
+        let head = self.cells(headings, &widths, true);
         self.row(&head, &widths, table, true);
         for row in &table.rows {
-            let cells = self.cells(row, &widths, false);
+            let shown = row.iter().map(|cell| &*cell.shown);
+            let cells = self.cells(shown, &widths, false);
             let height = row_height(&cells);
             if self.y + height > BOTTOM && self.y > TOP {
                 self.pages.push(Drawing::new(PAGE[0], PAGE[1]));
@@ -304,8 +305,13 @@ impl Flow<'_> {
         self.y += 8.0;
     }
 
-    fn cells(&self, row: &[String], widths: &[f64], bold: bool) -> Vec<Vec<String>> {
-        let wrap = |(text, width): (&String, &f64)| {
+    fn cells<'t>(
+        &self,
+        row: impl Iterator<Item = &'t str>,
+        widths: &[f64],
+        bold: bool,
+    ) -> Vec<Vec<String>> {
+        let wrap = |(text, width): (&str, &f64)| {
             let mut lines = self.fonts.wrapped(text, 8.2, bold, width - 2.0 * PADDING);
             if lines.len() > MOST_LINES {
                 lines.truncate(MOST_LINES);
@@ -313,7 +319,7 @@ impl Flow<'_> {
             }
             lines
         };
-        row.iter().zip(widths).map(wrap).collect()
+        row.zip(widths).map(wrap).collect()
     }
 
     fn row(&mut self, cells: &[Vec<String>], widths: &[f64], table: &Table, head: bool) {
@@ -325,10 +331,10 @@ impl Flow<'_> {
                 .push(Item::Box([LEFT, y], [FULL_WIDTH, height], GROUND));
         }
         let mut x = LEFT;
-        for ((lines, width), (_, right)) in cells.iter().zip(widths).zip(&table.columns) {
+        for ((lines, width), column) in cells.iter().zip(widths).zip(&table.columns) {
             for (k, line) in lines.iter().enumerate() {
                 let base = y + 2.6 + 11.0 * (k as f64 + 0.5) + 8.2 * 0.35;
-                let (at, anchor) = if *right {
+                let (at, anchor) = if column.right {
                     ([x + width - PADDING, base], Anchor::End)
                 } else {
                     ([x + PADDING, base], Anchor::Start)
@@ -354,12 +360,15 @@ impl Flow<'_> {
         let natural: Vec<f64> = (0..table.columns.len())
             .map(|k| {
                 let cells = table.rows.iter().filter_map(|row| row.get(k));
-                let widest = cells.map(|text| wide(text, false)).fold(0.0, f64::max);
+                let widest = cells
+                    .map(|cell| wide(&cell.shown, false))
+                    .fold(0.0, f64::max);
                 // A heading may break over two lines.
-                let words = table.columns[k].0.split(' ').map(|w| wide(w, true));
+                let heading = &table.columns[k].heading;
+                let words = heading.split(' ').map(|w| wide(w, true));
                 widest
                     .max(words.fold(0.0, f64::max))
-                    .max(wide(&table.columns[k].0, true) * 0.6)
+                    .max(wide(heading, true) * 0.6)
             })
             .collect();
         let total: f64 = natural.iter().sum();

@@ -9,9 +9,10 @@ use crate::gui::core::search::term_of;
 use crate::gui::help;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::units::{Units, significant};
-use crate::gui::views::names::{implausible, in_words, named, title_of};
+use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
+use crate::present::names::{parameter, title_of};
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -89,7 +90,7 @@ fn estimates(ui: &mut Ui, units: Units, id: &str, parameters: &[Estimate]) {
         .min_col_width(0.0)
         .show(ui, |ui| {
             for one in parameters {
-                let (name, unit) = named(one.name);
+                let (name, unit) = parameter(one.name);
                 let (value, half, unit) = units.estimate(one, unit);
                 ui.label(name);
                 widgets::cell_right(ui, RichText::new(value).font(strong(size::BODY)));

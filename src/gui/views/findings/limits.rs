@@ -2,37 +2,24 @@
 
 use egui::{CollapsingHeader, RichText, Ui};
 
-use crate::diagnosis::{Diagnosis, Sight};
+use crate::diagnosis::Diagnosis;
 use crate::gui::style::tokens::{Palette, size};
-use crate::gui::units::{number_of, significant};
+use crate::gui::units::number_of;
 use crate::gui::views::copies;
-use crate::gui::views::names::{named, title_of};
-use crate::gui::widgets::{self};
+use crate::gui::widgets;
+use crate::present::names::{detection_limit, title_on};
 
 pub(super) fn show(ui: &mut Ui, d: &Diagnosis) {
     if d.not_found.is_empty() {
         return;
     }
     let number = number_of(d.not_found.len(), "effect");
-    let text = format!("Detection limits: {number}");
+    let text = format!("Detection limits: {number} (95 %)");
     folded(ui, text, |ui| {
         for limit in &d.not_found {
-            let name = limit.joint.filter(|_| d.model.robot.joints.len() > 1);
-            let name = name.map_or(limit.effect.to_owned(), |j| {
-                format!("{} {}", limit.effect, j + 1)
-            });
-            ui.label(title_of(&name));
-            let sizes = limit.sizes.iter().map(|(name, size)| {
-                let (name, unit) = named(name);
-                match Sight::of(*size) {
-                    Sight::Above(size) => {
-                        format!("{name} above {} {unit} (95 %)", significant(size, 2))
-                    }
-                    Sight::AtAnySize => format!("{name} of any size: there is no noise"),
-                    Sight::AtNoSize => format!("{name} at no size, by these poses"),
-                }
-            });
-            widgets::hint(ui, sizes.collect::<Vec<_>>().join(", "));
+            let joint = limit.joint.map(|j| j + 1);
+            ui.label(title_on(limit.effect, joint, d.model.robot.joints.len()));
+            widgets::hint(ui, detection_limit(limit));
         }
         copies::button(ui, "detection limits", || copies::limits(d));
     });
@@ -48,11 +35,8 @@ pub(super) fn not_testable(ui: &mut Ui, d: &Diagnosis) {
     );
     folded(ui, text, |ui| {
         for one in &d.not_testable {
-            let name = one.joint.filter(|_| d.model.robot.joints.len() > 1);
-            let name = name.map_or(one.effect.to_owned(), |j| {
-                format!("{} {}", one.effect, j + 1)
-            });
-            ui.label(title_of(&name));
+            let joint = one.joint.map(|j| j + 1);
+            ui.label(title_on(one.effect, joint, d.model.robot.joints.len()));
             widgets::hint(ui, &one.because);
         }
     });

@@ -1,0 +1,30 @@
+//! `truepose-effects/1`: what the program knows, as JSON.
+
+use super::json::{Json, list, object};
+use crate::effects::term::parameter_names;
+use crate::effects::{CATALOGUE, Effect};
+
+/// The document of the catalogue.
+pub fn document() -> Json {
+    object! {
+        "format": "truepose-effects/1",
+        "effects": list(CATALOGUE, |effect| entry(*effect)),
+    }
+}
+
+fn entry(effect: &dyn Effect) -> Json {
+    let about = effect.about();
+    object! {
+        "effect": about.id,
+        "title": about.title,
+        "per_joint": about.per_joint,
+        "parameters": parameter_names(effect),
+        "equation": about.equation,
+        "source": about.source,
+        "cause": about.cause,
+        "needs": list(about.needs, |need| need.what.into()),
+        "usual_size": about.usual_size,
+        "confused_with": about.confused_with,
+        "check": about.check,
+    }
+}

@@ -1,0 +1,67 @@
+//! Poses to measure next, as terminal, window and report list them.
+
+use super::numbers::trimmed;
+use super::table::Table;
+use crate::diagnosis::NextPose;
+use crate::kinematics::Robot;
+
+/// The poses in order: joint values, the side from which each joint comes (+ from below, − from above),
+/// the reflector, what else is to be seen to, and why.
+pub fn table(poses: &[NextPose], robot: &Robot) -> Table {
+    let mut table = Table::new(["pose", "from", "reflector", "conditions", "why"]);
+    let values = |values: &[f64], per: &str| {
+        let each = values.iter().zip(&robot.joints).map(|(value, joint)| {
+            let value = trimmed(joint.kind.outer(*value), 2);
+            format!("{value}{}{per}", joint.kind.sign())
+        });
+        each.collect::<Vec<_>>()
+    };
+    for (k, pose) in poses.iter().enumerate() {
+        let mut conditions = pose
+            .speed
+            .as_deref()
+            .map_or_else(Vec::new, |v| values(v, "/s"));
+        let load = pose.load_kg.map(|kg| format!("{} kg", trimmed(kg, 2)));
+        let temperature = pose.temperature_c.map(|t| format!("{} °C", trimmed(t, 1)));
+        let again = poses[..k].iter().any(|earlier| pose.repeats(earlier));
+        let again = again.then(|| "second time".to_owned());
+        conditions.extend(load.into_iter().chain(temperature).chain(again));
+        table.row([
+            values(&pose.q, "").join(" "),
+            sides(&pose.dir),
+            pose.target.clone().unwrap_or_default(),
+            conditions.join(", "),
+            pose.why.clone(),
+        ]);
+    }
+    table
+}
+
+/// From which side each joint comes: + from below, − from above.
+pub fn sides(dir: &[f64]) -> String {
+    let side = |dir: &f64| match *dir {
+        d if d > 0.0 => "+",
+        d if d < 0.0 => "−",
+        _ => "any",
+    };
+    dir.iter().map(side).collect::<Vec<_>>().join(" ")
+}
+
+/// Where each reflector is to be mounted that the session does not have.
+pub fn new_reflectors(poses: &[NextPose]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for pose in poses {
+        let (Some(name), Some(at)) = (&pose.target, pose.target_mm) else {
+            continue;
+        };
+        let [x, y, z] = at.map(|mm| trimmed(mm, 2));
+        let line = format!(
+            "{name} is a new reflector: mount it at ({x}, {y}, {z}) mm in the tool frame, and survey \
+             where it really is"
+        );
+        if !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    lines
+}

@@ -1,0 +1,147 @@
+//! The figures of the standards, as terminal, window and report show them.
+
+use super::numbers::fixed;
+use super::table::{Cell, Table};
+use crate::standards::axis::{AxisTest, Series};
+use crate::standards::pose::PoseTest;
+use crate::standards::{Positioning, Standards, at_least};
+
+/// The figures of one test.
+#[derive(Debug, Clone, Default)]
+pub struct Group {
+    /// What was tested: a joint, or the poses.
+    pub of: String,
+    /// After which standard.
+    pub standard: &'static str,
+    /// Unit of the figures.
+    pub unit: &'static str,
+    /// Under which conditions.
+    pub says: String,
+    /// The figures that there are.
+    pub rows: Vec<Row>,
+    /// Why others are missing.
+    pub missing: Vec<String>,
+}
+
+/// One figure, in the unit of its group.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Its symbol in the standard.
+    pub symbol: &'static str,
+    /// What it is.
+    pub name: &'static str,
+    /// As measured.
+    pub before: f64,
+    /// With corrected commands.
+    pub after: Option<f64>,
+}
+
+impl Group {
+    /// What was tested, as a heading.
+    pub fn title(&self) -> String {
+        let (first, rest) = self.of.split_at(1);
+        first.to_uppercase() + rest
+    }
+
+    /// A figure as it is shown: to 0.1 µm or 0.1″.
+    pub fn shown(&self, value: f64) -> String {
+        fixed(value, if self.unit == "mm" { 4 } else { 1 })
+    }
+
+    /// The figures as a table.
+    pub fn table(&self) -> Table {
+        let measured = format!(">As measured, {}", self.unit);
+        let mut table = Table::new(["Symbol", "Figure", &measured, ">Corrected commands"]);
+        for row in &self.rows {
+            let number = |value| Cell::number(value, |v| self.shown(v));
+            table.row([
+                row.symbol.into(),
+                row.name.into(),
+                number(Some(row.before)),
+                number(row.after),
+            ]);
+        }
+        table
+    }
+}
+
+/// One group for each of at most `most` series of an axis, and one for the poses.
+pub fn groups(standards: &Standards, most: usize) -> Vec<Group> {
+    let axes = standards.axes.iter().flat_map(|axis| of_axis(axis, most));
+    axes.chain([of_poses(&standards.poses, standards.compensated)])
+        .collect()
+}
+
+fn of_axis(axis: &AxisTest, most: usize) -> Vec<Group> {
+    let empty = Group {
+        of: format!("joint {} ({})", axis.joint + 1, axis.name),
+        standard: "ISO 230-2",
+        unit: axis.unit,
+        missing: axis.missing.iter().cloned().collect(),
+        ..Group::default()
+    };
+    let shown = axis.series.iter().take(most);
+    let mut groups: Vec<Group> = shown.map(|one| of_series(axis, one, &empty)).collect();
+    if groups.is_empty() {
+        groups.push(empty);
+    }
+    let more = axis.more + axis.series.len().saturating_sub(most);
+    if let (1.., Some(last)) = (more, groups.last_mut()) {
+        let says = format!("{more} more series under other conditions are in `standards --json`");
+        last.missing.push(says);
+    }
+    groups
+}
+
+fn of_series(axis: &AxisTest, series: &Series, empty: &Group) -> Group {
+    let [up, down] = series.before.fewest_runs();
+    let after = series.after.as_ref().map(Positioning::rows);
+    let rows = series.before.rows().into_iter().enumerate();
+    let row = |(k, (symbol, name, before)): (usize, (_, _, Option<f64>))| {
+        let after = after.as_ref().and_then(|rows| rows[k].2);
+        before.map(|before| Row {
+            symbol,
+            name,
+            before,
+            after,
+        })
+    };
+    Group {
+        says: format!(
+            "{}; {} positions, each approached {} from below and {} from above",
+            series.fixed.in_words(axis),
+            series.before.positions.len(),
+            at_least(up),
+            at_least(down)
+        ),
+        rows: rows.filter_map(row).collect(),
+        missing: [&empty.missing[..], &series.missing[..]].concat(),
+        ..empty.clone()
+    }
+}
+
+fn of_poses(test: &PoseTest, compensated: bool) -> Group {
+    let before = test.largest(false).rows();
+    let after = test.largest(true).rows();
+    let row = |((symbol, name, before), (_, _, after)): ((_, _, Option<f64>), (_, _, _))| {
+        let after: Option<f64> = after;
+        before.map(|before| Row {
+            symbol,
+            name,
+            before,
+            after: after.filter(|_| compensated),
+        })
+    };
+    let [poses, turned, paths] = [test.poses.len(), test.variations.len(), test.paths.len()];
+    Group {
+        of: "poses".to_owned(),
+        standard: "ISO 9283",
+        unit: "mm",
+        says: format!(
+            "{poses} poses with two cycles or more, {turned} from several directions, {paths} paths; the \
+             largest of each figure"
+        ),
+        rows: before.into_iter().zip(after).filter_map(row).collect(),
+        missing: test.missing.clone(),
+    }
+}

@@ -1,0 +1,203 @@
+//! The units in which the window shows lengths and angles, as the user chose them.
+
+use serde::{Deserialize, Serialize};
+
+use super::numbers::{NOTHING, decimals_of, fixed, notation, significant, trimmed, with_interval};
+use crate::fit::Estimate;
+use crate::units::{deg_from_rad, rad_from_deg};
+
+/// Unit of lengths on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LengthUnit {
+    /// 1 mm.
+    #[default]
+    Millimetre,
+    /// 0.001 mm.
+    Micrometre,
+    /// 25.4 mm.
+    Inch,
+}
+
+/// Unit of angles on the screen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum AngleUnit {
+    /// 1°.
+    #[default]
+    Degree,
+    /// 1 rad.
+    Radian,
+}
+
+/// Both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Units {
+    /// Of lengths.
+    pub length: LengthUnit,
+    /// Of angles.
+    pub angle: AngleUnit,
+}
+
+const MM_PER_INCH: f64 = 25.4;
+
+impl Units {
+    /// A length in the chosen unit.
+    pub fn length_value(self, mm: f64) -> f64 {
+        match self.length {
+            LengthUnit::Millimetre => mm,
+            LengthUnit::Micrometre => mm * 1000.0,
+            LengthUnit::Inch => mm / MM_PER_INCH,
+        }
+    }
+
+    /// The unit of lengths.
+    pub fn length_name(self) -> &'static str {
+        match self.length {
+            LengthUnit::Millimetre => "mm",
+            LengthUnit::Micrometre => "µm",
+            LengthUnit::Inch => "in",
+        }
+    }
+
+    /// An angle in the chosen unit.
+    pub fn angle_value(self, rad: f64) -> f64 {
+        match self.angle {
+            AngleUnit::Degree => deg_from_rad(rad),
+            AngleUnit::Radian => rad,
+        }
+    }
+
+    /// The unit of angles, as it stands after a number.
+    pub fn angle_name(self) -> &'static str {
+        match self.angle {
+            AngleUnit::Degree => "°",
+            AngleUnit::Radian => " rad",
+        }
+    }
+
+    /// A length with its unit.
+    pub fn length(self, mm: f64) -> String {
+        format!("{} {}", self.length_number(mm), self.length_name())
+    }
+
+    /// The same without the unit.
+    pub fn length_number(self, mm: f64) -> String {
+        let value = self.length_value(mm);
+        match notation().decimals {
+            Some(decimals) if value.is_finite() => fixed(value, usize::from(decimals)),
+            _ => significant(value, 3),
+        }
+    }
+
+    /// The same with as many decimals as a number like this one has: for a column of a table.
+    pub fn length_like(self, mm: f64, like_mm: f64) -> String {
+        if notation().decimals.is_some() || !mm.is_finite() {
+            return self.length_number(mm);
+        }
+        let like = self.length_value(like_mm).abs();
+        let like = if like > NOTHING { like } else { 0.0 };
+        fixed(self.length_value(mm), decimals_of(like, 3))
+    }
+
+    /// A value in `unit` with its interval, in the chosen unit where `unit` is one of lengths or angles.
+    pub fn with_interval(
+        self,
+        value: f64,
+        interval: Option<[f64; 2]>,
+        unit: &'static str,
+    ) -> (String, String, &'static str) {
+        let (factor, unit) = match unit {
+            "mm" => (self.length_value(1.0), self.length_name()),
+            "°" => (
+                self.angle_value(rad_from_deg(1.0)),
+                self.angle_name().trim(),
+            ),
+            other => (1.0, other),
+        };
+        let interval = interval.map(|ends| ends.map(|end| factor * end));
+        let [value, half, _] = with_interval(factor * value, interval);
+        (value, half, unit)
+    }
+
+    /// A parameter with half of its interval, and the name of its unit; a whole number has no
+    /// interval.
+    pub fn estimate(self, one: &Estimate, unit: &'static str) -> (String, String, &'static str) {
+        if one.is_whole_number() {
+            return (trimmed(one.value, 0), String::new(), unit);
+        }
+        self.with_interval(one.value, one.ci95, unit)
+    }
+
+    /// An angle with its unit.
+    pub fn angle(self, rad: f64) -> String {
+        match self.angle {
+            AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),
+            AngleUnit::Radian => format!("{} rad", trimmed(rad, 4)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::numbers::{Notation, write_numbers};
+    use super::*;
+
+    #[test]
+    fn a_value_and_its_interval_follow_the_chosen_units_and_the_decimal_sign() {
+        let units = Units {
+            length: LengthUnit::Micrometre,
+            angle: AngleUnit::Radian,
+        };
+        let shown = |value, half: f64, unit| {
+            let (value, half, unit) =
+                units.with_interval(value, Some([value - half, value + half]), unit);
+            format!("{value} {half} {unit}")
+        };
+        assert_eq!(shown(-1.3964, 0.0042, "mm"), "−1396.4 ± 4.2 µm");
+        assert_eq!(shown(180.0, 18.0, "°"), "3.14 ± 0.31 rad");
+        assert_eq!(
+            shown(47.9, 1.2, "ppm"),
+            "47.9 ± 1.2 ppm",
+            "no length, no angle"
+        );
+        write_numbers(Notation {
+            comma: true,
+            ..Notation::default()
+        });
+        assert_eq!(shown(0.0501, 0.0012, "s"), "0,0501 ± 0,0012 s");
+        write_numbers(Notation::default());
+    }
+
+    #[test]
+    fn numbers_are_written_as_the_user_wants_them() {
+        let units = Units::default();
+        write_numbers(Notation {
+            decimals: Some(4),
+            comma: true,
+        });
+        assert_eq!(units.length(-0.05234), "−0,0523 mm");
+        assert_eq!(units.length(13.0), "13,0000 mm");
+        assert_eq!(significant(13.8436, 3), "13,8");
+        write_numbers(Notation::default());
+        assert_eq!(units.length(-0.05234), "−0.0523 mm");
+    }
+
+    #[test]
+    fn numbers_of_a_column_have_the_same_decimals() {
+        let units = Units::default();
+        let column = [0.0195, 0.00958, 0.1].map(|mm| units.length_like(mm, 0.0533));
+        assert_eq!(column, ["0.0195", "0.0096", "0.1000"]);
+        assert_eq!(units.length_like(-2.5, 0.0), "−2.50");
+        assert_eq!(units.length_like(f64::NAN, 1.0), "–");
+    }
+
+    #[test]
+    fn an_inch_is_twenty_five_point_four_millimetres() {
+        let units = Units {
+            length: LengthUnit::Inch,
+            angle: AngleUnit::Degree,
+        };
+        assert_eq!(units.length(25.4), "1.00 in");
+    }
+}
