@@ -108,7 +108,7 @@ impl Ranked {
             std::f64::consts::SQRT_2 * erf_inv(2.0 * part - 1.0)
         };
         let step = n.div_ceil(MOST).max(1);
-        let shown = |i: &usize| i % step == 0 || *i < ENDS || i + ENDS >= n;
+        let shown = |i: &usize| i.is_multiple_of(step) || *i < ENDS || i + ENDS >= n;
         let all = (0..n).filter(shown);
         Self(all.map(|i| (sorted[i].0, z(i), sorted[i].1)).collect())
     }
