@@ -108,7 +108,7 @@ impl Ranked {
             std::f64::consts::SQRT_2 * erf_inv(2.0 * part - 1.0)
         };
         let step = n.div_ceil(MOST).max(1);
-        let shown = |i: &usize| i % step == 0 || *i < ENDS || i + ENDS >= n;
+        let shown = |i: &usize| i.is_multiple_of(step) || *i < ENDS || i + ENDS >= n;
         let all = (0..n).filter(shown);
         Self(all.map(|i| (sorted[i].0, z(i), sorted[i].1)).collect())
     }
@@ -117,7 +117,9 @@ impl Ranked {
     fn line(&self) -> (f64, f64) {
         let at = |z: f64| {
             let above = self.0.partition_point(|s| s.1 < z);
-            self.0[above.min(self.0.len() - 1)].2
+            let above = above.clamp(1, self.0.len() - 1);
+            let [(_, from, a), (_, to, b)] = [self.0[above - 1], self.0[above]];
+            a + (b - a) * (z - from) / (to - from)
         };
         let [low, high] = [-0.5, 0.5].map(|part| at(part * QUARTILES));
         (0.5 * (low + high), (high - low) / QUARTILES)

@@ -92,7 +92,12 @@ struct Drawn<'a> {
 impl Samples for Drawn<'_> {
     fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
         let units = self.scene.units;
-        let at = |spot: &Spot| [self.scale.shown(spot.x), units.length_value(spot.residual_mm)];
+        let at = |spot: &Spot| {
+            [
+                self.scale.shown(spot.x),
+                units.length_value(spot.residual_mm),
+            ]
+        };
         self.curve.spot(sample).map(at).into_iter().collect()
     }
 

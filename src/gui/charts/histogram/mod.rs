@@ -171,7 +171,7 @@ fn drawn(scene: &Scene, found: &Distribution) -> Chart {
         let bar = |(bin, count): (usize, &usize)| {
             let [from, to] = bins.ends(bin).map(value);
             let gap = 0.04 * (to - from);
-            (*count > 0).then(|| [[from + gap, 0.0], [to - gap, *count as f64]])
+            (*count > 0).then_some([[from + gap, 0.0], [to - gap, *count as f64]])
         };
         let bars = counts.iter().flatten().enumerate().filter_map(bar);
         items.push(Item::Bars(bars.collect(), stands, filled));
