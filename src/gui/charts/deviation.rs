@@ -442,7 +442,7 @@ mod tests {
         };
         let high = |workbench: &Workbench| {
             let scene = workbench.scene_of(&ANGLE);
-            let shown = ANGLE.show(&scene).ok().expect("it is shown");
+            let shown = ANGLE.show(&scene).expect("it is shown");
             shown.chart.bounds[1][1] - shown.chart.bounds[0][1]
         };
         assert_eq!(left(&workbench), 0);
