@@ -81,17 +81,24 @@ pub(crate) fn open_rivals(regression: &Regression, fit: &Fit) -> Vec<Rival> {
     kept.into_iter().cloned().collect()
 }
 
-/// Ends of searches under another noise, as rivals: what each names in the place of what.
+/// Ends of searches under another noise, as rivals: what each names in the place of what. Where one
+/// only names more, as where a wander may be a name as well, all its names stand for all of the fit's.
 pub(crate) fn under_another_noise(regression: &Regression, fit: &Fit, ends: &[Fit]) -> Vec<Rival> {
+    let all = |of: &Fit| -> Vec<Term> { regression.added(of).into_iter().cloned().collect() };
     let only_in = |a: &Fit, b: &Fit| -> Vec<Term> {
         let there: Vec<_> = regression.added(b).into_iter().map(name).collect();
-        let own = regression.added(a).into_iter();
-        own.filter(|t| !there.contains(&name(t))).cloned().collect()
+        let mut own = all(a);
+        own.retain(|t| !there.contains(&name(t)));
+        own
     };
-    let rivals = ends.iter().map(|end| Rival {
-        removed: only_in(fit, end),
-        instead: only_in(end, fit),
-        fit: end.clone(),
+    let rivals = ends.iter().map(|end| {
+        let (removed, instead) = (only_in(fit, end), only_in(end, fit));
+        let more = removed.is_empty() && !instead.is_empty();
+        Rival {
+            removed: if more { all(fit) } else { removed },
+            instead: if more { all(end) } else { instead },
+            fit: end.clone(),
+        }
     });
     rivals
         .filter(|r| !r.removed.is_empty() && !r.instead.is_empty())
