@@ -31,30 +31,37 @@ use crate::diagnostic::Place;
 
 /// A value and the byte of the document at which it starts.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Node {
+pub struct Node {
     pub(crate) at: usize,
     pub(crate) value: Value,
 }
 
 /// A JSON value.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Value {
+pub enum Value {
+    /// No value: its key is left out; only in documents that are written.
+    Absent,
+    /// `null`.
     Null,
+    /// `true` or `false`.
     Bool(bool),
+    /// A number; what is not finite is written as `null`.
     Number(f64),
     /// A whole number; only in documents that are written.
     Whole(u64),
+    /// Text.
     Text(String),
     /// An array of nothing but numbers and nulls (NaN), not empty.
     Numbers(Vec<f64>),
     /// Any other array.
     List(Vec<Node>),
+    /// Keys with their values, in order.
     Object(Vec<Member>),
 }
 
 /// A key and its value.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Member {
+pub struct Member {
     pub(crate) key: String,
     pub(crate) key_at: usize,
     pub(crate) node: Node,
@@ -64,7 +71,7 @@ impl Value {
     /// What it is, for a message.
     pub(crate) fn describe(&self) -> String {
         match self {
-            Self::Null => "null".to_owned(),
+            Self::Absent | Self::Null => "null".to_owned(),
             Self::Bool(value) => value.to_string(),
             Self::Number(value) if value.is_infinite() => "a number that overflows".to_owned(),
             Self::Number(value) => value.to_string(),

@@ -31,7 +31,7 @@ impl Member {
 impl Serialize for Value {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Null => serializer.serialize_unit(),
+            Self::Absent | Self::Null => serializer.serialize_unit(),
             Self::Bool(value) => value.serialize(serializer),
             Self::Number(value) => value.serialize(serializer),
             Self::Whole(value) => value.serialize(serializer),
@@ -39,8 +39,8 @@ impl Serialize for Value {
             Self::Numbers(values) => values.serialize(serializer),
             Self::List(list) => serializer.collect_seq(list.iter().map(|node| &node.value)),
             Self::Object(members) => {
-                let mut map = serializer.serialize_map(Some(members.len()))?;
-                for member in members {
+                let mut map = serializer.serialize_map(None)?;
+                for member in members.iter().filter(|m| m.node.value != Self::Absent) {
                     map.serialize_entry(&member.key, &member.node.value)?;
                 }
                 map.end()
@@ -86,6 +86,12 @@ impl<T: Into<Value>, const N: usize> From<[T; N]> for Value {
 impl<T: Into<Value>> From<Vec<T>> for Value {
     fn from(values: Vec<T>) -> Self {
         values.into_iter().collect()
+    }
+}
+
+impl<T: Clone + Into<Value>> From<&Vec<T>> for Value {
+    fn from(values: &Vec<T>) -> Self {
+        values.iter().cloned().collect()
     }
 }
 

@@ -12,7 +12,7 @@ use crate::paper::RegionalStart;
 use crate::sessions::Session;
 use crate::units::deg_from_rad;
 
-use super::json::{Json, given, list, object};
+use super::json::{Json, given, keyed, list, object};
 use super::kinds;
 use super::parts::{not_identifiable, outliers, parameters_by_effect, problems};
 
@@ -83,7 +83,7 @@ fn found(f: &Found, d: &Diagnosis, inputs: &Inputs) -> Json {
     object! {
         "effect": f.effect,
         "joint": given(f.joint),
-        "parameters": Json::List(parameters.chain(figures).collect()),
+        "parameters": parameters.chain(figures).collect::<Json>(),
         "p_family": f.p_family.p,
         "p_family_is_a_bound": f.p_family.bound,
         "share": f.share,
@@ -161,7 +161,7 @@ fn not_found(limit: &Limit) -> Json {
     object! {
         "effect": limit.effect,
         "joint": given(limit.joint.map(|j| j + 1)),
-        "would_have_been_seen_above": Json::Object(pairs.collect()),
+        "would_have_been_seen_above": keyed(pairs),
         "not_shown_at_any_size": given(list(hidden, |(name, _)| name.into())),
     }
 }

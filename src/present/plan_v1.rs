@@ -38,7 +38,7 @@
 //!   says the error with other numbers of poses, beside the session.
 
 use super::diagnosis_v1::poses;
-use super::json::{Json, given, list, object};
+use super::json::{Json, given, keyed, list, object};
 use crate::design::geometry::Geometry;
 use crate::design::needs::Untestable;
 use crate::design::outlook::ExpectedError;
@@ -66,7 +66,7 @@ pub fn document(plan: &Plan) -> Json {
             let mut sizes = limit.sizes;
             sizes.sort_by_key(|(name, _)| *name);
             let sizes = sizes.into_iter().map(|(name, size)| (name.to_owned(), size.into()));
-            named(limit.effect, limit.joint).with(object! { "sizes": Json::Object(sizes.collect()) })
+            named(limit.effect, limit.joint).with(object! { "sizes": keyed(sizes) })
         }),
         "alike": list(&plan.expected.alike, |a| object! {
             "effects": [a.one.0, a.other.0],

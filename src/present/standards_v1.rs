@@ -7,7 +7,7 @@
 //! each cycle begins, from 1), and the `largest` of each. A figure that the
 //! session cannot give is null, and `missing` says why. `after` is null without a model.
 
-use super::json::{Json, list, object};
+use super::json::{Json, keyed, list, object};
 use crate::standards::Standards;
 use crate::standards::axis::{AxisTest, STANDARD_RUNS, Series};
 use crate::standards::path::{PathAttained, PathFigures};
@@ -168,5 +168,5 @@ fn turned(of: &str, t: &Turned) -> Json {
         let axes = ["a", "b", "c"].into_iter().zip(values);
         axes.map(move |(axis, value)| (format!("{figure}{of}_{axis}_deg"), value.into()))
     });
-    Json::Object(pairs.collect())
+    keyed(pairs)
 }

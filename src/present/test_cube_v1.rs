@@ -10,7 +10,7 @@
 //!
 //! Poses are those of the tool in the base frame; the values of a sliding joint are in mm.
 
-use super::json::{Json, list, object};
+use super::json::{Json, keyed, list, object};
 use super::parts::pose;
 use crate::kinematics::Robot;
 use crate::standards::pose::STANDARD_CYCLES;
@@ -31,7 +31,7 @@ pub fn document(cube: &TestCube, robot: &Robot) -> Json {
         "robot": &robot.name,
         "side_mm": cube.side_mm,
         "centre_mm": centre_mm,
-        "corners_mm": Json::Object(corners.collect()),
+        "corners_mm": keyed(corners),
         "plane": ["C1", "C2", "C7", "C8"],
         "orientation_kept": cube.orientation_kept,
         "cycles": STANDARD_CYCLES,

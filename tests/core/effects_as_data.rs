@@ -109,7 +109,8 @@ fn a_measured_torque_shows_wind_up_without_any_mass() {
     assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
     let mut names = found.parameters.iter().map(|p| p.name);
     assert!(names.all(|name| name.starts_with("moment")));
-    let document = serde_json::to_value(diagnosis_v1::document(&answer, &session, None)).expect("JSON");
+    let document =
+        serde_json::to_value(diagnosis_v1::document(&answer, &session, None)).expect("JSON");
     let parameters = document["found"][0]["parameters"]
         .as_array()
         .expect("a list");

@@ -42,7 +42,7 @@ pub(crate) fn show<'a>(
         .items
         .iter()
         .any(|item| item.stands() == Some(Stands::After));
-    let beside = beside(&painter, chart);
+    let beside = beside(&painter, chart, &palette);
     let plot = plot((id, view.fitted.chart), chart, beside, &palette);
     let plotted = gestures::show(ui, plot, |plot| {
         let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
@@ -63,13 +63,13 @@ pub(crate) fn show<'a>(
 }
 
 /// Room for the words beside a chart, points; none where it has numbers.
-fn beside(painter: &Painter, chart: &Chart) -> f32 {
+fn beside(painter: &Painter, chart: &Chart, palette: &Palette) -> f32 {
     let Ticks::Words(words) = &chart.upwards.ticks else {
         return 0.0;
     };
     let font = FontId::proportional(size::SMALL);
     let wide = words.iter().map(|(_, word)| {
-        let galley = painter.layout_no_wrap(word.clone(), font.clone(), Color32::WHITE);
+        let galley = painter.layout_no_wrap(word.clone(), font.clone(), palette.text);
         galley.size().x + 12.0
     });
     wide.fold(0.0, f32::max)
