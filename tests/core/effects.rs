@@ -273,7 +273,7 @@ proptest! {
     #[test]
     fn all_effects_together_do_too(
         share in 0.0..1.0f64,
-        sizes in prop::collection::vec(-0.02..0.02f64, 200),
+        sizes in prop::collection::vec(-0.02..0.02f64, 240),
         on_an_arm in any::<bool>(),
     ) {
         let robot = if on_an_arm { arm() } else { column() };
