@@ -10,8 +10,8 @@ use crate::present::drawing::Anchor;
 const MOST: usize = 24;
 /// As many rows as this have room, so that few bars are no blocks.
 const FEWEST: usize = 5;
-/// Room for the numbers behind the longest bar, as a part of it.
-const NUMBERS: f64 = 0.45;
+/// Room for the number behind the longest bar, as a part of it, and for a second one.
+const NUMBERS: [f64; 2] = [0.45, 0.35];
 /// Room for the noise floor's name, rows.
 const FOOT: f64 = 0.8;
 
@@ -92,6 +92,7 @@ pub fn gap(
             }
         }
     }
+    let room = if marks.is_empty() { 0.0 } else { NUMBERS[1] };
     if !marks.is_empty() {
         let sign = Sign::Mark(Form::Diamond);
         let entry = Entry::new("cross-validated", sign, Stands::Curve, false);
@@ -108,7 +109,7 @@ pub fn gap(
         },
         bounds: [
             [0.0, ends[1] - FOOT],
-            [value(largest) * (1.0 + NUMBERS), ends[0]],
+            [value(largest) * (1.0 + NUMBERS[0] + room), ends[0]],
         ],
         items,
         legend,
