@@ -43,7 +43,10 @@ pub(crate) fn show<'a>(
         .iter()
         .any(|item| item.stands() == Some(Stands::After));
     let beside = beside(&painter, chart, &palette);
-    let plot = plot((id, view.fitted.chart), chart, beside, &palette);
+    // No closer than their numbers need, which are left out otherwise.
+    let room = (ui.available_width() - beside.max(40.0)) / 50.0;
+    let most = f64::from(room.clamp(3.0, 9.0));
+    let plot = plot((id, view.fitted.chart), chart, beside, most, &palette);
     let plotted = gestures::show(ui, plot, |plot| {
         let draw = move |transform: &PlotTransform, shapes: &mut Vec<Shape>| {
             let canvas = Canvas {
@@ -79,6 +82,7 @@ fn plot<'a>(
     id: impl std::hash::Hash + std::fmt::Debug,
     chart: &Chart,
     beside: f32,
+    most: f64,
     palette: &Palette,
 ) -> Plot<'a> {
     let [across, upwards] = [&chart.across, &chart.upwards];
@@ -88,7 +92,7 @@ fn plot<'a>(
         .set_margin_fraction(egui::Vec2::ZERO)
         .grid_color(palette.line)
         .show_grid(lines)
-        .x_grid_spacer(move |input| places(&x, input.bounds, 9.0))
+        .x_grid_spacer(move |input| places(&x, input.bounds, most))
         .y_grid_spacer(move |input| places(&y, input.bounds, 4.0))
         .custom_x_axes(of_chart(Axis::X, across, palette, 0.0))
         .custom_y_axes(of_chart(Axis::Y, upwards, palette, beside))
