@@ -45,7 +45,7 @@ impl Kind for Gap {
         let steps = steps(scene);
         let chart = gap(steps, floor_mm, scene.document.tolerance_mm, lengths);
         let mut chart = chart.ok_or(Missing::new("nothing is identified yet", ""))?;
-        "root mean square over the samples that were fitted".clone_into(&mut chart.note);
+        "RMS over the fitted samples".clone_into(&mut chart.note);
         let says = |s: &GapStep| format!("{} {}", in_words(&s.what), number(s.gap_mm));
         let says: Vec<String> = steps.iter().map(says).collect();
         Ok(Shown {

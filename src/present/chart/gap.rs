@@ -99,7 +99,7 @@ pub fn gap(
         legend.push(entry.on_paper("on samples that no fit has seen"));
         items.push(Item::Marks(marks, Stands::Curve, false));
     }
-    let named = |(k, step): (usize, &&GapStep)| (-(k as f64), shortened(&in_words(&step.what), 38));
+    let named = |(k, step): (usize, &&GapStep)| (-(k as f64), row(&step.what));
     Some(Chart {
         title: "the gap step by step".to_owned(),
         across: Axis::numbers(format!("RMS error, {}", lengths.unit)),
@@ -124,6 +124,14 @@ fn ends(steps: &[GapStep]) -> Vec<&GapStep> {
     }
     let (first, last) = (&steps[..MOST / 2], &steps[steps.len() - MOST / 2..]);
     first.iter().chain(last).collect()
+}
+
+/// A step as its row is called: the bars need the room more than the words.
+fn row(what: &str) -> String {
+    let words = in_words(what);
+    let words = words.strip_prefix("with ").unwrap_or(&words);
+    let first = words.split(':').next().unwrap_or(words);
+    shortened(&first.replace("link length", "length"), 24)
 }
 
 /// A step of the history with the effect's name in words.
