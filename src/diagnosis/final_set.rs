@@ -50,14 +50,10 @@ pub(crate) fn test(prepared: &Prepared, found: &mut Found, watch: Watch) -> Resu
     }
 }
 
-/// Exchanges names of a robot with several joints for likelier ones, which a noise that changed since
-/// the search may have made of them; whether it did.
+/// Exchanges names for likelier ones, which a noise that changed since the search or a name that was
+/// taken out may have made of them; whether it did.
 pub(crate) fn exchanged(prepared: &Prepared, found: &mut Found) -> bool {
     let regression = &prepared.regression;
-    let names = regression.added(&found.fit).len();
-    if names == 0 || regression.base.robot.joints.len() < 2 {
-        return false;
-    }
     let mut changed = false;
     for _ in 0..3 {
         let mut rivals = aliases::rivals(regression, &found.fit).into_iter();

@@ -5,7 +5,7 @@
 //! [`save`] writes it back, whole or not at all, so that loading gives the same session to the last
 //! bit.
 //!
-//! The way in: bytes → [`document`](crate::document) (a tree that knows places) → `format_v1` (units, ranges, the
+//! The way in: bytes → `document` (a tree that knows places) → `format_v1` (units, ranges, the
 //! robot) → `csv` or inline columns → `columns` (what headings mean) → `assemble` (samples in
 //! inner units) → `validation` (what spans fields). The types that the program thinks in are in
 //! `domain`; they know nothing of files.

@@ -5,7 +5,7 @@
 //! - [`pose`]: pose accuracy and repeatability after ISO 9283.
 //! - [`test_cube`]: the cube, poses and paths that ISO 9283 has a robot measured at.
 //! - [`path`]: path accuracy and repeatability after ISO 9283.
-//! - [`format_v1`] is `truepose-standards/1`.
+//! - [`crate::present::standards_v1`] is `truepose-standards/1`.
 //!
 //! Every usable sample counts, suspected outliers too: the standards leave nothing out. Readings
 //! without another pose between them are one approach; the first counts. What the session cannot
