@@ -27,7 +27,6 @@ use crate::effects::{Inputs, JointValues, Term};
 use crate::export::{Export, ExportError, Job, find};
 use crate::fit::{
     DEFAULT_EFFECTS, Identification, IdentifyError, identify_regional, identify_watched,
-    identify_without_priors,
 };
 use crate::fonts::Library;
 use crate::model::{Calibration, GapStep};
@@ -108,16 +107,17 @@ pub fn identify_unless(
     let identification = match method {
         Method::Exact {
             effects,
-            priors: false,
-            ..
-        } => identify_without_priors(session, effects, values)?,
-        Method::Exact { effects, with, .. } => {
-            identify_watched(session, effects, with, values, go_on)?
-        }
+            with,
+            priors,
+        } => identify_watched(session, effects, with, *priors, values, go_on)?,
         Method::Regional(choice) => identify_regional(session, choice, values)?,
     };
     let mut calibration = identification.calibration(session, &Inputs::new(session, values));
-    if let Method::Exact { effects, with, .. } = method
+    if let Method::Exact {
+        effects,
+        with,
+        priors,
+    } = method
         && !with.is_empty()
     {
         calibration.history.truncate(1);
@@ -125,7 +125,8 @@ pub fn identify_unless(
             let gap_mm = if n == with.len() {
                 identification.gap.after.rms_mm
             } else {
-                let without = identify_watched(session, effects, &with[..n], values, go_on)?;
+                let without =
+                    identify_watched(session, effects, &with[..n], *priors, values, go_on)?;
                 without.gap.after.rms_mm
             };
             calibration.history.push(GapStep {

@@ -75,6 +75,9 @@ pub struct Found {
     pub joint: Option<usize>,
     /// Its parameters.
     pub parameters: Vec<Estimate>,
+    /// Figures of it in this session that are no parameters: name with its unit, and the value where the
+    /// samples show it.
+    pub figures: Vec<(&'static str, Option<f64>)>,
     /// The chance that the search finds as much in noise alone.
     pub p_family: FamilyP,
     /// Its share of what was explained.

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::effects::term::setting_quantity;
-use crate::effects::{Effect, Inputs, find};
+use crate::effects::{Effect, Inputs, find, form_with};
 use crate::kinematics::Range;
 use crate::model::{Calibration, GapStep, Model, RegionalCorrection};
 use crate::observations::figures::KindFigures;
@@ -46,11 +46,16 @@ impl Estimate {
 
     /// Whether it is a size beyond what its effect has on any machine, with the whole of its interval.
     pub fn is_implausible(&self) -> bool {
-        let Some(about) = find(self.effect).map(Effect::about) else {
+        let has_it = |effect: &dyn Effect| {
+            let mut quantities = effect.about().form.quantities().iter();
+            quantities.any(|q| q.name == self.name)
+        };
+        let Some(effect) = find(self.effect).map(|effect| form_with(effect, has_it)) else {
             return false;
         };
+        let about = effect.about();
         // A sliding joint has other units, and no limit is known for those.
-        let is_size = about.form.quantities().iter().any(|q| q.name == self.name);
+        let is_size = has_it(effect);
         let limit = about.implausible_above.filter(|_| is_size);
         let least = self.ci95.map_or(self.value.abs(), |[low, high]| {
             f64::max(low, -high).max(0.0)

@@ -12,6 +12,7 @@ use truepose::paper::RegionalStart;
 use truepose::pipeline;
 use truepose::present::diagnosis_v1::document;
 use truepose::present::kinds;
+use truepose::present::names::figure;
 use truepose::present::numbers::significant;
 use truepose::present::table::Table;
 
@@ -202,6 +203,9 @@ fn in_words(d: &Diagnosis) -> String {
         let _ = writeln!(text, "found {}{place}", found.effect);
         for estimate in &found.parameters {
             let _ = writeln!(text, "  {}", estimate_in_words(estimate));
+        }
+        for one in &found.figures {
+            let _ = writeln!(text, "  {}", figure(*one));
         }
         let _ = writeln!(text, "  {}\n  check: {}", found.says, found.check);
     }

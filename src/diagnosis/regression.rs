@@ -402,7 +402,6 @@ impl<'a> Regression<'a> {
         let mut tests: Vec<Option<Significance>> = Vec::new();
         let mut scores = Vec::new();
         for (index, candidate) in self.table.candidates.iter().enumerate() {
-            let k = candidate.size;
             let Some(Gain {
                 all: gain,
                 rank,
@@ -424,10 +423,9 @@ impl<'a> Regression<'a> {
                 let r2 = (gain / total).clamp(0.0, 1.0 - 1e-15);
                 -0.5 * m * (-r2).ln_1p() - 0.5 * rank as f64 * m.ln()
             };
-            let known = rank.min(k);
             let best_part = parts
                 .iter()
-                .map(|(size, gain)| worth(*gain, *size) - choices(known, *size))
+                .map(|(size, gain)| worth(*gain, *size) - choices(rank, *size))
                 .fold(worth(gain, rank), f64::max);
             scores.push(Score {
                 candidate: index,
@@ -471,6 +469,8 @@ impl<'a> Regression<'a> {
                     .map(|l| factor[i * k + l] * factor[j * k + l])
                     .sum()
             };
+            // All components of full rank are the whole, which is `all`; of a lower rank, as many as the
+            // rank may be any of them.
             for kept in subsets(k).filter(|s| s.len() < rank || s.len() == rank && rank < k) {
                 let size = kept.len();
                 let mut own: Vec<f64> = (0..size * size)

@@ -107,6 +107,7 @@ pub(crate) fn found(
             effect: about.id,
             joint: about.per_joint.then_some(term.joint + 1),
             parameters: values.parameters_of(term),
+            figures: values.model.figures_of(term, &prepared.problem.inputs),
             p_family,
             share: if explained > 0.0 {
                 (share / explained).clamp(0.0, 1.0)

@@ -80,7 +80,8 @@ impl Effect for JointCompliance {
     }
 
     fn other_forms(&self) -> &'static [&'static dyn Effect] {
-        &[&unknown_masses::WITH_LOAD, &unknown_masses::SAG]
+        // The form with fewer parameters first: a model's file tells the form by its parameters.
+        &[&unknown_masses::SAG, &unknown_masses::WITH_LOAD]
     }
 
     fn takes_form(&self, survey: &Survey, joint: usize) -> Option<&'static dyn Effect> {

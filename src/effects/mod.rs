@@ -91,7 +91,8 @@ pub trait Effect: Sync {
         true
     }
 
-    /// The same effect with other parameters, for sessions that know less of the machine.
+    /// The same effect with other parameters, for sessions that know less of the machine; one whose
+    /// parameters another has as well stands before it.
     fn other_forms(&self) -> &'static [&'static dyn Effect] {
         &[]
     }

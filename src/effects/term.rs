@@ -556,6 +556,24 @@ mod tests {
     }
 
     #[test]
+    fn every_form_of_an_effect_is_known_by_its_parameters() {
+        for effect in crate::effects::CATALOGUE {
+            let forms = std::iter::once(*effect).chain(effect.other_forms().iter().copied());
+            for form in forms {
+                let names = parameter_names(form);
+                let mut given = parameters_to_see(form);
+                if let Some(other) = given.iter_mut().find(|(name, _)| *name == "from_joint") {
+                    other.1 = 1.0;
+                }
+                let id = form.about().id;
+                let read =
+                    Term::from_parameters(id, 2, &given, 3).map(|t| parameter_names(t.effect));
+                assert_eq!(read.unwrap_or_else(|e| panic!("{id}: {e}")), names);
+            }
+        }
+    }
+
+    #[test]
     fn an_unknown_parameter_is_refused_with_the_known_ones() {
         let wrong = Term::from_parameters("backlash", 1, &[("width_mrad", 1.0)], 1).unwrap_err();
         assert!(wrong.to_string().contains("width_deg"), "{wrong}");

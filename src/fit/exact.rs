@@ -42,13 +42,14 @@ pub fn identify_exact(
     effects: &[String],
     values: JointValues,
 ) -> Result<Identification, IdentifyError> {
-    identify_watched(session, effects, &[], values, &|| true)
+    identify_watched(session, effects, &[], true, values, &|| true)
 }
 
 /// Like [`identify_exact`], with terms beside the named effects whose settings (orders, times) are
 /// known, from a diagnosis: they are fitted too, from where they are, and nothing is scanned for
-/// them. A named effect that is among them already is not fitted twice. Asks before every pass over
-/// the samples whether to go on.
+/// them. A named effect that is among them already is not fitted twice. Without `priors` nothing
+/// holds the geometry of several joints where few poses show it. Asks before every pass over the
+/// samples whether to go on.
 ///
 /// # Errors
 /// As [`identify_exact`], and [`IdentifyError::Cancelled`] where `go_on` said no.
@@ -56,26 +57,13 @@ pub fn identify_watched(
     session: &Session,
     effects: &[String],
     known: &[Term],
+    priors: bool,
     values: JointValues,
     go_on: &dyn Fn() -> bool,
 ) -> Result<Identification, IdentifyError> {
-    let fresh = Fresh::fitted(prepare(session, effects, known, values, go_on)?, go_on)?;
-    Ok(fresh.report(session))
-}
-
-/// Like [`identify_exact`], without the weak priors that hold the geometry of several joints where
-/// few poses show it.
-///
-/// # Errors
-/// As [`identify_exact`].
-pub fn identify_without_priors(
-    session: &Session,
-    effects: &[String],
-    values: JointValues,
-) -> Result<Identification, IdentifyError> {
-    let mut prepared = prepare(session, effects, &[], values, &|| true)?;
-    prepared.base = prepared.base.map(|_| false);
-    Ok(Fresh::fitted(prepared, &|| true)?.report(session))
+    let mut prepared = prepare(session, effects, known, values, go_on)?;
+    prepared.base = prepared.base.map(|weak| weak && priors);
+    Ok(Fresh::fitted(prepared, go_on)?.report(session))
 }
 
 /// A fit from all samples, with what it was made of.

@@ -31,8 +31,8 @@ pub(crate) use base_model::free_frames;
 pub use estimator::{fit_without_outliers, noise_beside};
 pub(crate) use exact::outliers;
 pub use exact::{
-    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, identify_without_priors,
-    parameters_of, report, testable_effects,
+    DEFAULT_EFFECTS, covariance_of, identify_exact, identify_watched, parameters_of, report,
+    testable_effects,
 };
 pub use plane::{RegionSums, sum_by_region};
 pub use regional::identify_regional;

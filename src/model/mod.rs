@@ -238,16 +238,9 @@ impl Model {
     }
 
     /// Figures of an effect in a session beside its parameters; see [`crate::effects::Effect::figures`].
-    pub fn figures_of(
-        &self,
-        effect: &str,
-        joint: usize,
-        inputs: &Inputs,
-    ) -> Vec<(&'static str, Option<f64>)> {
-        let own =
-            |(term, _): &(&Term, Placed)| term.effect.about().id == effect && term.joint == joint;
+    pub fn figures_of(&self, term: &Term, inputs: &Inputs) -> Vec<(&'static str, Option<f64>)> {
         let mut placed = self.terms.iter().zip(self.placed(inputs));
-        let found = placed.find(own);
+        let found = placed.find(|(own, _)| own.same_column(term));
         found.map_or_else(Vec::new, |(term, me)| {
             term.effect.figures(&me, &self.robot, inputs)
         })

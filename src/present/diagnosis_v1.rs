@@ -4,7 +4,6 @@ use crate::diagnosis::{
     Correction, Diagnosis, FloorFrom, Found, Gaps, Limit, NextPose, Sight, Unexplained, Verdict,
 };
 use crate::document::degrees;
-use crate::effects::{Inputs, JointValues};
 use crate::fit::noise::Noise;
 use crate::kinematics::{JointKind, Robot};
 use crate::model::shapes::Where;
@@ -18,7 +17,6 @@ use super::parts::{not_identifiable, outliers, parameters_by_effect, problems};
 
 /// The document of a diagnosis; `start`: the regional model that it started from, where asked for.
 pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>) -> Json {
-    let inputs = Inputs::new(session, JointValues::Commanded);
     object! {
         "format": "truepose-diagnosis/1",
         "session": &d.session,
@@ -43,7 +41,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
             .with(gap(d.held_out.gaps)),
         "identified": parameters_by_effect(&d.identified),
         "not_identifiable": not_identifiable(&d.identification.not_identifiable),
-        "found": list(&d.found, |f| found(f, d, &inputs)),
+        "found": list(&d.found, found),
         "equivalent": list(&d.equivalent, |e| object! {
             "explanation": &e.explanation,
             "instead": &e.instead,
@@ -73,10 +71,8 @@ fn gap(gaps: Option<Gaps>) -> Json {
     }
 }
 
-fn found(f: &Found, d: &Diagnosis, inputs: &Inputs) -> Json {
-    let joint = f.joint.map_or(0, |joint| joint - 1);
-    let figures = d.model.figures_of(f.effect, joint, inputs);
-    let figures = figures.iter().map(|(name, value)| {
+fn found(f: &Found) -> Json {
+    let figures = f.figures.iter().map(|(name, value)| {
         object! { "name": *name, "value": *value, "ci95": Json::Null }
     });
     let parameters = f.parameters.iter().map(super::parts::value);

@@ -34,6 +34,15 @@ pub fn parameter(name: &str) -> (String, &'static str) {
     (stem.replace('_', " "), unit.symbol)
 }
 
+/// A figure that is no parameter, in words; without a value where the samples do not show it.
+pub fn figure((name, value): (&str, Option<f64>)) -> String {
+    let (name, unit) = parameter(name);
+    match value {
+        Some(value) => format!("{name} {} {unit}", significant(value, 3)),
+        None => format!("{name}: not determined by these samples"),
+    }
+}
+
 /// What is said of a value that no machine has, with the usual size.
 pub fn usual_size(one: &Estimate) -> &'static str {
     find(one.effect).map_or("", |effect| effect.about().usual_size)

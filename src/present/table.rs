@@ -1,5 +1,5 @@
 //! Tables, built once and written by all: as aligned text in the terminal, with tabs for the clipboard,
-//! as HTML and PDF in the report, as a grid in the window.
+//! as HTML and PDF in the report.
 
 use super::numbers::plain_number;
 

@@ -7,7 +7,7 @@ use crate::standards::Standards;
 use crate::standards::pose::PoseTest;
 
 use super::document::{Block, Section, Table, clean};
-use super::numbers::{plain, short};
+use crate::present::numbers::{plain, short};
 
 /// Poses that the table shows, those of the largest error first.
 const POSES: usize = 8;

@@ -7,12 +7,12 @@ use crate::units::deg_from_rad;
 
 use super::Extras;
 use super::document::{Block, Figure, Report, Section, Table, clean};
-use super::numbers::{mm, plain};
 use super::parts::{
     fact, foot, gap, implausible, or_unnamed, parameters, robot_facts, signatures, tables,
     tolerance,
 };
 use super::plots::gap as gap_plot;
+use crate::present::numbers::{mm, plain};
 
 impl Report {
     /// The report of a model file.

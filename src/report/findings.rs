@@ -4,10 +4,10 @@ use crate::diagnosis::Found;
 use crate::effects;
 
 use super::document::{Block, Section, Table, clean};
-use super::numbers::{mm, plain};
 use super::parts::fact;
 use super::session::{MOST_ROWS, Told};
 use crate::present::names::{detection_limit, title_of, title_on};
+use crate::present::numbers::{mm, plain};
 use crate::present::poses::{new_reflectors, table};
 
 impl Told<'_> {

@@ -38,7 +38,6 @@ use std::path::Path;
 use crate::compensation::verification::VerifyError;
 use crate::diagnosis::DiagnoseError;
 use crate::fonts::Library;
-use crate::present::numbers;
 
 /// What a report is written as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

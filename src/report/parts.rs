@@ -6,8 +6,8 @@ use crate::sessions::{Instrument, Sigma};
 
 use super::Extras;
 use super::document::{Block, Section, Table, clean};
-use super::numbers::{plain, short, with_interval};
 use crate::present::names::{parameter, title_on, usual_size};
+use crate::present::numbers::{plain, short, with_interval};
 
 /// The robot's facts.
 pub(super) fn robot_facts(robot: &Robot, measured: &[Range]) -> Vec<(String, String)> {

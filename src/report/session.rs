@@ -11,14 +11,13 @@ use crate::kinematics::Robot;
 use crate::model::Calibration;
 use crate::model::format_v1::model_hash;
 use crate::present::kinds;
-use crate::present::names::title;
+use crate::present::names::{figure, title, title_on};
 use crate::sessions::{Session, hash_of_samples};
 use crate::standards::Standards;
 
 use super::accuracy;
 use super::calibration::values;
 use super::document::{Block, Figure, Report, Section, Table, clean, clean_note};
-use super::numbers::{mm, plain, short};
 use super::parts::{
     fact, foot, gap, implausible, instrument, or_unnamed, parameters, robot_facts, signatures,
     tables, tolerance,
@@ -26,6 +25,7 @@ use super::parts::{
 use super::plots::gap as gap_plot;
 use super::stages::{section as deviations_of, stages};
 use super::{Extras, ReportError};
+use crate::present::numbers::{mm, plain, short};
 
 /// Rows of lists that have no end of their own.
 pub(super) const MOST_ROWS: usize = 20;
@@ -496,6 +496,15 @@ impl Told<'_> {
             parameters(all.clone(), self.robot()),
         ];
         blocks.extend(implausible(all, self.robot()));
+        let figures = d.found.iter().flat_map(|f| {
+            let name = title_on(f.effect, f.joint, self.robot().joints.len());
+            let said = f
+                .figures
+                .iter()
+                .map(move |one| format!("{name}: {}", figure(*one)));
+            said.collect::<Vec<_>>()
+        });
+        blocks.extend(figures.map(Block::Text));
         Section {
             title: "Parameters of the real robot".to_owned(),
             blocks,

@@ -11,9 +11,9 @@ use crate::sessions::Session;
 
 use super::ReportError;
 use super::document::{Block, Section};
-use super::numbers::short;
 use super::parts::or_unnamed;
 use super::plots::{Stage, Stages, deviation, workspace};
+use crate::present::numbers::short;
 
 /// A session's samples as measured, with corrected commands, and against the model.
 ///

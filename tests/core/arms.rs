@@ -7,7 +7,7 @@
 use std::path::PathBuf;
 
 use truepose::effects::{Inputs, JointValues, MeasuringFrame, Survey, Term};
-use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_without_priors};
+use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
 use truepose::model::format_v1::{read_model, write_model};
 use truepose::sessions::{Session, load};
@@ -45,8 +45,15 @@ fn geometry_alone_comes_as_near_to_the_truth_as_a_least_squares_of_everything() 
             let session = session(&name);
             let [from_truth_mm, left_mm] = expected(&name);
             let with = identified(&session);
-            let without =
-                identify_without_priors(&session, &effects(), JointValues::Commanded).unwrap();
+            let without = identify_watched(
+                &session,
+                &effects(),
+                &[],
+                false,
+                JointValues::Commanded,
+                &|| true,
+            )
+            .unwrap();
             for answer in [&with, &without] {
                 assert!(answer.quality.converged, "{name}: {:?}", answer.quality);
                 assert_eq!(answer.notes, Vec::<String>::new(), "{name}");

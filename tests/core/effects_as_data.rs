@@ -8,7 +8,8 @@ use std::path::PathBuf;
 use truepose::diagnosis::{Diagnosis, Found, Options};
 use truepose::effects::JointValues;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, identify_exact};
-use truepose::pipeline::diagnose;
+use truepose::model::Model;
+use truepose::pipeline::{self, diagnose};
 use truepose::present::diagnosis_v1;
 use truepose::sessions::{Session, load};
 use truepose::simulation::{parse_scenario, simulate, unwatched};
@@ -123,6 +124,47 @@ fn a_measured_torque_shows_wind_up_without_any_mass() {
     };
     assert!(value("compliance_urad_per_nm").is_null());
     assert!(value("sag_rms_mrad").as_f64().is_some_and(|sag| sag > 0.05));
+}
+
+/// One load and no masses: links that weigh could bend joint 2 as an eccentric ring of it turns it, so
+/// that both stand in the answer. The sag of an arm depends on joint 3 as well, which no ring does.
+#[test]
+fn an_eccentric_ring_and_a_sag_that_would_look_alike_stand_in_one_set() {
+    let answer = diagnosed(&session("eccentric"));
+    let found = only(&answer);
+    assert_eq!(found.joint, Some(2));
+    let rivals = answer.equivalent.iter().flat_map(|e| &e.instead);
+    let set: Vec<&str> = [found.effect]
+        .into_iter()
+        .chain(rivals.filter_map(|rival| rival.strip_suffix(" 2")))
+        .collect();
+    for alike in ["joint-compliance", "encoder-eccentricity"] {
+        assert!(set.contains(&alike), "{set:?}");
+    }
+    let answer = diagnosed(&session("sag"));
+    let found = only(&answer);
+    assert_eq!((found.effect, found.joint), ("joint-compliance", Some(2)));
+}
+
+/// A sag without masses has moments alone: its model is read back as what it was, to the last bit.
+#[test]
+fn the_model_of_a_sag_is_read_back_as_it_was_written() {
+    let session = session("sag");
+    let answer = diagnosed(&session);
+    let term = |model: &Model| {
+        let mut terms = model.terms().iter();
+        let own = terms.find(|t| t.effect.about().id == "joint-compliance");
+        own.expect("the sag").clone()
+    };
+    let before = term(&answer.model);
+    assert_eq!(before.coefficients.len(), 6, "moments alone");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("sag.model.json");
+    let text = pipeline::write_model(&answer.calibration(&session));
+    std::fs::write(&path, text).expect("written");
+    let read = pipeline::load_model(&path).expect("read");
+    assert_eq!(term(&read.model).coefficients, before.coefficients);
+    pipeline::verify(&read, &session).expect("compared");
 }
 
 #[test]

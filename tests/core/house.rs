@@ -164,7 +164,7 @@ fn the_core_knows_nothing_of_the_window() {
 }
 
 /// The steps of the job: module and function. Terminal and window reach them by `pipeline` alone.
-const STEPS: [(&str, &str); 29] = [
+const STEPS: [(&str, &str); 28] = [
     ("sessions", "load"),
     ("sessions", "load_robot"),
     ("sessions", "load_watched"),
@@ -179,7 +179,6 @@ const STEPS: [(&str, &str); 29] = [
     ("fit", "identify_exact"),
     ("fit", "identify_regional"),
     ("fit", "identify_watched"),
-    ("fit", "identify_without_priors"),
     ("diagnosis", "diagnose"),
     ("paper", "regional_start"),
     ("compensation", "verify"),

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use nalgebra::{Matrix3, Vector3};
 use truepose::effects::{Inputs, JointValues};
-use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_without_priors};
+use truepose::fit::{DEFAULT_EFFECTS, Identification, identify_exact, identify_watched};
 use truepose::model::Model;
 use truepose::model::format_v1::{read_model, write_model};
 use truepose::sessions::{Session, load, parse_with_csv, save};
@@ -361,7 +361,15 @@ fn priors_are_not_needed_where_the_poses_show_everything() {
         "six-mix",
     ] {
         let session = session(name);
-        let answer = identify_without_priors(&session, &effects(), JointValues::Commanded).unwrap();
+        let answer = identify_watched(
+            &session,
+            &effects(),
+            &[],
+            false,
+            JointValues::Commanded,
+            &|| true,
+        )
+        .unwrap();
         assert!(answer.quality.converged, "{name}: {:?}", answer.quality);
         let (own, numpy) = from_truth(name, &answer);
         assert!(own <= 1.6 * numpy, "{name}: {own} beside {numpy}");

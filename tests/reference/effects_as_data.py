@@ -79,26 +79,26 @@ def written(name, joints, columns, targets, truth, tool=TOOL):
     (OUT / f"{name}.json").write_text(text + "\n")
 
 
-def arm(name, seed, truth, n=150, effect=None, tilt=None, extra=None):
-    """`effect(q, load, k)` gives the true angles, `tilt(theta, load)` a turn of the whole."""
+def arm(name, seed, truth, n=150, effect=None, tilt=None, extra=None, load=None):
+    """One load where it is stated, else it changes. `effect(q, load, k)` gives the true angles, `tilt(theta, load)` a turn of the whole."""
     rng = np.random.default_rng(seed)
     low, high = np.radians([-150, -80, -110]), np.radians([150, 50, 110])
     q = np.round(np.degrees(rng.uniform(low, high, (n, 3))), 2)
-    load = rng.choice([0.0, 4.0, 9.0], n)
+    loads = rng.choice([0.0, 4.0, 9.0], n) if load is None else np.full(n, load)
     names = rng.choice(list(TARGETS), n)
     zeros = np.radians([0.03, -0.05, 0.04])
     points = np.zeros((n, 3))
     for k in range(n):
         command = np.radians(q[k])
-        theta = (effect(command, load[k], k) if effect else command) + zeros
+        theta = (effect(command, loads[k], k) if effect else command) + zeros
         p = moved(AXES, theta, TOOL + np.array(TARGETS[names[k]]), 3)
         if tilt:
-            p = tilt(command, load[k]) @ p
+            p = tilt(command, loads[k]) @ p
         points[k] = p + rng.normal(0, SIGMA, 3)
     columns = {f"q{j + 1}_deg": q[:, j] for j in range(3)}
     columns |= {axis + "_mm": points[:, j] for j, axis in enumerate("xyz")}
-    columns |= {"target": list(map(str, names)), "load_kg": load}
-    columns |= extra(rng, q, load) if extra else {}
+    columns |= {"target": list(map(str, names)), "load_kg": loads}
+    columns |= extra(rng, q, loads) if extra else {}
     written(name, AXES, columns, TARGETS, truth)
 
 
@@ -165,6 +165,29 @@ def wind_up():
     arm("measured-torque", 14, {"compliance_urad_per_nm": 1.5}, effect=effect, extra=sensors)
 
 
+def sag():
+    """Joint 2 gives under links and one load; no file shows a mass, no load changes."""
+    compliance = 1.5e-6
+
+    def effect(q, load, k):
+        theta = q.copy()
+        for _ in range(20):
+            theta[1] = q[1] + compliance * torque(np.array([q[0], theta[1], q[2]]), 1, load, LINKS)
+        return theta
+
+    arm("sag", 16, {"compliance_urad_per_nm": 1.5}, effect=effect, load=4.0)
+
+
+def eccentric():
+    """The ring of joint 2 sits off its axis; the axis of joint 1 is upright, so that gravity could do it."""
+    amplitude, phase = 0.0006, np.radians(35.0)
+
+    def effect(q, load, k):
+        return q + np.array([0, amplitude * np.sin(q[1] + phase), 0])
+
+    arm("eccentric", 17, {"amplitude_mrad": 0.6, "phase_deg": 35.0}, effect=effect, load=4.0)
+
+
 def warm_joint():
     """Joint 2 has a motor that warms up by itself; the room stays as it is."""
     n, drift = 150, 0.0015
@@ -186,3 +209,5 @@ foundation()
 coupling()
 wind_up()
 warm_joint()
+sag()
+eccentric()

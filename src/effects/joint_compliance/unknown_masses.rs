@@ -40,32 +40,32 @@ pub(super) const WITH_LOAD: UnknownMasses<{ 1 + OF_PARTS }> = UnknownMasses;
 /// What links and an unchanging load weigh together: C is in every moment.
 pub(super) const SAG: UnknownMasses<OF_PARTS> = UnknownMasses;
 
+const QUANTITIES: &[Quantity] = &[
+    Quantity::new("compliance_urad_per_nm", Unit::MICRORADIAN_PER_NM),
+    Quantity::new("moment_1_u_mrad", Unit::MILLIRADIAN),
+    Quantity::new("moment_1_v_mrad", Unit::MILLIRADIAN),
+    Quantity::new("moment_2_u_mrad", Unit::MILLIRADIAN),
+    Quantity::new("moment_2_v_mrad", Unit::MILLIRADIAN),
+    Quantity::new("moment_3_u_mrad", Unit::MILLIRADIAN),
+    Quantity::new("moment_3_v_mrad", Unit::MILLIRADIAN),
+];
+const MOMENTS: &[Quantity] = match QUANTITIES.split_first() {
+    Some((_, moments)) => moments,
+    None => &[],
+};
+
 const ABOUT_WITH_LOAD: About = About {
-    form: Form::Plain(&[
-        Quantity::new("compliance_urad_per_nm", Unit::MICRORADIAN_PER_NM),
-        Quantity::new("moment_1_u_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_1_v_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_2_u_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_2_v_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_3_u_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_3_v_mrad", Unit::MILLIRADIAN),
-    ]),
+    form: Form::Plain(QUANTITIES),
     equation: "θ = q + C·τ(θ), τ gravity's torque: of the load, and of links by moments that are fitted",
     ..super::ABOUT
 };
 
 const ABOUT_SAG: About = About {
-    form: Form::Plain(&[
-        Quantity::new("moment_1_u_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_1_v_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_2_u_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_2_v_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_3_u_mrad", Unit::MILLIRADIAN),
-        Quantity::new("moment_3_v_mrad", Unit::MILLIRADIAN),
-    ]),
+    form: Form::Plain(MOMENTS),
     equation: "θ = q + σ(θ), σ what links and load sag, by moments that are fitted",
     // A moment may point anywhere.
     never_negative: false,
+    // Ten times what 100 µrad/(N·m) sag under 50 N·m.
     implausible_above: Some(50.0),
     ..super::ABOUT
 };

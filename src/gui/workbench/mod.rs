@@ -320,6 +320,8 @@ impl Workbench {
             self.after_travel(before.lineage);
         }
         if before.lineage != self.subject().lineage {
+            // A search of the session that was left answers nothing any more.
+            self.jobs.cancel(|kind| kind == Kind::Searches);
             self.exported.clear();
             self.saved_as = None;
             self.look_along_the_axis();

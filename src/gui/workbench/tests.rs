@@ -245,6 +245,18 @@ fn an_identification_that_was_cancelled_is_not_begun_again_by_itself() {
 }
 
 #[test]
+fn a_search_ends_where_another_session_is_opened() {
+    let mut workbench = workbench();
+    workbench.jobs = Jobs::new(Runner::Threads, Arc::new(|| {}));
+    workbench.execute(Command::Search);
+    assert!(workbench.searching().is_some());
+    let session = workbench.subject().session.clone();
+    let other = Subject::new(session, Vec::new(), Origin::Imported("other.txt".into()));
+    workbench.execute(Command::Edit(Edit::Open(Arc::new(other))));
+    assert!(workbench.searching().is_none());
+}
+
+#[test]
 fn new_files_belong_beside_what_they_were_made_of() {
     let mut workbench = workbench();
     let folder = tempfile::tempdir().expect("a folder");

@@ -19,7 +19,7 @@ use crate::present::chart::{
 };
 use crate::present::drawing::Drawing;
 
-use super::numbers::{plain, short};
+use crate::present::numbers::{plain, short};
 
 /// The deviations of all samples at one stage of the work.
 #[derive(Debug, Clone)]

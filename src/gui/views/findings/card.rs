@@ -12,7 +12,7 @@ use crate::gui::units::{Units, significant};
 use crate::gui::views::names::{implausible, in_words};
 use crate::gui::widgets::{self, dense};
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::names::{parameter, title_of};
+use crate::present::names::{figure, parameter, title_of};
 
 pub(super) fn show(
     ui: &mut Ui,
@@ -28,6 +28,9 @@ pub(super) fn show(
     ui.scope(|ui| {
         dense(ui);
         estimates(ui, units, found.effect, &found.parameters);
+        for one in &found.figures {
+            widgets::hint(ui, figure(*one));
+        }
         let sign = if found.p_family.bound { '<' } else { '=' };
         widgets::hint_about(
             ui,
