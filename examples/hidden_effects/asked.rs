@@ -31,8 +31,15 @@ pub fn identified_with(rig: &Rig, beside: &[&str], known: &[Term]) -> Identifica
     let effects = base.iter().chain(beside).map(|id| (*id).to_owned());
     let effects: Vec<String> = effects.collect();
     let session = session(rig);
-    identify_watched(&session, &effects, known, JointValues::Commanded, &|| true)
-        .expect("an identification")
+    identify_watched(
+        &session,
+        &effects,
+        known,
+        true,
+        JointValues::Commanded,
+        &|| true,
+    )
+    .expect("an identification")
 }
 
 /// The answer as `diagnose --json` prints it: what the contract names, whatever the types inside.

@@ -7,26 +7,21 @@
 //! already; then what was chosen competes with poses around it. Which effects the poses show beside the
 //! geometry is a matter of conditions ([`super::conditions`]).
 
-use nalgebra::Point3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::candidates::{Candidate, Writing, anywhere, ranges, typed};
+use super::candidates::{Candidate, Writing, anywhere, ranges};
 use super::conditions::Varied;
-use super::imagined::{extend, extended, place_of, unmeasured};
+use super::imagined::{extend, extended, unmeasured};
 use super::plan::PlanOptions;
 use super::sight;
+use super::ways::{Way, ways};
 use crate::diagnosis::{DiagnoseError, NextPose};
-use crate::effects::Inputs;
-use crate::effects::inputs::reflectors_at_home;
-use crate::effects::places::{Place, PlaceKind, stated};
 use crate::fit::base_model;
 use crate::fit::priors::Priors;
 use crate::fit::problem::Problem;
 use crate::kinematics::{Range, Robot};
 use crate::model::Model;
-use crate::observations::held::bring;
-use crate::observations::{KINDS, Seen};
 use crate::sessions::{Instrument, Session, Sigma, Target};
 
 /// Candidates around what was chosen.
@@ -34,24 +29,8 @@ const AROUND: usize = 700;
 /// Each of so many candidates has joints at the ends of their ranges, every joint with this share.
 const ENDS_EVERY: usize = 3;
 const ENDS: f64 = 0.25;
-/// Ways of measuring that are tried at most.
-const MOST_WAYS: usize = 24;
 /// So many tries for each candidate that is wanted.
 const TRIES: usize = 12;
-
-/// One way of measuring.
-struct Way {
-    /// The sample that was measured so; none: a point of a robot that was not measured.
-    like: Option<usize>,
-    target: u32,
-    /// Where the target has to be.
-    held: Option<(usize, Place)>,
-    /// From where it is seen, measuring frame.
-    from: Option<Point3<f64>>,
-}
-
-/// What was measured of a sample: kinds, and the places that they refer to.
-type Measured = Vec<(usize, Option<Place>)>;
 
 /// See the module.
 pub(crate) struct Arm {
@@ -123,6 +102,7 @@ impl Arm {
     ) -> Self {
         let way = |target: usize| Way {
             like: None,
+            places: Vec::new(),
             target: u32::try_from(target).unwrap_or(0),
             held: None,
             from: options.instrument_mm,
@@ -215,7 +195,12 @@ impl Arm {
                 break;
             }
             let brought = some.into_iter();
-            let brought = brought.filter_map(|(q, way)| Some((self.brought(q, way)?, way)));
+            let brought = brought.filter_map(|(q, way)| {
+                Some((
+                    self.ways[way].brought(&self.session, &self.base, &self.ranges, q)?,
+                    way,
+                ))
+            });
             let some: Vec<(Vec<f64>, usize)> = brought.collect();
             let posed = some.iter().map(|(q, w)| (&q[..], self.ways[*w].target));
             let posed: Vec<(&[f64], u32)> = posed.collect();
@@ -251,45 +236,6 @@ impl Arm {
         extend(&mut whole, &self.base, &poses.collect::<Vec<_>>(), &like);
         whole
     }
-
-    /// Joint values as a technician types them, or where the target is held where it has to be; none
-    /// within the limits: `None`.
-    fn brought(&self, mut q: Vec<f64>, way: usize) -> Option<Vec<f64>> {
-        let way = &self.ways[way];
-        let joints = &self.session.robot.joints;
-        let Some((kind, place)) = way.held else {
-            for ((q, range), joint) in q.iter_mut().zip(&self.ranges).zip(joints) {
-                *q = typed(*q, joint.kind).clamp(range.from, range.to);
-            }
-            return Some(q);
-        };
-        let columns = q.iter().map(|q| vec![*q]).collect();
-        let mut own = Inputs::at_poses(columns, reflectors_at_home(&self.session));
-        own.target = Some(vec![way.target].into());
-        let setup = self
-            .session
-            .samples
-            .setups
-            .as_ref()
-            .and_then(|s| s.index.last());
-        own.setup = setup.map(|last| vec![f64::from(*last)]);
-        let at = place_of(&self.session, &self.base, place);
-        let there = bring(&self.base, &mut own, |point| {
-            let seen = Seen {
-                point,
-                attitude: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-                place: &at,
-            };
-            let left = KINDS[kind].residual(&self.session, way.like.unwrap_or(0), &seen);
-            (
-                left.left[..left.rows].to_vec(),
-                left.by_point[..left.rows].to_vec(),
-            )
-        });
-        let q: Vec<f64> = own.q.iter().map(|q| q[0]).collect();
-        let inside = |(q, range): (&f64, &Range)| *q >= range.from && *q <= range.to;
-        (there && q.iter().zip(&self.ranges).all(inside)).then_some(q)
-    }
 }
 
 /// Terms with the values of a fit, as far as it has them.
@@ -303,43 +249,4 @@ fn valued(start: &Model, fitted: &Model) -> Model {
         term
     });
     Model::new(start.robot.clone(), terms.collect())
-}
-
-/// The different ways in which the samples were measured; `from` is where the instrument stands that is no
-/// station.
-fn ways(session: &Session, from: Option<Point3<f64>>) -> Vec<Way> {
-    let mut known: Vec<(Measured, u32)> = Vec::new();
-    let mut ways = Vec::new();
-    for sample in 0..session.samples.len() {
-        let measured = KINDS
-            .iter()
-            .enumerate()
-            .filter(|(_, kind)| kind.measured(session, sample));
-        let kinds: Vec<_> = measured
-            .map(|(k, kind)| (k, kind.place(session, sample)))
-            .collect();
-        let target = session.samples.target.as_ref().map_or(0, |t| t[sample]);
-        let key = (kinds, target);
-        if key.0.is_empty() || known.contains(&key) || ways.len() >= MOST_WAYS {
-            continue;
-        }
-        let places = || {
-            key.0
-                .iter()
-                .filter_map(|(k, place)| place.map(|place| (*k, place)))
-        };
-        let station = places().find(|(_, place)| place.kind == PlaceKind::Station);
-        let position = station.and_then(|(_, place)| {
-            let at = stated(&session.instrument.references, place);
-            Some(Point3::new(at[3]?, at[4]?, at[5]?))
-        });
-        ways.push(Way {
-            like: Some(sample),
-            target,
-            held: places().find(|(k, _)| KINDS[*k].about().holds),
-            from: position.or(from),
-        });
-        known.push(key);
-    }
-    ways
 }

@@ -15,9 +15,10 @@ use crate::effects::Inputs;
 use crate::effects::inputs::REFERENCE_TEMPERATURE_C;
 use crate::effects::term::{JointFrame, travel_of};
 use crate::kinematics::{Joint, JointKind, Range, Robot};
-use crate::sessions::Target;
+use crate::sessions::{Session, Target};
 
-use super::imagined::LATER_S;
+use super::imagined::{LATER_S, measured_like};
+use super::ways::{Way, last_setup, ways};
 
 /// How far from the first reflector a second one can be held, mm: a light bar on the flange.
 pub(crate) const REACH_MM: f64 = 300.0;
@@ -28,6 +29,8 @@ const FREE: [f64; 2] = [std::f64::consts::PI, 500.0];
 const ANGLES: usize = 24;
 /// Joint vectors of an arm that are drawn at random beside the sweeps of single joints.
 const VECTORS: usize = 60;
+/// Ways of measuring that are offered.
+const MOST_WAYS: usize = 6;
 
 /// How a pose is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -157,6 +160,9 @@ impl Conditions {
 /// What is offered beside a session: its reflectors and perhaps one more, under all conditions.
 #[derive(Debug, Clone)]
 pub(crate) struct Offer {
+    /// The ways in which the session measures where that is not points alone: every candidate is measured
+    /// in one of them.
+    pub(crate) ways: Vec<Way>,
     pub(crate) targets: Vec<Target>,
     pub(crate) ranges: Vec<Range>,
     pub(crate) candidates: Vec<Candidate>,
@@ -164,26 +170,62 @@ pub(crate) struct Offer {
 
 impl Offer {
     pub(crate) fn new(prepared: &Prepared, targets: Vec<Target>, conditions: &Conditions) -> Self {
-        let robot = &prepared.problem.session.robot;
-        let ranges = ranges(robot, Some(&prepared.problem.inputs));
-        let seed = prepared.options().seed;
+        let session = prepared.problem.session;
+        let ranges = ranges(&session.robot, Some(&prepared.problem.inputs));
+        let places = places(&ranges, prepared.options().seed);
+        if prepared.problem.observed.is_none() {
+            let places: Vec<_> = places.into_iter().map(Candidate::at).collect();
+            let each: Vec<u32> = (0..u32::try_from(targets.len()).unwrap_or(1)).collect();
+            let candidates = combinations(&places, conditions);
+            return Self {
+                candidates: each_with(&candidates, &each, |c, target| c.target = target),
+                ways: Vec::new(),
+                ranges,
+                targets,
+            };
+        }
+        let mut ways = ways(session, None);
+        let every = ways.len().div_ceil(MOST_WAYS).max(1);
+        ways = ways.into_iter().step_by(every).collect();
+        let base = &prepared.regression.base;
+        let of_way = |(index, way): (usize, &Way)| -> Vec<Candidate> {
+            let here = |q: &Vec<f64>| way.brought(session, base, &ranges, q.clone());
+            let at = |q| Candidate {
+                target: way.target,
+                way: index,
+                ..Candidate::at(q)
+            };
+            places.iter().filter_map(here).map(at).collect()
+        };
+        let places: Vec<_> = ways.iter().enumerate().flat_map(of_way).collect();
         Self {
-            candidates: combinations(&ranges, targets.len(), conditions, seed),
+            candidates: combinations(&places, conditions),
+            ways,
             ranges,
             targets,
         }
     }
 
+    /// The candidates as samples, each measured in its way as far as the base model knows; `None` where
+    /// points alone are measured.
+    pub(crate) fn session(&self, prepared: &Prepared) -> Option<Session> {
+        prepared.problem.observed.as_ref()?;
+        let all = self.candidates.iter();
+        let poses: Vec<_> = all.clone().map(|c| (&c.q[..], c.target)).collect();
+        let like: Vec<_> = all.filter_map(|c| self.ways[c.way].like).collect();
+        let (session, base) = (prepared.problem.session, &prepared.regression.base);
+        Some(measured_like(session, base, &poses, &like))
+    }
+
     pub(crate) fn inputs(&self, prepared: &Prepared) -> Inputs<'static> {
         let start = prepared.problem.inputs.start_s();
-        let robot = &prepared.problem.session.robot;
-        inputs(
-            robot,
-            &self.targets,
-            &self.ranges,
-            &self.candidates,
-            Some(start),
-        )
+        let session = prepared.problem.session;
+        let (ranges, all) = (&self.ranges, &self.candidates);
+        let mut inputs = inputs(&session.robot, &self.targets, ranges, all, Some(start));
+        if !self.ways.is_empty() {
+            inputs.setup = last_setup(session).map(|last| vec![last; all.len()]);
+        }
+        inputs
     }
 
     /// The pose of a candidate; before a short approach the place where the joints reverse.
@@ -197,7 +239,11 @@ impl Offer {
             loads: session.samples.load_kg.is_some(),
             temperatures: false,
         };
-        let pose = writing.pose(candidate, why.to_owned());
+        let why = match self.ways.get(candidate.way) {
+            Some(way) => format!("{why}; measure {}", way.says(session)),
+            None => why.to_owned(),
+        };
+        let pose = writing.pose(candidate, why);
         let Arrival::Short(share) = candidate.arrival else {
             return vec![pose];
         };
@@ -243,45 +289,36 @@ pub(crate) fn ranges(robot: &Robot, measured: Option<&Inputs>) -> Vec<Range> {
     robot.joints.iter().enumerate().map(of).collect()
 }
 
-/// All combinations of places, sides, conditions and reflectors; the last change first.
-fn combinations(
-    ranges: &[Range],
-    targets: usize,
-    conditions: &Conditions,
-    seed: u64,
+/// Every candidate with each of these values.
+fn each_with<T: Copy>(
+    all: &[Candidate],
+    values: &[T],
+    set: impl Fn(&mut Candidate, T),
 ) -> Vec<Candidate> {
-    fn each<T: Copy>(
-        all: &[Candidate],
-        values: &[T],
-        set: impl Fn(&mut Candidate, T),
-    ) -> Vec<Candidate> {
-        let with = |(one, value): (&Candidate, &T)| {
-            let mut one = one.clone();
-            set(&mut one, *value);
-            one
-        };
-        let pairs = all.iter().flat_map(|c| values.iter().map(move |v| (c, v)));
-        pairs.map(with).collect()
-    }
-    let targets: Vec<u32> = (0..u32::try_from(targets).unwrap_or(1)).collect();
-    let all: Vec<Candidate> = places(ranges, seed)
-        .into_iter()
-        .map(Candidate::at)
-        .collect();
-    let all = each(&all, &[-1.0, 1.0], |c, side| c.dir.fill(side));
-    let all = each(&all, &conditions.speeds, |c, speed| {
+    let with = |(one, value): (&Candidate, &T)| {
+        let mut one = one.clone();
+        set(&mut one, *value);
+        one
+    };
+    let pairs = all.iter().flat_map(|c| values.iter().map(move |v| (c, v)));
+    pairs.map(with).collect()
+}
+
+/// All combinations of places, sides and conditions; the last change first.
+fn combinations(places: &[Candidate], conditions: &Conditions) -> Vec<Candidate> {
+    let all = each_with(places, &[-1.0, 1.0], |c, side| c.dir.fill(side));
+    let all = each_with(&all, &conditions.speeds, |c, speed| {
         let units = c.dir.iter().zip(&conditions.unit_of_speed);
         c.speed = units
             .map(|(side, unit)| side * speed * unit + 0.0)
             .collect();
     });
-    let all = each(&all, &conditions.arrivals, |c, arrival| c.arrival = arrival);
-    let all = each(&all, &conditions.loads_kg, |c, load| c.load_kg = load);
-    let all = each(&all, &conditions.above_20_c, |c, warmth| {
-        c.above_20_c = warmth;
+    let all = each_with(&all, &conditions.arrivals, |c, arrival| {
+        c.arrival = arrival;
     });
-    each(&all, &targets, |c, target| {
-        c.target = target;
+    let all = each_with(&all, &conditions.loads_kg, |c, load| c.load_kg = load);
+    each_with(&all, &conditions.above_20_c, |c, warmth| {
+        c.above_20_c = warmth;
         c.time_s = conditions.time_s;
     })
 }

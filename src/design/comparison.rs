@@ -21,6 +21,8 @@ use crate::diagnosis::prepare::Prepared;
 use crate::diagnosis::regression::Regression;
 use crate::effects::Inputs;
 use crate::model::Model;
+use crate::observations::Layer;
+use crate::sessions::Session;
 
 use super::candidates::Offer;
 
@@ -69,11 +71,67 @@ pub(crate) fn predictions(
     all
 }
 
+/// The same where points are not all that is measured: the rows of every observation, in units of the
+/// noise that the session was found to have. `taken` are the candidates as samples.
+fn observed_predictions(
+    truth: &Model,
+    other: &Model,
+    inputs: &Inputs,
+    taken: &Session,
+    regression: &Regression,
+) -> Vec<Prediction> {
+    let mut layer = Layer::at(taken, inputs);
+    if let Some(so_far) = regression.rows.observed() {
+        layer.sigma.clone_from(&so_far.layer().sigma);
+        layer.unit_mm = so_far.layer().unit_mm;
+    }
+    let p = other.coefficient_count();
+    let width = layer.items.iter().map(|item| item.rows).max().unwrap_or(0);
+    let rows_of = |model: &Model, differentiate: bool| {
+        let mut left = DMatrix::zeros(width, layer.items.len());
+        let mut columns =
+            vec![DMatrix::zeros(width, if differentiate { p } else { 0 }); layer.items.len()];
+        layer.visit(model, differentiate, |block| {
+            for (lane, item) in block.items.iter().enumerate() {
+                let Some(item) = *item else { continue };
+                for row in (0..width).filter(|row| block.rows[*row][lane]) {
+                    let unit = 1.0 / regression.noise.sigma_mm[row];
+                    left[(row, item)] = block.left[row][lane] * unit;
+                    for (k, column) in block.columns.iter().enumerate() {
+                        columns[item][(row, k)] = column[row][lane] * unit;
+                    }
+                }
+            }
+        });
+        (left, columns)
+    };
+    let (by_truth, _) = rows_of(truth, false);
+    let (by_other, columns) = rows_of(other, true);
+    let mut own: Vec<Vec<(usize, usize)>> = vec![Vec::new(); inputs.len()];
+    for (index, item) in layer.items.iter().enumerate() {
+        own[item.sample].extend((0..item.rows).map(|row| (index, row)));
+    }
+    let one = |rows: Vec<(usize, usize)>| Prediction {
+        difference: DVector::from_iterator(
+            rows.len(),
+            rows.iter()
+                .map(|(item, row)| by_other[(*row, *item)] - by_truth[(*row, *item)]),
+        ),
+        columns: DMatrix::from_fn(rows.len(), p, |k, column| {
+            let (item, row) = rows[k];
+            columns[item][(row, column)]
+        }),
+    };
+    own.into_iter().map(one).collect()
+}
+
 /// Where models are compared: on the samples so far and on candidates.
 pub(crate) struct Field<'p> {
     pub(crate) regression: &'p Regression<'p>,
     pub(crate) inputs: Inputs<'static>,
     axes: Axes,
+    /// The candidates as samples, where points are not all that is measured.
+    taken: Option<Session>,
 }
 
 impl<'p> Field<'p> {
@@ -82,6 +140,7 @@ impl<'p> Field<'p> {
         Self {
             regression,
             inputs: offer.inputs(prepared),
+            taken: offer.session(prepared),
             axes: Axes {
                 axes: regression.rows.axes.clone(),
                 sigma_mm: regression.noise.sigma_mm,
@@ -91,7 +150,11 @@ impl<'p> Field<'p> {
 
     /// What each candidate shows of `truth` where `other` is refitted.
     pub(crate) fn predictions(&self, truth: &Model, other: &Model) -> Vec<Prediction> {
-        predictions(truth, other, &self.inputs, &self.axes)
+        let (inputs, regression) = (&self.inputs, self.regression);
+        match &self.taken {
+            None => predictions(truth, other, inputs, &self.axes),
+            Some(taken) => observed_predictions(truth, other, inputs, taken, regression),
+        }
     }
 
     /// Gram matrix of a model's columns over the samples.

@@ -69,7 +69,7 @@ fn lacks_geometry(prepared: &Prepared, effect: &'static dyn Effect, joint: usize
 fn offer_for(prepared: &Prepared, needs: &[Need]) -> Offer {
     let session = prepared.problem.session;
     let mut targets = session.targets.clone();
-    if needs.contains(&Need::Reflector) {
+    if needs.contains(&Need::Reflector) && prepared.problem.observed.is_none() {
         targets = with_another(&session.robot, targets);
     }
     let mut conditions = Conditions::after(prepared);

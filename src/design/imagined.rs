@@ -166,6 +166,38 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
     show(all, model, n, like);
 }
 
+/// A session of poses alone, each measured of this target as that sample was.
+pub(crate) fn measured_like(
+    session: &Session,
+    model: &Model,
+    poses: &[(&[f64], u32)],
+    like: &[usize],
+) -> Session {
+    let mut all = session.clone();
+    let rows: Vec<_> = like.iter().map(|sample| Some(*sample)).collect();
+    let setup = session.samples.setups.as_ref();
+    let setup = setup.and_then(|setups| setups.index.last().copied());
+    let samples = &mut all.samples;
+    samples.select(&rows);
+    if let (Some(setups), Some(last)) = (&mut samples.setups, setup) {
+        setups.index.fill(last);
+    }
+    if let Some(held_out) = &mut samples.held_out {
+        held_out.fill(false);
+    }
+    for (i, (q, target)) in poses.iter().enumerate() {
+        for (column, q) in samples.q.iter_mut().zip(*q) {
+            column[i] = *q;
+        }
+        if let Some(targets) = &mut samples.target {
+            targets[i] = *target;
+        }
+    }
+    let itself: Vec<_> = (0..poses.len()).map(Some).collect();
+    show(&mut all, model, 0, &itself);
+    all
+}
+
 /// Writes down what is measured of the samples from `n` on.
 fn show(all: &mut Session, model: &Model, n: usize, like: &[Option<usize>]) {
     let seen = predictions(all, JointValues::Commanded, model);

@@ -43,5 +43,6 @@ mod making;
 mod parting;
 mod path;
 mod sight;
+mod ways;
 
 pub use measuring_list::{measuring_list, measuring_program};

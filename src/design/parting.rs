@@ -131,7 +131,10 @@ pub(crate) fn over_reflectors<T>(
     let session = prepared.problem.session;
     let mut best = attempt(session.targets.clone());
     let turns = |j: &JointSurvey| j.kind == JointKind::Revolute;
-    let fixed = session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns);
+    // Another reflector is offered where points are measured: to an anchor or a socket it is another
+    // machine.
+    let points = prepared.problem.observed.is_none();
+    let fixed = !points || session.targets.len() > 1 || !prepared.survey.joints.iter().any(turns);
     if best.0.decides || fixed {
         return best;
     }

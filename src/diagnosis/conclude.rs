@@ -122,11 +122,7 @@ pub(crate) fn answer(
         rivals: &equivalent,
         not_testable: &not_testable,
     };
-    let proposal = match &problem.observed {
-        // Poses are chosen for what points would show.
-        Some(_) => without_poses(session, equivalent.len()),
-        None => planner(&undecided),
-    };
+    let proposal = planner(&undecided);
     let found = found(prepared, with_shapes, &steps, &floor, &values);
     let mut unexplained = unexplained(prepared, end, session);
     let verdict = verdict::judge(prepared, end, &values, &floor, &held_out, &mut unexplained);
@@ -218,19 +214,6 @@ fn tell_unseen(prepared: &Prepared, fit: &Fit, kinds: &mut [KindFigures]) {
         if let (Some(own), Some(unseen)) = (own, unseen) {
             own.unseen_rms = Some(unseen * about.unit.read().1);
         }
-    }
-}
-
-/// What would tell rivals apart where no poses are proposed.
-fn without_poses(session: &Session, rivals: usize) -> Proposal {
-    let measured = session.kinds_in_words().unwrap_or_default();
-    let says = format!(
-        "this session has {measured}, and poses are proposed for points: measure these joints at \
-         more values, or points beside"
-    );
-    Proposal {
-        poses: Vec::new(),
-        separate_by: vec![says; rivals],
     }
 }
 

@@ -84,7 +84,11 @@ impl Placing {
 impl<'a> Layer<'a> {
     /// The observations of a session. Joint values are those that `values` names.
     pub fn new(session: &'a Session, values: JointValues) -> Self {
-        let inputs = Inputs::new(session, values);
+        Self::at(session, &Inputs::new(session, values))
+    }
+
+    /// The observations of a session whose joints were where `inputs` say, sample by sample.
+    pub(crate) fn at(session: &'a Session, inputs: &Inputs) -> Self {
         let held_out = session.samples.held_out.as_deref();
         let complete = |i: usize| session.samples.q.iter().all(|q| !q[i].is_nan());
         let mut items = Vec::new();
@@ -103,8 +107,8 @@ impl<'a> Layer<'a> {
             .iter()
             .map(|kind| kind.sigma(instrument).unwrap_or(kind.about().usual_sigma))
             .collect();
-        let points = stream(session, &inputs, &items, Looks::AtPoint);
-        let attitudes = stream(session, &inputs, &items, Looks::AtAttitude);
+        let points = stream(session, inputs, &items, Looks::AtPoint);
+        let attitudes = stream(session, inputs, &items, Looks::AtAttitude);
         Self {
             session,
             unit_mm: sigma[0],

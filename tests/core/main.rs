@@ -35,6 +35,7 @@ mod house;
 mod imports;
 mod kinematics_reference;
 mod observations;
+mod observed_poses;
 mod paper;
 mod plan;
 mod plan_arms;
