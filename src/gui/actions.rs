@@ -156,6 +156,8 @@ actions! {
         |now| now.workbench.typed_path(), [when(measured)];
     SAVE_MODEL: COMMAND, M, "save model", |_| "Save model…".into(),
         |_| Command::ChooseWhereToExport(What::Model), [when(answered)];
+    COMPENSATE: SHIFTED, T, "correct targets or a program", |_| "Compensate targets…".into(),
+        |_| Command::ChooseTargets, [when(answered)];
     SAVE_TABLE: COMMAND, T, "save table", |_| "Save table…".into(),
         |_| Command::ChooseWhereToExport(What::Table), [when(answered)];
     RELOAD: COMMAND, R, "read the file again", |_| "Read the file again".into(),

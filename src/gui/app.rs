@@ -148,6 +148,19 @@ impl App {
         self.type_path(What::Report(About::Model), path);
     }
 
+    /// Corrects the targets of a file, as if it had been chosen.
+    pub fn compensate(&mut self, path: &Path) {
+        self.workbench.execute(Command::Compensate {
+            path: path.to_path_buf(),
+            load_kg: 0.0,
+        });
+    }
+
+    /// The same as [`App::type_export_path`] for corrected targets.
+    pub fn type_targets_path(&mut self, path: &Path) {
+        self.type_path(What::Targets, path);
+    }
+
     /// The same for the picture of a plot: `workspace`, `deviation` or `gap by step`.
     pub fn type_picture_path(&mut self, plot: &str, path: &Path) {
         let chart = crate::gui::charts::find(plot).map(|chart| Plot::Chart(chart.about().id));

@@ -15,6 +15,7 @@ mod window;
 
 mod accessible;
 mod charts;
+mod compensate;
 mod data;
 mod degenerate;
 mod disk;

@@ -6,6 +6,7 @@ pub(crate) mod answer;
 pub(crate) mod attached;
 pub(crate) mod boundaries;
 pub(crate) mod boundary_entry;
+pub(crate) mod compensated;
 pub(crate) mod coverage;
 pub(crate) mod disk;
 pub(crate) mod division;

@@ -24,6 +24,7 @@ macro_rules! register {
 
 register! {
     about,
+    compensation,
     keys,
     preferences,
     recovery,

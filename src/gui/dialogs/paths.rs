@@ -103,6 +103,10 @@ pub(super) fn export(
             "A name that ends in .html or .pdf; a session that was not searched yet is searched first",
         ),
         What::Picture(_) => ("Save picture", "A name that ends in .svg"),
+        What::Targets => (
+            "Save corrected file",
+            "What was changed is written beside it, as NAME.meta.json",
+        ),
     };
     match path_form(ui, workbench, (title, says), typed, commands) {
         Typed::Done { path, replace } => commands.push(Command::ExportTo {

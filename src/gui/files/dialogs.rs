@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::gui::import_draft::Beside;
 use crate::gui::view::What;
+use crate::programs::LANGUAGES;
 
 /// Asks the user for a session file.
 pub(crate) fn choose_to_open() -> Option<PathBuf> {
@@ -13,6 +14,22 @@ pub(crate) fn choose_to_open() -> Option<PathBuf> {
         .add_filter("Measurements", TABLES)
         .add_filter("All files", &["*"]);
     dialog.pick_file()
+}
+
+/// Asks the user for a table of targets or a robot program.
+pub(crate) fn choose_targets() -> Option<PathBuf> {
+    let all: Vec<&str> = LANGUAGES
+        .iter()
+        .flat_map(|l| l.extensions)
+        .copied()
+        .collect();
+    let mut dialog = rfd::FileDialog::new()
+        .set_title("Targets or program to correct")
+        .add_filter("Targets and programs", &all);
+    for language in LANGUAGES {
+        dialog = dialog.add_filter(language.title, language.extensions);
+    }
+    dialog.add_filter("All files", &["*"]).pick_file()
 }
 
 /// Asks the user for a file beside a measured one.
@@ -59,6 +76,7 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
         What::Poses => "Save measuring list",
         What::Report(_) => "Save report",
         What::Picture(_) => "Save picture",
+        What::Targets => "Save corrected file",
     };
     let dialog = dialog_at(path).set_title(title);
     let dialog = match what {

@@ -8,8 +8,10 @@ use crate::atomic::{
 use crate::export::{Document, Job};
 use crate::pipeline;
 use crate::progress::Cancelled;
+use crate::report::exported::sidecar_of;
 
 use crate::gui::cache::preview::Wanted;
+use crate::gui::core::compensated::Compensated;
 use crate::gui::jobs::Watch;
 use crate::gui::view::{Message, What};
 
@@ -92,6 +94,37 @@ pub(crate) fn write_list(list: String, path: &Path, replace: bool) -> Message {
         bytes: list.into_bytes(),
     };
     match write_all(&[document], path, replace) {
+        Ok(()) => saved(path, Vec::new()),
+        Err(problem) => not_written(path, problem),
+    }
+}
+
+/// Writes corrected targets, and what was changed beside them.
+pub(crate) fn write_targets(
+    compensated: &Compensated,
+    path: &Path,
+    replace: bool,
+    inputs: &[PathBuf],
+) -> Message {
+    let beside = sidecar_of(path);
+    let name = beside.file_name().unwrap_or_default().to_string_lossy();
+    let written = match &compensated.result {
+        Err(problems) => Err(problems.join("\n")),
+        Ok(corrected) => can_be_written(path, replace, inputs).and_then(|()| {
+            let documents = [
+                Document {
+                    name: String::new(),
+                    bytes: corrected.answer.bytes.clone(),
+                },
+                Document {
+                    name: name.into_owned(),
+                    bytes: corrected.sidecar.clone(),
+                },
+            ];
+            write_all(&documents, path, replace)
+        }),
+    };
+    match written {
         Ok(()) => saved(path, Vec::new()),
         Err(problem) => not_written(path, problem),
     }

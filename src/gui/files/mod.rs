@@ -10,9 +10,13 @@ pub(crate) mod reporting;
 mod saving;
 
 pub(crate) use advice::ending;
-pub(crate) use dialogs::{choose_beside, choose_to_export, choose_to_open, choose_to_save};
+pub(crate) use dialogs::{
+    choose_beside, choose_targets, choose_to_export, choose_to_open, choose_to_save,
+};
 pub(crate) use examples::{first_example, open_example};
-pub(crate) use exporting::{can_be_written, export, not_written, saved, write_list, write_one};
+pub(crate) use exporting::{
+    can_be_written, export, not_written, saved, write_list, write_one, write_targets,
+};
 pub(crate) use opening::{Opened, open, simulate};
 pub(crate) use pictures::write_picture;
 pub(crate) use saving::{NotSaved, Replace, Saved, save};

@@ -13,6 +13,8 @@ pub(crate) enum What {
     /// The calibration report.
     Report(About),
     Picture(Plot),
+    /// A table of targets or a robot program, corrected.
+    Targets,
 }
 
 /// What a report is about.

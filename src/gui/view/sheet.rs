@@ -35,6 +35,8 @@ pub(crate) enum Sheet {
 }
 
 impl Sheet {
+    /// Targets that were corrected.
+    pub(crate) const COMPENSATION: Self = Self::Named("compensation");
     /// What windows that are gone have left behind.
     pub(crate) const RECOVERY: Self = Self::Named("recovery");
 }

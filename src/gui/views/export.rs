@@ -39,6 +39,7 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         );
     } else {
         export(ui, workbench, commands);
+        super::compensate::show(ui, commands);
     }
     reports(ui, workbench, commands);
 }

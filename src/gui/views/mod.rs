@@ -1,6 +1,7 @@
 //! What stands around the plots. Panels read the workbench and send commands.
 
 mod chart;
+mod compensate;
 mod copies;
 mod coverage;
 mod disk;

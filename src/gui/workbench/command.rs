@@ -77,6 +77,14 @@ pub(crate) enum Command {
         /// Whether files that are there may be replaced.
         replace: bool,
     },
+    /// Ask for a table of targets or a robot program to be corrected.
+    ChooseTargets,
+    /// Correct its targets by the model that is shown, and show what changes.
+    Compensate {
+        path: PathBuf,
+        /// Load where the file says none.
+        load_kg: f64,
+    },
     /// Divide the joint's range where the samples ask for it.
     Adapt,
     /// What is being typed for an end of a region; `None`: what the document says.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::export::find;
 use crate::gui::cache::preview::Wanted;
+use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::plain;
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
@@ -28,6 +29,10 @@ impl Workbench {
                 format!("{}-model-report.html", plain(session))
             }
             What::Picture(plot) => plot.file_name(session),
+            What::Targets => {
+                let path = self.compensated().map(Compensated::proposed_path);
+                path.unwrap_or_default().display().to_string()
+            }
         }
     }
 
@@ -46,6 +51,7 @@ impl Workbench {
         match what {
             What::Report(about) => return self.write_report(about, path, replace),
             What::Picture(plot) => return self.write_picture(plot, path, replace),
+            What::Targets => return self.write_targets(path, replace),
             What::Table | What::Model | What::Poses => {}
         }
         if what == What::Poses {

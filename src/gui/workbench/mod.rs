@@ -7,6 +7,7 @@ mod answers;
 mod background;
 mod charts;
 mod command;
+mod compensating;
 mod dividing;
 mod exports;
 mod follow;
@@ -37,6 +38,7 @@ use crate::gui::cache::figures::Figures;
 use crate::gui::cache::identified::Outcome;
 use crate::gui::cache::plot_cache::Backdrop;
 use crate::gui::cache::preview::Preview;
+use crate::gui::core::compensated::Compensated;
 use crate::gui::core::document::{Document, ExportChoice, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Subject;
@@ -75,6 +77,7 @@ pub(crate) struct Workbench {
     searched: Option<Arc<Search>>,
     preview: Option<Preview>,
     backdrop: Option<Arc<Backdrop>>,
+    compensated: Option<Arc<Compensated>>,
     /// Files that were exported from this session, the newest last.
     exported: Vec<PathBuf>,
     /// The name under which this export was saved last.
@@ -104,6 +107,7 @@ impl Workbench {
             searched: None,
             preview: None,
             backdrop: None,
+            compensated: None,
             exported: Vec::new(),
             saved_as: None,
             figures: None,
@@ -202,6 +206,8 @@ impl Workbench {
                 self.view.sheet = None;
                 self.export_to(what, self.placed(&path), replace);
             }
+            Command::ChooseTargets => self.choose_targets(),
+            Command::Compensate { path, load_kg } => self.compensate(path, load_kg),
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {
                     self.complain("The simulation needs other numbers", vec![problem]);
@@ -323,6 +329,7 @@ impl Workbench {
             // A search of the session that was left answers nothing any more.
             self.jobs.cancel(|kind| kind == Kind::Searches);
             self.exported.clear();
+            self.compensated = None;
             self.saved_as = None;
             self.look_along_the_axis();
             self.view.step = Step::Session;

@@ -15,7 +15,7 @@ use super::Workbench;
 
 impl Workbench {
     /// Everything that the open session, its model and its tables stand in: no paper replaces it.
-    fn inputs(&self) -> Vec<PathBuf> {
+    pub(super) fn inputs(&self) -> Vec<PathBuf> {
         let mut inputs: Vec<PathBuf> = self
             .subject()
             .files

@@ -25,7 +25,14 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
         &[actions::SAVE, actions::SAVE_AS, actions::SAVE_TO_PATH],
     );
     ui.separator();
-    menu.items(ui, &[actions::SAVE_MODEL, actions::SAVE_TABLE]);
+    menu.items(
+        ui,
+        &[
+            actions::SAVE_MODEL,
+            actions::SAVE_TABLE,
+            actions::COMPENSATE,
+        ],
+    );
     ui.separator();
     menu.items(ui, &[actions::RELOAD, actions::FOLLOW]);
     ui.separator();

@@ -1,0 +1,152 @@
+//! The targets of a table or of a robot program, corrected by a model: what became of them, and the lines
+//! that changed.
+
+use std::path::{Path, PathBuf};
+
+use crate::kinematics::Pose;
+use crate::model::Calibration;
+use crate::pipeline;
+use crate::present::compensation_v1::{Summary, document};
+use crate::programs::{Answer, LANGUAGES, Request, language_of};
+use crate::sessions::files::read_document;
+
+/// A file of targets, and what became of it.
+#[derive(Debug, Clone)]
+pub(crate) struct Compensated {
+    pub(crate) path: PathBuf,
+    /// Load at the tool's origin where the file says none, kg.
+    pub(crate) load_kg: f64,
+    /// What was made of it, or why nothing was, a line for each problem.
+    pub(crate) result: Result<Corrected, Vec<String>>,
+}
+
+/// A corrected file.
+#[derive(Debug, Clone)]
+pub(crate) struct Corrected {
+    /// The language, as people call it.
+    pub(crate) language: &'static str,
+    pub(crate) answer: Answer,
+    pub(crate) summary: Summary,
+    /// The lines that differ.
+    pub(crate) changed: Vec<Changed>,
+    /// What is written beside it: `truepose-compensation/1`.
+    pub(crate) sidecar: Vec<u8>,
+}
+
+/// A line that differs.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Changed {
+    /// From 1.
+    pub(crate) line: usize,
+    pub(crate) before: String,
+    pub(crate) after: String,
+}
+
+impl Compensated {
+    /// Reads and corrects a file; `model` is what the model's file is called.
+    pub(crate) fn of(calibration: &Calibration, model: &str, path: PathBuf, load_kg: f64) -> Self {
+        let result = corrected(calibration, model, &path, load_kg);
+        Self {
+            path,
+            load_kg,
+            result,
+        }
+    }
+
+    /// Where the corrected file is saved unless the user says otherwise.
+    pub(crate) fn proposed_path(&self) -> PathBuf {
+        let stem = self.path.file_stem().unwrap_or_default();
+        let mut name = stem.to_os_string();
+        name.push("-compensated");
+        if let Some(extension) = self.path.extension() {
+            name.push(".");
+            name.push(extension);
+        }
+        self.path.with_file_name(name)
+    }
+}
+
+fn corrected(
+    calibration: &Calibration,
+    model: &str,
+    path: &Path,
+    load_kg: f64,
+) -> Result<Corrected, Vec<String>> {
+    let lines = |error: &dyn std::fmt::Display| -> Vec<String> {
+        error.to_string().lines().map(str::to_owned).collect()
+    };
+    let bytes = read_document(path).map_err(|error| lines(&error))?;
+    let language = language_of(path, &bytes).ok_or_else(|| {
+        let all: Vec<&str> = LANGUAGES.iter().map(|l| l.title).collect();
+        vec![format!(
+            "{}: neither its ending nor its content says what it is; expected {}",
+            path.display(),
+            all.join(", ")
+        )]
+    })?;
+    let answer = pipeline::compensate(&Request {
+        calibration,
+        bytes: &bytes,
+        language,
+        file: Some(path),
+        load_kg,
+        start: None,
+        frame: None,
+        tool: None,
+        measured_frame: false,
+    })
+    .map_err(|error| lines(&error))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let robot = &calibration.model.robot;
+    let json = document(
+        &answer,
+        robot,
+        [model, &name],
+        language.id,
+        &Pose::identity(),
+    );
+    let mut sidecar = serde_json::to_vec_pretty(&json).map_err(|error| lines(&error))?;
+    sidecar.push(b'\n');
+    Ok(Corrected {
+        language: language.title,
+        summary: Summary::new(&answer),
+        changed: changed(&bytes, &answer.bytes),
+        answer,
+        sidecar,
+    })
+}
+
+/// The lines that differ; a correction changes numbers within lines and adds none.
+fn changed(before: &[u8], after: &[u8]) -> Vec<Changed> {
+    let lines = |bytes: &[u8]| -> Vec<String> {
+        let text = String::from_utf8_lossy(bytes);
+        text.lines().map(|line| line.trim().to_owned()).collect()
+    };
+    let pairs = lines(before).into_iter().zip(lines(after)).enumerate();
+    pairs
+        .filter(|(_, (before, after))| before != after)
+        .map(|(index, (before, after))| Changed {
+            line: index + 1,
+            before,
+            after,
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_lines_that_differ_are_shown_with_their_numbers() {
+        let before = b"MODULE A\r\n  p1 := 1;\r\n  p2 := 2;\r\nENDMODULE\r\n";
+        let after = b"MODULE A\r\n  p1 := 1;\r\n  p2 := 2.5;\r\nENDMODULE\r\n";
+        let expected = Changed {
+            line: 3,
+            before: "p2 := 2;".to_owned(),
+            after: "p2 := 2.5;".to_owned(),
+        };
+        assert_eq!(changed(before, after), [expected]);
+        assert!(changed(before, before).is_empty());
+    }
+}

@@ -1,0 +1,165 @@
+//! The targets of a table or a robot program, corrected: how many, by how much, which lines change, which
+//! targets are left as they are and why.
+
+use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
+use egui_extras::{Column, TableBuilder};
+
+use crate::gui::core::compensated::{Changed, Compensated, Corrected};
+use crate::gui::style::tokens::{Palette, size, strong};
+use crate::gui::view::What;
+use crate::gui::widgets;
+use crate::gui::workbench::{Command, Workbench};
+use crate::present::numbers::number_of;
+
+use super::ends;
+
+/// Widest, and highest table of lines, points.
+const WIDE: f32 = 860.0;
+const HIGH: f32 = 280.0;
+const ROW: f32 = 20.0;
+/// Width of the line's number, points.
+const NUMBER: f32 = 44.0;
+/// So many targets that are left are listed; the sidecar has all of them.
+const MOST_LEFT: usize = 30;
+
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let Some(compensated) = workbench.compensated() else {
+        return commands.push(Command::Sheet(None));
+    };
+    ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
+    let name = compensated.path.file_name().unwrap_or_default();
+    widgets::heading(ui, &format!("Compensate {}", name.to_string_lossy()));
+    load(ui, compensated, commands);
+    match &compensated.result {
+        Err(problems) => {
+            for problem in problems.iter().take(MOST_LEFT) {
+                widgets::wrong(ui, problem);
+            }
+            ends::done(ui, commands);
+        }
+        Ok(corrected) => {
+            summary(ui, workbench, corrected);
+            lines(ui, &corrected.changed);
+            left(ui, corrected);
+            let any = corrected.summary.corrected > 0;
+            if ends::buttons_without_enter(ui, "Save corrected file…", any, commands) {
+                commands.push(Command::ChooseWhereToExport(What::Targets));
+            }
+        }
+    }
+}
+
+/// The load where the file says none: what a robot carries bends it.
+fn load(ui: &mut Ui, compensated: &Compensated, commands: &mut Vec<Command>) {
+    let mut load_kg = compensated.load_kg;
+    let field = DragValue::new(&mut load_kg)
+        .range(0.0..=10_000.0)
+        .speed(0.1)
+        .suffix(" kg")
+        .update_while_editing(false);
+    widgets::number(ui, "load where the file says none", field);
+    if load_kg.to_bits() != compensated.load_kg.to_bits() {
+        let path = compensated.path.clone();
+        commands.push(Command::Compensate { path, load_kg });
+    }
+}
+
+fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
+    let (units, s) = (workbench.units(), corrected.summary);
+    widgets::fact(ui, "read as", corrected.language);
+    let of = format!("{} of {}", s.corrected, number_of(s.targets, "target"));
+    widgets::fact(ui, "corrected", of);
+    if s.corrected > 0 {
+        let change = |a: f64, b: f64| {
+            let [a, b] = [a, b].map(|mm| units.length_number(mm));
+            format!("{a} → {b} {}", units.length_name())
+        };
+        let rms = change(s.before_mm, s.after_mm);
+        widgets::fact(ui, "RMS position error, as the model predicts it", rms);
+        let most = change(s.max_before_mm, s.max_after_mm);
+        widgets::fact(ui, "largest", most);
+    }
+}
+
+/// What changes, side by side.
+fn lines(ui: &mut Ui, changed: &[Changed]) {
+    if changed.is_empty() {
+        return;
+    }
+    widgets::section(ui, "Lines that change");
+    let palette = Palette::of(ui);
+    let spacing = 2.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
+    let wide = ((ui.available_width() - NUMBER - spacing) / 2.0).max(80.0);
+    let rows = changed.len() as f32;
+    TableBuilder::new(ui)
+        .id_salt("lines that change")
+        .striped(true)
+        .cell_layout(Layout::left_to_right(Align::Center))
+        .column(Column::exact(NUMBER))
+        .columns(Column::exact(wide).clip(true), 2)
+        .max_scroll_height(HIGH.min(rows * (ROW + 4.0)))
+        .min_scrolled_height(0.0)
+        .header(ROW, |mut header| {
+            for head in ["line", "before", "corrected"] {
+                header.col(|ui| {
+                    ui.label(RichText::new(head).font(strong(size::SMALL)));
+                });
+            }
+        })
+        .body(|body| {
+            body.rows(ROW, changed.len(), |mut row| {
+                let one = &changed[row.index()];
+                let cells = [
+                    (one.line.to_string(), palette.muted),
+                    (one.before.clone(), palette.muted),
+                    (one.after.clone(), palette.text),
+                ];
+                for (text, color) in cells {
+                    row.col(|ui| {
+                        let shown = RichText::new(&text).monospace().color(color);
+                        let label = egui::Label::new(shown.size(size::SMALL)).truncate();
+                        ui.add(label);
+                    });
+                }
+            });
+        });
+}
+
+/// Targets that are left as they are, what is worked out at run time, and what else there is to know.
+fn left(ui: &mut Ui, corrected: &Corrected) {
+    let answer = &corrected.answer;
+    let targets = answer.targets.iter().filter_map(|target| {
+        let left = target.result.as_ref().err()?;
+        let name = &target.name;
+        Some((target.place, format!("{name} is left as it is: {}", left.says)))
+    });
+    let at_run_time = answer.at_run_time.iter();
+    let at_run_time = at_run_time.map(|(l, c, says)| ((*l, *c), format!("not corrected: {says}")));
+    let warnings: Vec<_> = targets.chain(at_run_time).collect();
+    let remarks = answer.remarks.iter();
+    let remarks: Vec<_> = remarks.map(|(l, c, says)| ((*l, *c), says.clone())).collect();
+    if warnings.is_empty() && remarks.is_empty() && answer.notes.is_empty() {
+        return;
+    }
+    let at = |((line, column), says): &((u64, u64), String)| {
+        format!("line {line}, column {column}: {says}")
+    };
+    ScrollArea::vertical()
+        .id_salt("what is left")
+        .max_height(0.5 * HIGH)
+        .show(ui, |ui| {
+            for warning in warnings.iter().take(MOST_LEFT) {
+                widgets::wrong(ui, &at(warning));
+            }
+            if let Some(more) = warnings.len().checked_sub(MOST_LEFT).filter(|n| *n > 0) {
+                let says = format!("and {more} more: all of them stand in the file beside the saved one");
+                widgets::hint(ui, says);
+            }
+            for remark in remarks.iter().take(MOST_LEFT) {
+                widgets::hint(ui, at(remark));
+            }
+            for note in &answer.notes {
+                widgets::hint(ui, note.clone());
+            }
+        });
+}

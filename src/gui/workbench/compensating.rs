@@ -1,0 +1,68 @@
+//! Files of targets: chosen, corrected by the model that is shown, saved.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::gui::core::compensated::Compensated;
+use crate::gui::files;
+use crate::gui::jobs::{Kind, Watch};
+use crate::gui::view::{Sheet, What};
+
+use super::{Command, Workbench};
+
+impl Workbench {
+    /// The file of targets that was corrected last.
+    pub(crate) fn compensated(&self) -> Option<&Compensated> {
+        self.compensated.as_deref()
+    }
+
+    /// Asks for a file of targets.
+    pub(super) fn choose_targets(&mut self) {
+        let ask = files::choose_targets;
+        self.choose("waiting for a file to be chosen", ask, |bench, path| {
+            if let Some(path) = path {
+                bench.execute(Command::Compensate { path, load_kg: 0.0 });
+            }
+        });
+    }
+
+    /// Corrects the targets of a file by the model that is shown.
+    pub(super) fn compensate(&mut self, path: PathBuf, load_kg: f64) {
+        let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
+            return self.complain(
+                "There is no model to correct targets by",
+                vec!["Identify the robot first, or open a model".to_owned()],
+            );
+        };
+        let model = self.name_of(What::Model);
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let says = format!("correcting the targets of {name}");
+        let work = move |_: &Watch| {
+            let answer = outcome.answer.as_ref().ok()?;
+            Some(Compensated::of(&answer.calibration, &model, path, load_kg))
+        };
+        self.jobs
+            .start(Kind::Once, says, work, |bench: &mut Self, compensated| {
+                bench.compensated = compensated.map(Arc::new);
+                if bench.compensated.is_some() {
+                    bench.view.sheet = Some(Sheet::COMPENSATION);
+                }
+            });
+    }
+
+    /// Writes the corrected targets, and what was changed beside them.
+    pub(super) fn write_targets(&mut self, path: PathBuf, replace: bool) {
+        let Some(compensated) = self.compensated.clone() else {
+            return self.complain(
+                "There are no corrected targets yet",
+                vec!["Choose a table of targets or a robot program first".to_owned()],
+            );
+        };
+        let mut inputs = self.inputs();
+        inputs.push(compensated.path.clone());
+        let says = format!("writing {}", path.display());
+        let work = move |_: &Watch| files::write_targets(&compensated, &path, replace, &inputs);
+        self.jobs
+            .start(Kind::Writes, says, work, Self::take_written);
+    }
+}

@@ -1,0 +1,98 @@
+//! Targets and programs in the window, without a display: corrected by the model that is shown, seen side
+//! by side, saved with what was changed beside them.
+
+use std::path::{Path, PathBuf};
+
+use crate::window::{Window, press, says, window_of};
+use egui_kittest::kittest::Queryable;
+use truepose::gui::Runner;
+
+fn data(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/data/programs")
+        .join(name)
+}
+
+/// A six-joint arm, identified, at the Export step.
+fn at_export() -> Window {
+    let mut window = window_of([1280.0, 1000.0], Some(data("arm.json")), Runner::AtOnce);
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    press(&mut window, "5 Export");
+    window
+}
+
+fn compensate(window: &mut Window, file: &Path) {
+    window.state_mut().compensate(file);
+    window.run_steps(4);
+}
+
+#[test]
+fn a_program_is_corrected_shown_side_by_side_and_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = at_export();
+    window.get_by_label("Compensate…");
+    compensate(&mut window, &data("cell.mod"));
+    assert!(says(&window, "Compensate cell.mod"));
+    assert!(says(&window, "RAPID"));
+    assert!(says(&window, "Lines that change"));
+    let before = std::fs::read_to_string(data("cell.mod")).expect("it is there");
+    let target = before
+        .lines()
+        .find(|l| l.contains("jointtarget j1"))
+        .expect("a target");
+    window.get_by_label(target.trim());
+
+    let path = folder.path().join("cell-corrected.mod");
+    window.state_mut().type_targets_path(&path);
+    window.run_steps(4);
+    press(&mut window, "Save");
+    window.run_steps(4);
+    let after = std::fs::read_to_string(&path).expect("it was saved");
+    assert_eq!(before.lines().count(), after.lines().count());
+    assert!(!after.contains(target.trim()), "the target is another now");
+    let beside = folder.path().join("cell-corrected.mod.meta.json");
+    let beside = std::fs::read_to_string(beside).expect("it says what was changed");
+    assert!(beside.contains("truepose-compensation/1"), "{beside}");
+}
+
+/// Never over the program that it was made of, not even where replacing is allowed.
+#[test]
+fn the_program_itself_is_not_replaced() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let program = folder.path().join("cell.mod");
+    std::fs::copy(data("cell.mod"), &program).expect("copied");
+    let mut window = at_export();
+    compensate(&mut window, &program);
+    window.state_mut().type_targets_path(&program);
+    window.run_steps(4);
+    press(&mut window, "replace the file if it exists");
+    press(&mut window, "Save");
+    window.run_steps(4);
+    let before = std::fs::read(data("cell.mod")).expect("read");
+    assert_eq!(std::fs::read(&program).expect("read"), before);
+    assert!(
+        says(&window, "would replace") || says(&window, "input"),
+        "the refusal is shown"
+    );
+}
+
+#[test]
+fn a_file_without_targets_is_refused_with_its_place() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("targets.csv");
+    std::fs::write(
+        &file,
+        "name;q1_deg;q2_deg;q3_deg;q4_deg;q5_deg;q6_deg\nP0;a;1;2;3;4;5\n",
+    )
+    .expect("written");
+    let mut window = at_export();
+    compensate(&mut window, &file);
+    assert!(says(&window, "Compensate targets.csv"));
+    assert!(
+        says(&window, "line 2"),
+        "the place of the wrong cell is said"
+    );
+    press(&mut window, "Done");
+    assert!(!says(&window, "Compensate targets.csv"));
+}
