@@ -140,3 +140,19 @@ fn the_import_in_light() {
     };
     looks_like(&mut window, "import-light");
 }
+
+#[test]
+fn the_compensation_of_a_program_in_light() {
+    let data = |name: &str| {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/programs/");
+        PathBuf::from(format!("{folder}{name}"))
+    };
+    let Some(mut window) = window(Theme::Light, Some(data("arm.json"))) else {
+        return;
+    };
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    window.state_mut().compensate(&data("cell.mod"));
+    window.run_steps(4);
+    looks_like(&mut window, "compensation-light");
+}

@@ -22,6 +22,7 @@ macro_rules! register {
 
 register! {
     deviation: ANGLE, TIME, LOAD, TEMPERATURE;
+    by_joint: BY_JOINT;
     orders: ORDERS;
     histogram: HISTOGRAM;
     quantiles: QUANTILES;

@@ -13,9 +13,10 @@ use crate::present::numbers::number_of;
 
 use super::ends;
 
-/// Widest, and highest table of lines, points.
+/// Widest, points.
 const WIDE: f32 = 860.0;
-const HIGH: f32 = 280.0;
+/// The share of the window's height that the lines have at most.
+const HIGH: f32 = 0.3;
 const ROW: f32 = 20.0;
 /// Width of the line's number, points.
 const NUMBER: f32 = 44.0;
@@ -81,6 +82,10 @@ fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
     }
 }
 
+fn high(ui: &Ui) -> f32 {
+    HIGH * ui.ctx().content_rect().height()
+}
+
 /// What changes, side by side.
 fn lines(ui: &mut Ui, changed: &[Changed]) {
     if changed.is_empty() {
@@ -91,13 +96,14 @@ fn lines(ui: &mut Ui, changed: &[Changed]) {
     let spacing = 2.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = ((ui.available_width() - NUMBER - spacing) / 2.0).max(80.0);
     let rows = changed.len() as f32;
+    let high = high(ui).min(rows * (ROW + 4.0));
     TableBuilder::new(ui)
         .id_salt("lines that change")
         .striped(true)
         .cell_layout(Layout::left_to_right(Align::Center))
         .column(Column::exact(NUMBER))
         .columns(Column::exact(wide).clip(true), 2)
-        .max_scroll_height(HIGH.min(rows * (ROW + 4.0)))
+        .max_scroll_height(high)
         .min_scrolled_height(0.0)
         .header(ROW, |mut header| {
             for head in ["line", "before", "corrected"] {
@@ -146,7 +152,7 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
     };
     ScrollArea::vertical()
         .id_salt("what is left")
-        .max_height(0.5 * HIGH)
+        .max_height(0.5 * high(ui))
         .show(ui, |ui| {
             for warning in warnings.iter().take(MOST_LEFT) {
                 widgets::wrong(ui, &at(warning));

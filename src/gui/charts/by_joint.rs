@@ -1,0 +1,212 @@
+//! A component of the deviation over every joint at once, before and after: a panel for each joint, from
+//! the smallest to the largest value that was measured, all at one height. What depends on one joint shows
+//! in its panel and is spread over the others.
+
+use super::{About, Kind, Missing, Pointed, Samples, Scene, Shown};
+use crate::gui::core::scale::{FEW, stride, thinned};
+use crate::gui::help::Word;
+use crate::gui::units::{plain_number, significant};
+use crate::kinematics::JointKind;
+use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks};
+
+/// The share of a panel that its marks have.
+const FILLED: f64 = 0.88;
+
+pub(crate) struct ByJoint;
+
+pub(crate) static BY_JOINT: ByJoint = ByJoint;
+
+/// Where the samples are: joint by joint the smallest and the largest value, inner units.
+struct Panels<'a> {
+    scene: &'a Scene<'a>,
+    ranges: Vec<[f64; 2]>,
+    stride: usize,
+}
+
+impl<'a> Panels<'a> {
+    fn of(scene: &'a Scene<'a>) -> Self {
+        // Of many samples a frame looks at those that it shows.
+        let stride = stride(scene.usable().len(), FEW);
+        let range = |q: &Vec<f64>| {
+            let shown = scene.usable().step_by(stride);
+            let finite = shown.map(|i| q[i]).filter(|q| q.is_finite());
+            finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| {
+                [low.min(q), high.max(q)]
+            })
+        };
+        Self {
+            ranges: scene.subject.session.samples.q.iter().map(range).collect(),
+            stride,
+            scene,
+        }
+    }
+
+    /// Samples that are shown.
+    fn shown(&self) -> impl Iterator<Item = usize> {
+        self.scene.usable().step_by(self.stride)
+    }
+
+    /// Where a sample stands along the chart in the panel of a joint.
+    fn at(&self, joint: usize, sample: usize) -> Option<f64> {
+        let [low, high] = self.ranges[joint];
+        let q = self.scene.subject.session.samples.q[joint][sample];
+        let part = if high > low { (q - low) / (high - low) } else { 0.5 };
+        part.is_finite()
+            .then(|| joint as f64 + 0.5 + FILLED * (part - 0.5))
+    }
+
+    /// The component before and after, mm.
+    fn values(&self, sample: usize) -> (f64, Option<f64>) {
+        let scene = self.scene;
+        let of = |e: [f64; 3]| scene.subject.component(e, sample, scene.component());
+        let after = scene.answer.map(|a| of(a.deviation_after(sample)));
+        (of(scene.subject.deviation_before(sample)), after)
+    }
+
+    /// Marks of all samples in all panels.
+    fn series(&self, entry: Entry, value: impl Fn((f64, Option<f64>)) -> Option<f64>) -> Series {
+        let marks = self.shown().flat_map(|sample| {
+            let mm = value(self.values(sample)).filter(|mm| mm.is_finite());
+            (0..self.ranges.len()).filter_map(move |joint| {
+                let dir = self.scene.subject.session.samples.dir[joint].as_ref();
+                let side = dir.map_or(0.0, |dir| dir[sample]);
+                Some((self.at(joint, sample)?, mm?, side))
+            })
+        });
+        Series {
+            entry,
+            samples: marks.collect(),
+        }
+    }
+
+    /// What stands below a panel: the joint, and its range as it was measured.
+    fn label(&self, joint: usize) -> (f64, String) {
+        let own = &self.scene.subject.session.robot.joints[joint];
+        let units = self.scene.units;
+        let [low, high] = self.ranges[joint].map(|q| match own.kind {
+            JointKind::Revolute => units.angle(q),
+            JointKind::Prismatic => units.length(q),
+        });
+        (joint as f64 + 0.5, format!("{} ({low} to {high})", own.name))
+    }
+}
+
+impl Kind for ByJoint {
+    fn about(&self) -> About {
+        About {
+            id: "deviation by joint",
+            short: "joints",
+            name: "Deviation by joint",
+            word: Word {
+                name: "Deviation by joint",
+                means: "The deviation over every joint, each from its smallest to its largest \
+                        value. A curve in one panel is an error of that joint",
+            },
+            of_component: true,
+            of_joint: false,
+        }
+    }
+
+    fn is_offered(&self, scene: &Scene) -> bool {
+        scene.subject.session.robot.joints.len() > 1 && !scene.subject.is_empty()
+    }
+
+    fn show<'a>(&self, scene: &'a Scene<'a>) -> Result<Shown<'a>, Missing> {
+        let panels = Panels::of(scene);
+        let sign = Sign::Mark(Form::Disc);
+        let before = |v: (f64, Option<f64>)| (!scene.only_after()).then_some(v.0);
+        let mut series = vec![panels.series(Entry::before(sign), before)];
+        if scene.answer.is_some() {
+            series.push(panels.series(Entry::after(sign), |v| v.1));
+        }
+        let all = series.iter().flat_map(|s| &s.samples);
+        let mm = all.fold(None, |all: Option<[f64; 2]>, (_, mm, _)| {
+            Some(all.map_or([*mm; 2], |[low, high]| [low.min(*mm), high.max(*mm)]))
+        });
+        let Some(mm) = mm else {
+            let why = "Every sample needs its joint values and what was measured";
+            return Err(Missing::new("No sample to show", why));
+        };
+        let joints = panels.ranges.len();
+        let name = scene.component().name();
+        let number = |mm: f64| significant(scene.units.length_value(mm), 3);
+        let made = Deviation {
+            component: name,
+            across: Axis {
+                label: "joint, with the range shown".to_owned(),
+                ticks: Ticks::Words((0..joints).map(|joint| panels.label(joint)).collect()),
+            },
+            lengths: scene.lengths(&number),
+            x: [0.0, joints as f64],
+            mm,
+            sides: series.iter().any(|s| s.samples.iter().any(|m| m.2 != 0.0)),
+            tolerance_mm: scene.document.tolerance_mm,
+            floor_mm: None,
+            boundaries: (1..joints).map(|joint| joint as f64).collect(),
+            series,
+        };
+        let note = thinned(panels.stride, "point").unwrap_or_default();
+        Ok(Shown {
+            chart: made.chart(format!("{name} deviation by joint"), note),
+            name: format!("deviation by joint, {name}"),
+            says: format!(
+                "{name} deviation of {} samples over {joints} joints, {} to {}",
+                scene.usable().len(),
+                scene.units.length(mm[0]),
+                scene.units.length(mm[1])
+            ),
+            pointed: Pointed::Samples(Box::new(panels)),
+        })
+    }
+
+    /// Every sample: joint values in degrees or mm.
+    fn numbers(&self, scene: &Scene) -> String {
+        let session = &scene.subject.session;
+        let component = scene.component().name();
+        let heads = session.robot.joints.iter().map(|joint| match joint.kind {
+            JointKind::Revolute => format!("{}, °", joint.name),
+            JointKind::Prismatic => format!("{}, mm", joint.name),
+        });
+        let heads: Vec<String> = heads.collect();
+        let mut text = format!(
+            "sample\t{}\t{component} before, mm\t{component} after, mm\n",
+            heads.join("\t")
+        );
+        let panels = Panels::of(scene);
+        for sample in scene.usable() {
+            let (before, after) = panels.values(sample);
+            let joints = session.robot.joints.iter().zip(&session.samples.q);
+            let values = joints.map(|(joint, q)| plain_number(joint.kind.outer(q[sample])));
+            let values: Vec<String> = values.collect();
+            let after = after.map_or_else(String::new, plain_number);
+            text += &format!(
+                "{}\t{}\t{}\t{after}\n",
+                sample + 1,
+                values.join("\t"),
+                plain_number(before)
+            );
+        }
+        text
+    }
+}
+
+impl Samples for Panels<'_> {
+    fn marks(&self, sample: usize) -> Vec<[f64; 2]> {
+        let (before, after) = self.values(sample);
+        let before = (!self.scene.only_after()).then_some(before);
+        let heights: Vec<f64> = [before, after].into_iter().flatten().collect();
+        let joints = (0..self.ranges.len()).filter_map(|joint| self.at(joint, sample));
+        joints
+            .flat_map(|x| heights.iter().map(move |mm| (x, *mm)))
+            .map(|(x, mm)| [x, self.scene.units.length_value(mm)])
+            .collect()
+    }
+
+    fn near(&self, [from, to]: [f64; 2]) -> Vec<usize> {
+        let here = |sample: &usize| {
+            let mut joints = 0..self.ranges.len();
+            joints.any(|joint| self.at(joint, *sample).is_some_and(|x| from <= x && x <= to))
+        };
+        self.shown().filter(here).collect()
+    }
+}
