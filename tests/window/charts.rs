@@ -308,7 +308,7 @@ fn of_several_joints_the_charts_are_about_the_chosen_one() {
     chart(&mut window, "Deviation by joint");
     let all = described(&window, "deviation by joint, tangential");
     assert!(all.contains("of 90 samples over 3 joints"), "{all}");
-    let (at, sample) = find_sample(&mut window, "deviation by joint").expect("a sample");
+    let (at, sample) = find_sample(&mut window, "deviation by joint, ").expect("a sample");
     click(&mut window, at);
     assert!(says(&window, &sample), "{sample} is chosen everywhere");
     let rows = copied(&mut window, "Copy numbers: deviation by joint");

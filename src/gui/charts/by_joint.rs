@@ -51,8 +51,8 @@ impl<'a> Panels<'a> {
         let [low, high] = self.ranges[joint];
         let q = self.scene.subject.session.samples.q[joint][sample];
         let part = if high > low { (q - low) / (high - low) } else { 0.5 };
-        part.is_finite()
-            .then(|| joint as f64 + 0.5 + FILLED * (part - 0.5))
+        let at = joint as f64 + 0.5 + FILLED * (part - 0.5);
+        at.is_finite().then_some(at)
     }
 
     /// The component before and after, mm.

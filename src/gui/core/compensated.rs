@@ -10,6 +10,9 @@ use crate::present::compensation_v1::{Summary, document};
 use crate::programs::{Answer, LANGUAGES, Request, language_of};
 use crate::sessions::files::read_document;
 
+/// No robot carries more, kg.
+pub(crate) const MOST_KG: f64 = 10_000.0;
+
 /// A file of targets, and what became of it.
 #[derive(Debug, Clone)]
 pub(crate) struct Compensated {

@@ -4,7 +4,7 @@
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::gui::core::compensated::{Changed, Compensated, Corrected};
+use crate::gui::core::compensated::{Changed, Compensated, Corrected, MOST_KG};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
@@ -54,7 +54,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 fn load(ui: &mut Ui, compensated: &Compensated, commands: &mut Vec<Command>) {
     let mut load_kg = compensated.load_kg;
     let field = DragValue::new(&mut load_kg)
-        .range(0.0..=10_000.0)
+        .range(0.0..=MOST_KG)
         .speed(0.1)
         .suffix(" kg")
         .update_while_editing(false);

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::gui::core::compensated::Compensated;
+use crate::gui::core::compensated::{Compensated, MOST_KG};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Sheet, What};
@@ -34,6 +34,8 @@ impl Workbench {
                 vec!["Identify the robot first, or open a model".to_owned()],
             );
         };
+        let load_kg = load_kg.clamp(0.0, MOST_KG);
+        let load_kg = if load_kg.is_nan() { 0.0 } else { load_kg };
         let model = self.name_of(What::Model);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let says = format!("correcting the targets of {name}");

@@ -237,7 +237,8 @@ fn plot(random: &mut ChaCha8Rng) -> Plot {
 }
 
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
-    match random.random_range(0..9) {
+    match random.random_range(0..10) {
+        9 => (What::Targets, "csv"),
         0 | 1 => (What::Table, "csv"),
         2..=4 => (What::Model, "json"),
         5 => (What::Poses, "csv"),
@@ -298,6 +299,14 @@ fn look(random: &mut ChaCha8Rng) -> Command {
     }
 }
 
+/// Of files that hold no targets as well, under loads that are none.
+fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
+    Command::Compensate {
+        path: files.any(random),
+        load_kg: angle(random),
+    }
+}
+
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     let sample = |random: &mut ChaCha8Rng| {
@@ -326,6 +335,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         75..=77 if workbench.file().is_some() || workbench.subject().is_empty() => Command::Save,
         78 => Command::SaveDespite,
         79 => Command::Reload,
+        80 if random.random() => compensation(random, files),
         80 => Command::KeepMine,
         81 => Command::Follow(random.random()),
         82 => Command::Forget(files.any(random)),

@@ -24,7 +24,7 @@ kinds!(
     Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
     ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
     Follow(..), Forget(..), Restore(..), DiscardLeft(..), KeepRecovery(), LookAtDisk(),
-    ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, Adapt(), Type {..},
+    ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, ChooseTargets(), Compensate {..}, Adapt(), Type {..},
     Search(), FindLetters(..), DismissLetters(), Simulate(..), Cancel(), StopSearch(), StopLooking(), GoTo(..), Look(..), Magnify(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
     Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),
@@ -44,6 +44,7 @@ pub(super) const ASK_THE_SYSTEM: &[&str] = &[
     "ChooseWhereToSave",
     "ChooseWhereToExport",
     "ChooseBeside",
+    "ChooseTargets",
 ];
 
 /// These come only of a background task, which the walk starts.
