@@ -335,3 +335,35 @@ fn lost_motion_beside_another_effect_is_proved_on_unseen_samples() {
         );
     }
 }
+
+/// A step of the frame imitates a slow drift so well that neighbouring times of one step must not be all
+/// that is tried beside it: sessions of the row "one component, frame drift" in which they once were.
+#[test]
+fn a_drift_that_a_step_imitates_stands_in_the_set() {
+    for (case, k) in [(6_u64, 8_u64), (5, 24)] {
+        let mut random = Random(307 + 141_650_939 * k + 7 * case);
+        let _ = random.unit();
+        let design = Design {
+            samples: [120, 200][usize::from(k % 2 == 1)],
+            shuffled: random.unit() < 0.5,
+            ..Design::default()
+        };
+        let mut rig = Rig::new(&design, &mut random);
+        let sign = if random.unit() < 0.5 { -1.0 } else { 1.0 };
+        let _ = random.unit();
+        let drift = match case {
+            5 => [1e-5 * sign, 0.0, 0.0],
+            _ => [0.0, 0.0, 1e-5 * sign],
+        };
+        rig.hidden = vec![rig.sized(&Hidden::Drift(drift), 100.0)];
+        rig.measure(&mut random);
+        let answer = diagnosed(&rig, &Options::default());
+        let rivals = answer.equivalent.iter().flat_map(|e| &e.instead);
+        let mut set = names(&answer).into_iter().chain(rivals.map(String::as_str));
+        assert!(
+            set.any(|id| id == "frame-drift"),
+            "{case} {k}: {:?}",
+            names(&answer)
+        );
+    }
+}
