@@ -1,7 +1,8 @@
 //! The terminal: one file per command.
 //!
 //! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, there is no display
-//! for the window, or `compensate` left some targets as they are. With `--json` standard output carries exactly one JSON document;
+//! for the window, `compensate` left some targets as they are, or `diagnose` could not diagnose some of
+//! many sessions. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
 mod compensate;
@@ -9,10 +10,12 @@ mod diagnose;
 mod effects;
 mod export;
 mod failure;
+mod fleet;
 mod geometry;
 mod history;
 mod identify;
 mod import;
+mod in_order;
 mod levels;
 mod output;
 mod own_options;

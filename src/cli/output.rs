@@ -32,6 +32,18 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Prints one line; whether anybody still reads.
+pub(crate) fn line(line: &str) -> Result<bool, Failure> {
+    let mut stdout = std::io::stdout().lock();
+    let written = writeln!(stdout, "{line}").and_then(|()| stdout.flush());
+    match written {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
+        other => Ok(other
+            .map(|()| true)
+            .context("cannot write to standard output")?),
+    }
+}
+
 /// Reads a session, and tells what was noticed.
 pub(crate) fn session(path: &Path) -> Result<Loaded, Failure> {
     let loaded = load(path)?;

@@ -30,6 +30,7 @@ mod effects;
 mod effects_as_data;
 mod export_consumers;
 mod exports;
+mod fleet;
 mod fuzz_smoke;
 mod house;
 mod imports;
