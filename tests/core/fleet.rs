@@ -109,7 +109,11 @@ fn a_folder_stands_for_its_sessions_and_a_table_compares_the_machines() {
     let alone = diagnose(folder.path(), &["play.json", "--json"]);
     let alone: Value = serde_json::from_slice(&alone.stdout).unwrap();
     let of = |object: &str, key: &str| format!("{:.4}", alone[object][key].as_f64().unwrap());
-    let errors = [of("gap", "start_mm"), of("gap", "end_mm"), of("floor", "mm")];
+    let errors = [
+        of("gap", "start_mm"),
+        of("gap", "end_mm"),
+        of("floor", "mm"),
+    ];
     assert_eq!(play[4..], errors);
     assert!(!text.contains(".scenario.json"), "no session:\n{text}");
     assert!(text.contains("2 sessions of 1 machine: "), "{text}");

@@ -34,6 +34,7 @@ mod fleet;
 mod fuzz_smoke;
 mod house;
 mod imports;
+mod installed;
 mod kinematics_reference;
 mod observations;
 mod paper;
