@@ -8,6 +8,8 @@ use truepose::atomic::WriteError;
 use truepose::diagnostic::Rejected;
 use truepose::fit::IdentifyError;
 
+use super::output::plain;
+
 /// The input or the arguments are wrong.
 pub(crate) const WRONG_INPUT: u8 = 2;
 /// The program could not do its job.
@@ -31,7 +33,7 @@ impl Failure {
         };
         let mut stderr = std::io::stderr().lock();
         // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {self}");
+        let _ = writeln!(stderr, "truepose: {}", plain(&self.to_string()));
         ExitCode::from(status)
     }
 }
