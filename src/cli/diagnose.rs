@@ -24,6 +24,10 @@ use super::{fleet, geometry, output};
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
 #[derive(Debug, Args)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the command line"
+)]
 pub(crate) struct Diagnose {
     /// Session to diagnose; several, or a folder of them, give a line each
     #[arg(required = true, value_name = "SESSION")]

@@ -95,16 +95,15 @@ impl Man {
         let Some(name) = self.command else {
             return output::bytes(&page(&program)?);
         };
-        match shown(&program).find(|command| command.get_name() == name) {
-            Some(command) => output::bytes(&page(command)?),
-            None => {
-                let names: Vec<&str> = shown(&program).map(clap::Command::get_name).collect();
-                Err(Failure::WrongInput(format!(
-                    "no command is called '{name}'; expected one of {}",
-                    names.join(", ")
-                )))
-            }
+        let mut commands = shown(&program);
+        if let Some(command) = commands.find(|command| command.get_name() == name) {
+            return output::bytes(&page(command)?);
         }
+        let names: Vec<&str> = shown(&program).map(clap::Command::get_name).collect();
+        Err(Failure::WrongInput(format!(
+            "no command is called '{name}'; expected one of {}",
+            names.join(", ")
+        )))
     }
 }
 

@@ -193,6 +193,10 @@ fn every_command_of_the_readme_prints_what_stands_in_it() {
     check_written(folder.path(), &written, "lamp.pdf");
 }
 
+fn is_page(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|end| end == "md")
+}
+
 /// Whether this machine can run the scripts that a page shows.
 fn has_numpy() -> bool {
     let tried = Command::new("python3")
@@ -218,7 +222,7 @@ fn every_command_of_the_other_pages_prints_what_stands_in_it() {
                 .to_string_lossy()
                 .into_owned()
         })
-        .filter(|name| name.ends_with(".md") && !elsewhere.contains(&name.as_str()))
+        .filter(|name| is_page(name) && !elsewhere.contains(&name.as_str()))
         .collect();
     pages.sort();
     let mut commands = 0;
@@ -248,7 +252,7 @@ fn every_page_is_in_the_books_contents_and_every_link_leads_somewhere() {
             .expect("a name")
             .to_string_lossy()
             .into_owned();
-        if name.ends_with(".md") {
+        if is_page(&name) {
             assert!(
                 name == "README.md" || contents.contains(&format!("]({name})")),
                 "{name}"

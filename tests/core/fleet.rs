@@ -128,7 +128,7 @@ fn where_nothing_can_be_diagnosed_the_input_is_wrong() {
         &["empty.json", "damaged.json", "--json-lines"],
     );
     assert_eq!(ran.status.code(), Some(2));
-    assert_eq!(ran.stdout.iter().filter(|&&b| b == b'\n').count(), 2);
+    assert_eq!(String::from_utf8(ran.stdout).unwrap().lines().count(), 2);
     let nothing = tempfile::tempdir().unwrap();
     let ran = diagnose(nothing.path(), &["."]);
     assert_eq!(ran.status.code(), Some(2));
