@@ -15,6 +15,39 @@
 //!    puts all of it on paper.
 //! 7. [`export`] writes the table that the controller reads, and reads it back to see what it does.
 //!
+//! A tour on the bundled session of one axis; [`pipeline`] is the only door that is needed:
+//!
+//! ```
+//! use truepose::diagnosis::Options;
+//! use truepose::effects::JointValues;
+//! use truepose::export::Job;
+//! use truepose::pipeline::{Method, diagnose, export, identify, load, verify};
+//!
+//! // A session says what the robot is meant to be, and where it was measured instead.
+//! let session = load("sessions/paper-30.json")?.session;
+//! assert_eq!(session.robot.joints.len(), 1);
+//!
+//! // The exact fit: every parameter with its unit and its 95 % interval.
+//! let (found, calibration) = identify(&session, &Method::default(), JointValues::Commanded)?;
+//! let offset = &found.parameters[0];
+//! println!("{} {} = {} {:?}", offset.effect, offset.name, offset.value, offset.ci95);
+//! assert!(found.gap.after.rms_mm < 1e-9 && found.gap.before.rms_mm > 13.0);
+//!
+//! // What is missing beyond it: nothing here. The closure is told how far the search is and may stop it.
+//! let answer = diagnose(&session, &Options::default(), &|_progress| true)?;
+//! assert_eq!(answer.verdict.name(), "noise");
+//!
+//! // What the calibration brings, and the table that a controller loads.
+//! assert!(verify(&calibration, &session)?.model.rms_mm < 1e-9);
+//! let table = export("linuxcnc", &Job::new(&calibration, "pan.comp"))?;
+//! assert!(!table.documents[0].bytes.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Errors name the file, the line, the column and what was expected
+//! ([`Rejected`](diagnostic::Rejected)). `examples/calibrate_an_arm.rs` does the same for an arm. With
+//! `default-features = false` nothing of the window is built.
+//!
 //! [`programs`] corrects the targets of tables and robot programs in place.
 //! [`importers`] makes sessions of what instruments write. [`simulation`] makes sessions of robots whose
 //! errors are known. [`pipeline`] does the whole job; whoever uses the library begins there.

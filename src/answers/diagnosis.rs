@@ -24,6 +24,18 @@ pub enum Verdict {
     Unexplained,
 }
 
+impl Verdict {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Noise => "noise",
+            Self::Explained => "explained",
+            Self::PartlyExplained => "partly-explained",
+            Self::Unexplained => "unexplained",
+        }
+    }
+}
+
 /// Where the noise floor comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FloorFrom {

@@ -1,11 +1,14 @@
 //! `truepose diagnose`: what is missing, its name, and how sure that is.
 
 use std::fmt::Write as _;
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use truepose::diagnosis::{Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict};
+use truepose::diagnosis::{
+    Allowed, DiagnoseError, Diagnosis, Limit, Options, Sight, Verdict, Watch,
+};
 use truepose::effects::JointValues;
 use truepose::fit::{Estimate, IMPLAUSIBLE};
 use truepose::paper::RegionalStart;
@@ -15,15 +18,21 @@ use truepose::present::kinds;
 use truepose::present::names::figure;
 use truepose::present::numbers::significant;
 use truepose::present::table::Table;
+use truepose::sessions::Session;
 
 use super::failure::Failure;
-use super::{geometry, output};
+use super::{fleet, geometry, output};
 
 /// Find what is missing in the model of a session, name it, and prove it on unseen samples
 #[derive(Debug, Args)]
+#[allow(
+    clippy::struct_excessive_bools,
+    reason = "each is a flag of the command line"
+)]
 pub(crate) struct Diagnose {
-    /// Session to diagnose
-    session: PathBuf,
+    /// Session to diagnose; several, or a folder of them, give a line each
+    #[arg(required = true, value_name = "SESSION")]
+    sessions: Vec<PathBuf>,
     /// An effect that does not exist for this run; may be given several times
     #[arg(long, value_name = "ID", value_delimiter = ',')]
     without: Vec<String>,
@@ -57,6 +66,12 @@ pub(crate) struct Diagnose {
     /// Print JSON
     #[arg(long)]
     json: bool,
+    /// Print one line of JSON for each session: its file, then the answer, or why there is none
+    #[arg(long, conflicts_with = "json")]
+    json_lines: bool,
+    /// How many of several sessions are diagnosed at the same time [default: the number of cores]
+    #[arg(long, value_name = "N")]
+    jobs: Option<NonZeroUsize>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -81,35 +96,66 @@ impl From<DiagnoseError> for Failure {
     }
 }
 
+/// What is asked of each session.
+pub(crate) struct Asked {
+    options: Options,
+    start: Start,
+}
+
+impl Asked {
+    /// The diagnosis of a session, and the regional model that it started from where asked for.
+    pub(crate) fn of(
+        &self,
+        session: &Session,
+        watch: Watch,
+    ) -> Result<(Diagnosis, Option<RegionalStart>), Failure> {
+        let answer = pipeline::diagnose(session, &self.options, watch)?;
+        let values = self.options.joint_values;
+        let start = match self.start {
+            Start::Exact => None,
+            Start::Regional => Some(pipeline::regional_start(session, &answer, values)?),
+        };
+        Ok((answer, start))
+    }
+}
+
 impl Diagnose {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let to_stdout = output::is_standard_output(self.out.as_deref());
         output::one_use_of_standard_output(self.json, to_stdout, "--json", "--out -")?;
-        let loaded = output::session(&self.session)?;
-        let options = Options {
-            allowed: Allowed {
-                without: self.without,
-                only: self.only,
+        let asked = Asked {
+            options: Options {
+                allowed: Allowed {
+                    without: self.without,
+                    only: self.only,
+                },
+                max_effects: self.max_effects,
+                held_out: self.held_out,
+                seed: self.seed,
+                joint_values: match self.joint_values {
+                    Values::Commanded => JointValues::Commanded,
+                    Values::Read => JointValues::Read,
+                },
+                correct_unexplained: self.correct_unexplained,
             },
-            max_effects: self.max_effects,
-            held_out: self.held_out,
-            seed: self.seed,
-            joint_values: match self.joint_values {
-                Values::Commanded => JointValues::Commanded,
-                Values::Read => JointValues::Read,
-            },
-            correct_unexplained: self.correct_unexplained,
+            start: self.start,
         };
+        let one = match &self.sessions[..] {
+            [session] if !self.json_lines && !session.is_dir() => session,
+            sessions => {
+                for (given, option) in [(self.json, "--json"), (self.out.is_some(), "--out")] {
+                    if given {
+                        return Err(Failure::WrongInput(format!(
+                            "{option} is for one session; expected --json-lines, or nothing for a table"
+                        )));
+                    }
+                }
+                return fleet::run(sessions, &asked, self.jobs, self.json_lines);
+            }
+        };
+        let loaded = output::session(one)?;
         let session = &loaded.session;
-        let answer = pipeline::diagnose(session, &options, &|_| true)?;
-        let start = match self.start {
-            Start::Exact => None,
-            Start::Regional => Some(pipeline::regional_start(
-                session,
-                &answer,
-                options.joint_values,
-            )?),
-        };
+        let (answer, start) = asked.of(session, &|_| true)?;
         if let Some(out) = &self.out {
             let text = pipeline::write_model(&answer.calibration(session));
             output::document(out, text.as_bytes(), self.force, &loaded.files)?;
@@ -245,7 +291,7 @@ fn in_words(d: &Diagnosis) -> String {
 }
 
 /// A name, of several joints with its joint.
-fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
+pub(crate) fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
     match joint.filter(|_| d.model.robot.joints.len() > 1) {
         Some(joint) => format!("{effect} {}", joint + 1),
         None => effect.to_owned(),

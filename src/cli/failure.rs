@@ -1,11 +1,14 @@
 //! How a command fails, and what the terminal and the exit status say then.
 
+use std::fmt;
 use std::io::Write;
 use std::process::ExitCode;
 
 use truepose::atomic::WriteError;
 use truepose::diagnostic::Rejected;
 use truepose::fit::IdentifyError;
+
+use super::output::plain;
 
 /// The input or the arguments are wrong.
 pub(crate) const WRONG_INPUT: u8 = 2;
@@ -24,14 +27,23 @@ pub(crate) enum Failure {
 impl Failure {
     /// Tells the user, once, and gives the exit status.
     pub(crate) fn report(&self) -> ExitCode {
-        let (text, status) = match self {
-            Self::WrongInput(text) => (text.clone(), WRONG_INPUT),
-            Self::Failed(error) => (format!("{error:#}"), FAILED),
+        let status = match self {
+            Self::WrongInput(_) => WRONG_INPUT,
+            Self::Failed(_) => FAILED,
         };
         let mut stderr = std::io::stderr().lock();
         // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {text}");
+        let _ = writeln!(stderr, "truepose: {}", plain(&self.to_string()));
         ExitCode::from(status)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::WrongInput(text) => f.write_str(text),
+            Self::Failed(error) => write!(f, "{error:#}"),
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! The terminal: one file per command.
 //!
 //! Exit status: 0 done; 2 the input or the arguments are wrong; 1 the program failed, there is no display
-//! for the window, or `compensate` left some targets as they are. With `--json` standard output carries exactly one JSON document;
+//! for the window, `compensate` left some targets as they are, or `diagnose` could not diagnose some of
+//! many sessions. With `--json` standard output carries exactly one JSON document;
 //! messages always go to standard error.
 
 mod compensate;
@@ -9,10 +10,13 @@ mod diagnose;
 mod effects;
 mod export;
 mod failure;
+mod fleet;
 mod geometry;
 mod history;
 mod identify;
 mod import;
+mod in_order;
+mod integrate;
 mod levels;
 mod output;
 mod own_options;
@@ -30,10 +34,14 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+const EXIT_STATUS: &str = "Exit status: 0 done; 2 the input or the arguments are wrong, and nothing was \
+written; 1 the program failed, or some of many sessions or targets could not be worked on.";
+
 /// Calibrates a robot: finds where measurement and simulation disagree, and writes the table
 /// that the controller reads
 #[derive(Debug, Parser)]
 #[command(name = "truepose", version, about, long_about = None, args_conflicts_with_subcommands = true)]
+#[command(after_help = EXIT_STATUS)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
@@ -69,6 +77,14 @@ enum Command {
     Report(report::Report),
     /// List the effects that the program knows
     Effects(effects::Effects),
+    /// Put truepose into the menus: desktop entry, icons, file type, man pages, shell completions
+    Integrate(integrate::Integrate),
+    /// Print the completions of a shell
+    #[command(hide = true)]
+    Completions(integrate::Completions),
+    /// Print a man page
+    #[command(hide = true)]
+    Man(integrate::Man),
 }
 
 /// Runs the program with the process's arguments.
@@ -92,6 +108,9 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Report(command)) => command.run(),
         Some(Command::Identify(command)) => command.run(),
         Some(Command::Effects(command)) => command.run(),
+        Some(Command::Integrate(command)) => command.run(),
+        Some(Command::Completions(command)) => command.run(),
+        Some(Command::Man(command)) => command.run(),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

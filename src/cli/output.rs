@@ -17,18 +17,46 @@ use super::failure::Failure;
 pub(crate) fn json(document: &impl Serialize) -> Result<(), Failure> {
     let mut text = serde_json::to_string_pretty(document).context("cannot write the answer")?;
     text.push('\n');
-    self::text(&text)
+    bytes(text.as_bytes())
 }
 
 /// Prints text. A reader that has had enough (`| head`) is no failure.
 pub(crate) fn text(text: &str) -> Result<(), Failure> {
+    bytes(plain(text).as_bytes())
+}
+
+/// Text without what a terminal would obey. A name in a file may hold control characters, and those
+/// could move the cursor, change what was printed before, or rename the window.
+pub(crate) fn plain(text: &str) -> String {
+    let harmless = |c: char| {
+        if c.is_control() && !matches!(c, '\n' | '\t') {
+            '\u{FFFD}'
+        } else {
+            c
+        }
+    };
+    text.chars().map(harmless).collect()
+}
+
+/// Prints what is no text for people, as it is.
+pub(crate) fn bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = std::io::stdout().lock();
-    let written = stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush());
+    let written = stdout.write_all(bytes).and_then(|()| stdout.flush());
     match written {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other.context("cannot write to standard output")?),
+    }
+}
+
+/// Prints one line; whether anybody still reads.
+pub(crate) fn line(line: &str) -> Result<bool, Failure> {
+    let mut stdout = std::io::stdout().lock();
+    let written = writeln!(stdout, "{line}").and_then(|()| stdout.flush());
+    match written {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
+        other => Ok(other
+            .map(|()| true)
+            .context("cannot write to standard output")?),
     }
 }
 
@@ -51,7 +79,7 @@ pub(crate) fn messages<T: std::fmt::Display>(messages: &[T]) {
     let mut stderr = std::io::stderr().lock();
     for message in messages {
         // With standard error closed there is nobody left to tell.
-        let _ = writeln!(stderr, "truepose: {message}");
+        let _ = writeln!(stderr, "truepose: {}", plain(&message.to_string()));
     }
 }
 

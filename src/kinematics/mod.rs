@@ -65,6 +65,7 @@ pub(crate) mod testing;
 pub use description::{DescribedRobot, DescriptionFormat, robot_from_file};
 pub use dh::{DhConvention, DhRow, robot_from_dh};
 pub use mjcf::robot_from_mjcf;
+pub(crate) use problems::MOST_JOINTS;
 pub use robot::{
     Axis, Joint, JointKind, KinematicsError, LinkMass, Pose, Range, Robot, RobotSource,
     pose_from_parts,

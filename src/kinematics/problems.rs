@@ -3,6 +3,9 @@
 use super::robot::{Axis, Joint, JointKind, Pose, Robot};
 use crate::diagnostic::{Diagnostic, Place};
 
+/// A chain with more joints is a mistake, and its fit would not end.
+pub(crate) const MOST_JOINTS: usize = 100;
+
 impl Robot {
     /// Everything that makes the robot unusable (errors) or suspicious (warnings), each at `place`
     /// with the path of the field.
@@ -16,6 +19,14 @@ impl Robot {
                 place.clone().in_field("robot.joints"),
                 "no joints",
                 "at least one joint",
+            ));
+            return problems;
+        }
+        if self.joints.len() > MOST_JOINTS {
+            problems.push(Diagnostic::error(
+                place.clone().in_field("robot.joints"),
+                format!("{} joints", self.joints.len()),
+                format!("at most {MOST_JOINTS} joints"),
             ));
             return problems;
         }

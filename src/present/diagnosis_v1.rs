@@ -1,7 +1,7 @@
 //! `truepose-diagnosis/1`: the answer as JSON. Samples count from 1, angles are in degrees.
 
 use crate::diagnosis::{
-    Correction, Diagnosis, FloorFrom, Found, Gaps, Limit, NextPose, Sight, Unexplained, Verdict,
+    Correction, Diagnosis, FloorFrom, Found, Gaps, Limit, NextPose, Sight, Unexplained,
 };
 use crate::document::degrees;
 use crate::fit::noise::Noise;
@@ -21,12 +21,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
         "format": "truepose-diagnosis/1",
         "session": &d.session,
         "samples": d.samples,
-        "verdict": match d.verdict {
-            Verdict::Noise => "noise",
-            Verdict::Explained => "explained",
-            Verdict::PartlyExplained => "partly-explained",
-            Verdict::Unexplained => "unexplained",
-        },
+        "verdict": d.verdict.name(),
         "data_problems": problems(&d.data_problems),
         "floor": object! {
             "mm": d.floor.mm,

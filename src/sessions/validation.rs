@@ -4,6 +4,8 @@
 //! warnings, because a strange session is still a session. Blunders of setting up (a joint's sign,
 //! a wrong unit) need a fit and are not looked for here.
 
+use std::collections::BTreeSet;
+
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::number::quoted;
 use crate::kinematics::{JointKind, Robot};
@@ -59,6 +61,26 @@ pub(crate) fn robot(robot: &Robot, file: &Place, findings: &mut Vec<Diagnostic>)
     }
 }
 
+/// Regions that overlap with one that begins before them, each once: never more findings than regions,
+/// however many a file lists.
+fn overlaps(regions: &[Region]) -> Vec<[usize; 2]> {
+    let mut by_start: Vec<usize> = (0..regions.len()).collect();
+    by_start.sort_by(|&a, &b| regions[a].from_rad.total_cmp(&regions[b].from_rad));
+    let mut pairs = Vec::new();
+    // The one that reaches farthest so far.
+    let mut farthest: Option<usize> = None;
+    for index in by_start {
+        if let Some(other) = farthest.filter(|&k| regions[index].from_rad < regions[k].to_rad) {
+            pairs.push([index.min(other), index.max(other)]);
+        }
+        if farthest.is_none_or(|other| regions[index].to_rad > regions[other].to_rad) {
+            farthest = Some(index);
+        }
+    }
+    pairs.sort_by_key(|&[earlier, later]| (later, earlier));
+    pairs
+}
+
 fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
     let place = || file.clone().in_field("regions");
     let named = |region: &Region| {
@@ -69,24 +91,22 @@ fn regions(session: &Session, file: &Place, findings: &mut Vec<Diagnostic>) {
             deg_from_rad(region.to_rad)
         )
     };
-    for (index, region) in session.regions.iter().enumerate() {
-        for other in &session.regions[..index] {
-            if region.from_rad < other.to_rad && other.from_rad < region.to_rad {
-                findings.push(Diagnostic::warning(
-                    place(),
-                    format!("regions {} and {} overlap", named(other), named(region)),
-                    "regions that touch at most; the one listed first owns what both claim",
-                ));
-            }
-            if region.name == other.name {
-                let found = format!("two regions are called {}", quoted(&region.name));
-                findings.push(Diagnostic::warning(
-                    place(),
-                    found,
-                    "a name of its own for each region",
-                ));
-            }
-        }
+    let all = &session.regions;
+    for [earlier, later] in overlaps(all) {
+        let (earlier, later) = (named(&all[earlier]), named(&all[later]));
+        findings.push(Diagnostic::warning(
+            place(),
+            format!("regions {earlier} and {later} overlap"),
+            "regions that touch at most; the one listed first owns what both claim",
+        ));
+    }
+    let mut names = BTreeSet::new();
+    for region in all.iter().filter(|region| !names.insert(&region.name)) {
+        findings.push(Diagnostic::warning(
+            place(),
+            format!("two regions are called {}", quoted(&region.name)),
+            "a name of its own for each region",
+        ));
     }
     let joints = &session.robot.joints;
     let one_revolute = joints.len() == 1 && joints[0].kind == JointKind::Revolute;

@@ -14,7 +14,7 @@ use truepose::sessions::division::RegionChoice;
 use truepose::sessions::{Replacing, Session, load, samples_path, save};
 use truepose::simulation::{load_scenario, simulate, unwatched};
 
-const NAMES: [&str; 3] = ["paper-30", "paper-run", "lamp-commissioning"];
+const NAMES: [&str; 4] = ["paper-30", "paper-run", "lamp-commissioning", "arm/arm"];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("sessions")
@@ -46,6 +46,7 @@ fn each_session_is_what_its_scenario_makes() {
             scratch.path().to_path_buf()
         };
         let made = target.join(format!("{name}.json"));
+        std::fs::create_dir_all(made.parent().unwrap()).unwrap();
         let force = Replacing {
             force: true,
             inputs: &[],

@@ -1,9 +1,12 @@
-//! The documents: every command in `README.md` and in the walk through a calibration
-//! (`docs/walk-through.md`) prints what stands there, and the walk's files are what its scenario makes.
+//! The documents: every command in `README.md` and in the pages of `docs` prints what stands there, and
+//! the walk's files are what its scenario makes.
 
 #[path = "../../examples/walk_through_files/files.rs"]
 #[allow(unreachable_pub, reason = "an example uses the same module")]
 mod files;
+
+#[path = "../../examples/calibrate_an_arm.rs"]
+mod calibrate_an_arm;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -73,8 +76,11 @@ fn blocks(text: &str) -> Vec<Vec<String>> {
         if line.starts_with("```") {
             let block = lines.by_ref().take_while(|line| !line.starts_with("```"));
             let block: Vec<String> = block.map(str::to_owned).collect();
-            if block.iter().any(|line| line.starts_with("$ truepose")) {
-                blocks.push(block);
+            let is_tried =
+                |line: &String| line.starts_with("$ truepose") || line.starts_with("$ python3");
+            if block.iter().any(is_tried) {
+                let text = block.join("\n").replace("\\\n", " ");
+                blocks.push(text.lines().map(str::to_owned).collect());
             } else if block.iter().any(|line| line.starts_with("truepose import")) {
                 blocks.push(commands_alone(&block));
             }
@@ -94,7 +100,12 @@ fn commands_alone(block: &[String]) -> Vec<String> {
 /// Runs one command and compares what it prints with what the document says.
 fn run(folder: &Path, command: &str, expected: &[String]) {
     let words = words(command);
-    let ran = Command::new(env!("CARGO_BIN_EXE_truepose"))
+    let program = match words[0].as_str() {
+        "truepose" => env!("CARGO_BIN_EXE_truepose"),
+        "python3" => "python3",
+        other => panic!("$ {command}: {other} cannot be tried"),
+    };
+    let ran = Command::new(program)
         .args(&words[1..])
         .current_dir(folder)
         .output()
@@ -117,13 +128,17 @@ fn run(folder: &Path, command: &str, expected: &[String]) {
 fn play(document: &str, folder: &Path) -> usize {
     let text = fs::read_to_string(root().join(document)).expect("the document");
     let mut count = 0;
+    let mut folder = folder.to_path_buf();
     for block in blocks(&text) {
         let commands: Vec<usize> = (0..block.len())
             .filter(|&k| block[k].starts_with("$ "))
             .collect();
         for (k, &at) in commands.iter().enumerate() {
             let end = commands.get(k + 1).copied().unwrap_or(block.len());
-            run(folder, &block[at][2..], &block[at + 1..end]);
+            match block[at].strip_prefix("$ cd ") {
+                Some(below) => folder.push(below),
+                None => run(&folder, &block[at][2..], &block[at + 1..end]),
+            }
             count += 1;
         }
     }
@@ -176,6 +191,140 @@ fn every_command_of_the_readme_prints_what_stands_in_it() {
     assert!(commands >= 12, "{commands} commands");
     let written = ["lamp.model.json", "lamp.csv", "a.json", "e.json"];
     check_written(folder.path(), &written, "lamp.pdf");
+}
+
+fn is_page(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|end| end == "md")
+}
+
+/// Whether this machine can run the scripts that a page shows.
+fn has_numpy() -> bool {
+    let tried = Command::new("python3")
+        .args(["-c", "import numpy"])
+        .output();
+    let has = tried.is_ok_and(|tried| tried.status.success());
+    if !has {
+        eprintln!("skipped: no python3 with numpy");
+    }
+    has
+}
+
+#[test]
+fn every_command_of_the_other_pages_prints_what_stands_in_it() {
+    // The walk has files of its own; this page shows what a change would print.
+    let elsewhere = ["walk-through.md", "adding-an-export.md"];
+    let mut pages: Vec<String> = fs::read_dir(root().join("docs"))
+        .expect("the pages")
+        .map(|entry| {
+            entry
+                .expect("a page")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .filter(|name| is_page(name) && !elsewhere.contains(&name.as_str()))
+        .collect();
+    pages.sort();
+    let mut commands = 0;
+    for page in pages {
+        let page = format!("docs/{page}");
+        let text = fs::read_to_string(root().join(&page)).expect("the page");
+        if blocks(&text).is_empty() || (text.contains("$ python3") && !has_numpy()) {
+            continue;
+        }
+        let folder = tempfile::tempdir().expect("a folder");
+        for part in ["sessions", "sessions/arm", "tests/reference"] {
+            copy_files(&root().join(part), &folder.path().join(part));
+        }
+        commands += play(&page, folder.path());
+    }
+    assert!(commands >= 12, "{commands} commands");
+}
+
+#[test]
+fn every_page_is_in_the_books_contents_and_every_link_leads_somewhere() {
+    let contents = fs::read_to_string(root().join("docs/README.md")).expect("the contents");
+    let mut pages = vec![root().join("README.md"), root().join("SECURITY.md")];
+    for entry in fs::read_dir(root().join("docs")).expect("the pages") {
+        let path = entry.expect("a page").path();
+        let name = path
+            .file_name()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
+        if is_page(&name) {
+            assert!(
+                name == "README.md" || contents.contains(&format!("]({name})")),
+                "{name}"
+            );
+            pages.push(path);
+        }
+    }
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("the page");
+        let links = text
+            .split("](")
+            .skip(1)
+            .filter_map(|rest| rest.split_once(')'));
+        for (link, _) in links.filter(|(link, _)| !link.contains("://")) {
+            let (file, _) = link.split_once('#').unwrap_or((link, ""));
+            let there = page.parent().expect("a folder").join(file).exists();
+            assert!(file.is_empty() || there, "{}: {link}", page.display());
+        }
+    }
+}
+
+#[test]
+fn the_glossary_has_the_windows_words() {
+    let page = fs::read_to_string(root().join("docs/glossary.md")).expect("the page");
+    let words = fs::read_to_string(root().join("src/gui/help.rs")).expect("the words");
+    let (_, table) = words.split_once("words! {\n").expect("the table");
+    let (table, _) = table.split_once("\n}").expect("its end");
+    let texts: Vec<&str> = table.split('"').skip(1).step_by(2).collect();
+    for word in texts.chunks(2) {
+        let row = format!("| {} | {} |\n", word[0], word[1]);
+        assert!(page.contains(&row), "docs/glossary.md lacks: {row}");
+    }
+    assert_eq!(
+        page.matches("\n| ").count(),
+        texts.len() / 2 + 2,
+        "rows too many"
+    );
+}
+
+#[test]
+fn the_script_for_python_says_what_is_wrong_with_the_machines_of_a_folder() {
+    if !has_numpy() {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    copy_files(&root().join("sessions/arm"), folder.path());
+    fs::write(
+        folder.path().join("cut.json"),
+        "{\"format\": \"truepose-session/1\"",
+    )
+    .expect("written");
+    let ran = Command::new("python3")
+        .arg(root().join("docs/examples/fleet.py"))
+        .arg(folder.path())
+        .env("TRUEPOSE", env!("CARGO_BIN_EXE_truepose"))
+        .output()
+        .expect("it runs");
+    let said = String::from_utf8([ran.stdout, ran.stderr].concat()).expect("UTF-8");
+    assert!(ran.status.success(), "{said}");
+    for part in [
+        "not diagnosed: ",
+        "six-axis arm",
+        "width_deg",
+        "to look at: none",
+    ] {
+        assert!(said.contains(part), "{part}:\n{said}");
+    }
+}
+
+#[test]
+fn the_example_of_the_library_calibrates_an_arm() {
+    calibrate_an_arm::main().expect("it runs to its end");
 }
 
 #[test]

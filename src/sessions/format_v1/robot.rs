@@ -7,11 +7,13 @@ use nalgebra::{Point3, Quaternion, Unit, UnitQuaternion, Vector3};
 
 use super::{robot_beside, robot_source, unit};
 use crate::diagnostic::Diagnostic;
+use crate::document::Value;
 use crate::document::degrees;
 use crate::document::kinds::{NUMBER, TEXT, VECTOR, components, point, wxyz};
 use crate::document::object::{At, Kind, Object, written};
 use crate::kinematics::{
-    Axis, DescriptionFormat, Joint, JointKind, LinkMass, Pose, Range, Robot, RobotSource,
+    Axis, DescriptionFormat, Joint, JointKind, LinkMass, MOST_JOINTS, Pose, Range, Robot,
+    RobotSource,
 };
 
 /// A robot. A file that it names is looked for beside the document.
@@ -98,7 +100,13 @@ const GRAVITY: Kind<Vector3<f64>> = Kind {
 
 const JOINTS: Kind<Vec<Joint>> = Kind {
     expected: "an array with an object for each joint",
-    read: |at| at.some(&JOINT),
+    read: |at| match &at.node.value {
+        Value::List(all) if all.len() > MOST_JOINTS => {
+            let expected = format!("at most {MOST_JOINTS} joints");
+            at.error(format!("{} joints", all.len()), expected)
+        }
+        _ => at.some(&JOINT),
+    },
     write: |all| all.iter().map(JOINT.write).collect(),
 };
 
