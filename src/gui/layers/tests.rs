@@ -80,7 +80,8 @@ fn transform() -> PlotTransform {
 
 fn look(colouring: Colouring, blend: f32) -> Look {
     Look {
-        plane: Plane::Xy,
+        facing: Plane::Xy.facing(),
+        deep_mm: None,
         centre_mm: [0.0; 3],
         blend,
         answered: true,

@@ -67,7 +67,7 @@ fn settle(response: &Response) {
 }
 
 /// How much closer the wheel goes in this frame, along the axis below and upwards.
-fn closer(ctx: &Context) -> Vec2 {
+pub(crate) fn closer(ctx: &Context) -> Vec2 {
     let (scrolled, shift) = ctx.input(|i| (i.smooth_scroll_delta(), i.modifiers.shift));
     if shift {
         // egui turns the wheel sideways with Shift.

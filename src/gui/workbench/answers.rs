@@ -89,7 +89,8 @@ impl Workbench {
 
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
-        let seen = |b: &&Backdrop| self.view.heat && b.scenery.plane == self.view.plane;
+        let wanted = self.view.heat && !self.view.in_space();
+        let seen = |b: &&Backdrop| wanted && b.scenery.plane == self.view.plane;
         self.backdrop().filter(seen)?.heat.as_ref()
     }
 
@@ -202,7 +203,7 @@ impl Workbench {
             subject: Arc::clone(self.subject()),
             outcome,
             plane: self.view.plane,
-            heat: self.view.heat,
+            heat: self.view.heat && !self.view.in_space(),
             thins: self.view.canvas == Canvas::Shapes,
             polar: self.view.polar(),
             component: self.view.component,

@@ -16,6 +16,7 @@ mod pointer;
 mod polar;
 mod robot;
 mod scales;
+mod space;
 mod toolbar;
 
 pub(crate) use layout::nearest;

@@ -1,11 +1,12 @@
-//! What the workspace plot shows, in mm of the measuring frame, projected on a plane.
+//! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
+//! camera's line of sight.
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::decimation::MOST;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::long_mm;
 use crate::gui::layers::Look;
-use crate::gui::view::{Canvas, Colouring, Plane, ViewState};
+use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane, ViewState};
 use crate::gui::workbench::Workbench;
 
 /// An error vector of a sample.
@@ -101,8 +102,8 @@ impl Scene {
     pub(crate) fn of(workbench: &Workbench) -> Self {
         let subject = &**workbench.subject();
         let view = workbench.view();
-        let [right, up] = view.plane.axes();
-        let flat = |p: [f64; 3]| [p[right], p[up]];
+        let facing = view.facing();
+        let flat = |p: [f64; 3]| facing.flat(p);
         let answer = workbench.answer();
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
@@ -118,7 +119,13 @@ impl Scene {
             // Until they are chosen: some.
             (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
         };
-        let samples = || shown_here.iter().map(|sample| *sample as usize);
+        let mut shown_here: Vec<usize> = shown_here.iter().map(|s| *s as usize).collect();
+        if view.in_space() {
+            // What is near covers what is far.
+            let nearness = |sample: usize| facing.nearness(subject.measured(sample));
+            shown_here.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
+        }
+        let samples = || shown_here.iter().copied();
         let arrows = samples().map(|sample| {
             let e = shown(sample);
             let measured = subject.measured(sample);
@@ -139,16 +146,17 @@ impl Scene {
             suspected: answer.is_some_and(|a| a.suspected[sample]),
             says: says(subject, &look, sample, shown(sample)),
         });
-        let measured_mm = subject.overview.measured_mm.map(flat);
         Self {
             arrows: arrows.collect(),
             points: points.collect(),
-            paths_mm: paths(subject, view.plane),
-            dial: dial(subject, view.plane),
+            paths_mm: paths(subject, &facing),
+            dial: (!view.in_space())
+                .then(|| dial(subject, view.plane))
+                .flatten(),
             magnification: look.magnification,
             reach_mm: subject.overview.reach_mm,
-            measured_mm,
-            robot_mm: subject.overview.robot_mm.map(flat),
+            measured_mm: facing.flat_box(subject.overview.measured_mm),
+            robot_mm: facing.flat_box(subject.overview.robot_mm),
             look,
             samples: usable.len(),
             with_largest: workbench.thinned().is_some(),
@@ -187,13 +195,20 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
     std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
 }
 
+/// A ball around samples, robot and the origin of the base.
+pub(crate) fn ball(workbench: &Workbench) -> Ball {
+    let overview = &workbench.subject().overview;
+    Ball::around(&[overview.measured_mm, overview.robot_mm, [[0.0; 3]; 2]])
+}
+
 fn look(workbench: &Workbench) -> Look {
     let (view, subject) = (workbench.view(), workbench.subject());
     let answered = workbench.answer().is_some();
     let magnification = magnification(view, subject);
     let colouring = offered(subject, view.colouring);
     Look {
-        plane: view.plane,
+        facing: view.facing(),
+        deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
         centre_mm: Cloud::of(subject).centre_mm,
         blend: if answered { view.blend } else { 0.0 },
         answered,
@@ -238,8 +253,8 @@ fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f3
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
         Colouring::Direction => {
-            let [right, up] = look.plane.axes();
-            e[up].atan2(e[right]) / (2.0 * std::f64::consts::PI)
+            let [right, up] = look.facing.flat(e);
+            up.atan2(right) / (2.0 * std::f64::consts::PI)
         }
         Colouring::Load | Colouring::Temperature | Colouring::Time => {
             let condition = look.colouring.condition()?;
@@ -268,9 +283,8 @@ pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
-fn paths(subject: &Subject, plane: Plane) -> Vec<Vec<[f64; 2]>> {
+fn paths(subject: &Subject, facing: &Facing) -> Vec<Vec<[f64; 2]>> {
     const POINTS: usize = 181;
-    let [right, up] = plane.axes();
     if subject.single_revolute() {
         let (from, to) = subject.travel();
         let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
@@ -278,7 +292,7 @@ fn paths(subject: &Subject, plane: Plane) -> Vec<Vec<[f64; 2]>> {
         let arcs = subject.session.targets.iter().map(|target| {
             let points = (0..POINTS).map(|k| {
                 let p = robot.point_in_base(&[at(k)], &target.position_mm);
-                [p[right], p[up]]
+                facing.flat(p.coords.into())
             });
             points.collect()
         });

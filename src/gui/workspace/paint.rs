@@ -13,15 +13,17 @@ use super::model::Scene;
 use super::pointer::{hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
-use super::{handles, label_layout, layers, layout, legend};
+use super::{handles, label_layout, layers, layout, legend, toolbar};
 
 /// A sample is under the pointer within this many points.
-const REACH: f32 = 14.0;
+pub(super) const REACH: f32 = 14.0;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.view().polar() {
         around(ui, workbench, commands);
+    } else if workbench.view().in_space() {
+        super::space::show(ui, workbench, toolbar::posing(ui), commands);
     } else {
         plane(ui, workbench, commands);
     }
@@ -147,13 +149,13 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 
 /// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
 /// from the plot's size: the legend says what the frame before found.
-struct Notes {
+pub(super) struct Notes {
     id: egui::Id,
-    said: Vec<String>,
+    pub(super) said: Vec<String>,
 }
 
 impl Notes {
-    fn recall(ui: &Ui, scene: &Scene) -> Self {
+    pub(super) fn recall(ui: &Ui, scene: &Scene) -> Self {
         let id = ui.scope_id().with("what is not drawn");
         let said = if scene.canvas == Canvas::Shapes {
             scene.notes()
@@ -163,7 +165,7 @@ impl Notes {
         Self { id, said }
     }
 
-    fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
+    pub(super) fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
         if scene.canvas == Canvas::Shapes {
             return;
         }

@@ -6,7 +6,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::units::{significant, trimmed};
-use crate::gui::view::{Colouring, Plane, Plot};
+use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
 use crate::gui::widgets::{self, caption, fine, title};
 use crate::gui::workbench::{Command, Workbench};
 
@@ -60,12 +60,19 @@ pub(crate) fn show(
         if ui.available_width() > least && beside.is_none() {
             title(ui, "Workspace");
         }
-        let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
-        let views = [planes[0], planes[1], planes[2], (None, "polar")];
-        let shown = (!view.polar()).then_some(view.plane);
-        match widgets::segmented(ui, &views, shown) {
-            Some(Some(plane)) => commands.push(Command::Look(plane)),
-            Some(None) => commands.push(Command::LookAround),
+        let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
+        let [space, polar] = [Aspect::Space, Aspect::Around].map(|aspect| (aspect, view.plane));
+        let views = [
+            planes[0],
+            planes[1],
+            planes[2],
+            (space, "3-D"),
+            (polar, "polar"),
+        ];
+        match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
+            Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
+            Some((Aspect::Space, _)) => commands.push(Command::LookFrom(None)),
+            Some((Aspect::Around, _)) => commands.push(Command::LookAround),
             None => {}
         }
         if around && fold == Fold::Open {
@@ -113,7 +120,7 @@ pub(crate) fn show(
                     widgets::row(ui, |ui| magnification(ui, workbench, commands));
                     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
                 });
-                heat(ui, workbench, commands);
+                beneath(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
         }
@@ -121,7 +128,7 @@ pub(crate) fn show(
             widgets::row(ui, |ui| {
                 magnification(ui, workbench, commands);
                 scale_for(ui, workbench, commands);
-                heat(ui, workbench, commands);
+                beneath(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
         }
@@ -162,7 +169,7 @@ fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(&mut Ui)) {
 fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::row(ui, |ui| magnification(ui, workbench, commands));
     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
-    heat(ui, workbench, commands);
+    beneath(ui, workbench, commands);
     caption(ui, "colour");
     let shown = coloured(workbench);
     for colouring in Colouring::ALL {
@@ -280,6 +287,51 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         Some(factor) => commands.push(Command::Magnify(factor)),
         None => {}
     }
+}
+
+/// What only one way of looking has: the heat map of a plane; the side and the pose in space.
+fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let view = workbench.view();
+    if !view.in_space() {
+        heat(ui, workbench, commands);
+        return;
+    }
+    caption(ui, "from");
+    let shown = view.camera.standard();
+    let text = RichText::new(shown.map_or("free", Standard::name)).size(size::SMALL);
+    let list = ComboBox::from_id_salt("view in space").selected_text(text);
+    let list = list.width(76.0).show_ui(ui, |ui| {
+        for from in Standard::ALL {
+            if ui
+                .selectable_label(shown == Some(from), from.name())
+                .clicked()
+            {
+                commands.push(Command::LookFrom(Some(from)));
+            }
+        }
+    });
+    ui.ctx()
+        .accesskit_node_builder(list.response.id, |node| node.set_label("Standard view"));
+    let mut open = posing(ui);
+    let text = RichText::new("pose").size(size::SMALL);
+    let checkbox = ui
+        .checkbox(&mut open, text)
+        .on_hover_text("sliders that pose the robot");
+    ui.ctx()
+        .accesskit_node_builder(checkbox.id, |node| node.set_label("Pose the robot"));
+    if checkbox.changed() {
+        ui.data_mut(|data| data.insert_temp(posing_id(), open));
+    }
+}
+
+fn posing_id() -> egui::Id {
+    egui::Id::unique("sliders that pose the robot")
+}
+
+/// Whether the sliders that pose the robot are open.
+pub(super) fn posing(ui: &Ui) -> bool {
+    ui.data(|data| data.get_temp(posing_id()))
+        .unwrap_or_default()
 }
 
 /// Whether the error between the samples is shown.

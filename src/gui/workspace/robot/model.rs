@@ -7,7 +7,7 @@
 use nalgebra::{Point3, Vector3};
 
 use crate::gui::core::scale::round_down;
-use crate::gui::view::Plane;
+use crate::gui::view::Facing;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
 
@@ -62,8 +62,10 @@ pub(crate) struct Real {
 pub(crate) struct Drawn {
     /// The sample; `None`: nobody measured this pose.
     pub(crate) sample: Option<usize>,
-    /// Whether somebody points at that sample, or chose it.
+    /// Whether somebody points at that sample, chose it, or posed the robot.
     pub(crate) asked_for: bool,
+    /// The joint values, rad or mm.
+    pub(crate) q: Vec<f64>,
     /// The nominal robot from base to tool, mm.
     pub(crate) nominal_mm: Vec<[f64; 2]>,
     pub(crate) real: Option<Real>,
@@ -90,21 +92,23 @@ impl Drawn {
             let columns = subject.session.samples.q.iter();
             columns.map(|q| q[sample]).collect()
         };
-        let sample = asked.or(middle);
-        let q = sample.map_or_else(|| home(robot), pose);
+        let posed = view.pose.clone();
+        let sample = asked.or(middle).filter(|_| posed.is_none());
+        let q = posed.or_else(|| sample.map(pose));
+        let q = q.unwrap_or_else(|| home(robot));
         let targets = &subject.session.targets;
         let target = sample.and_then(|s| Some(subject.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
         let corners = Skeleton::new(robot, &target_mm).at(&q)?;
-        let axes = view.plane.axes();
-        let flat = |p: &Point3<f64>| axes.map(|k| p[k]);
+        let facing = view.facing();
+        let flat = |p: &Point3<f64>| facing.flat(p.coords.into());
         let motions = robot.motions_from_home(&q);
         let signs = robot.joints.iter().enumerate().map(|(k, joint)| {
             let along = motions[k].rotation * joint.axis.direction;
             Sign {
                 at_mm: flat(&corners[2 * k + 1]),
-                along: axes.map(|a| along[a]),
+                along: facing.flat(along.into_inner().into()),
                 turns: joint.kind == JointKind::Revolute,
             }
         });
@@ -118,12 +122,13 @@ impl Drawn {
         });
         Some(Self {
             sample,
-            asked_for: asked.is_some(),
+            asked_for: asked.is_some() || view.pose.is_some(),
+            q: q.clone(),
             nominal_mm: corners.iter().map(flat).collect(),
-            real: sample.and_then(|sample| real(workbench, sample, &corners, view.plane)),
+            real: sample.and_then(|sample| real(workbench, sample, &corners, &facing)),
             signs: signs.collect(),
             values: values.collect(),
-            upright: axes[1] == 2,
+            upright: facing.up[2] > 0.999,
         })
     }
 
@@ -132,7 +137,8 @@ impl Drawn {
         let mut says = match (self.sample, self.asked_for) {
             (Some(sample), true) => format!("robot at sample {}", sample + 1),
             (Some(sample), false) => format!("robot at sample {}, as an example", sample + 1),
-            (None, _) => "robot at home".to_owned(),
+            (None, true) => "robot as posed".to_owned(),
+            (None, false) => "robot at home".to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };
@@ -155,7 +161,7 @@ fn real(
     workbench: &Workbench,
     sample: usize,
     corners: &[Point3<f64>],
-    plane: Plane,
+    facing: &Facing,
 ) -> Option<Real> {
     let subject = &**workbench.subject();
     if !subject.usable[sample] {
@@ -179,10 +185,9 @@ fn real(
     } else {
         round_down(most).max(1.0)
     };
-    let axes = plane.axes();
     let moved = displaced(corners, deviation * times);
     Some(Real {
-        corners_mm: moved.iter().map(|p| axes.map(|k| p[k])).collect(),
+        corners_mm: moved.iter().map(|p| facing.flat(p.coords.into())).collect(),
         times,
         identified: answer.is_some(),
     })
@@ -195,6 +200,7 @@ mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
+    use crate::gui::view::Plane;
     use crate::gui::workbench::Command;
 
     #[test]

@@ -1,0 +1,186 @@
+//! Samples in three dimensions: what is near covers what is far.
+//!
+//! The pass in which egui draws has no depth. So the samples are drawn into a picture of their own,
+//! with a buffer of depths beside it, before that pass, and in it the picture is copied. It is drawn
+//! again only when samples, camera or colours change: while the pointer moves over a million vectors
+//! a frame copies one picture.
+
+use egui::{PaintCallbackInfo, Rect, Shape};
+use egui_wgpu::wgpu::{self, Device, Queue};
+use egui_wgpu::{Callback, CallbackResources, CallbackTrait, ScreenDescriptor};
+
+use super::drawer::Drawer;
+use super::frame::Frame;
+use super::gpu::CloudLayer;
+use super::pipelines::DEPTH;
+
+/// What stays from frame to frame for the view in space.
+pub(super) struct Space {
+    pub(super) marks: wgpu::RenderPipeline,
+    pub(super) ghosts: wgpu::RenderPipeline,
+    pub(super) arrows: wgpu::RenderPipeline,
+    pub(super) copy: wgpu::RenderPipeline,
+    pub(super) format: wgpu::TextureFormat,
+    pub(super) target: Option<Target>,
+    /// What was drawn last.
+    pub(super) drawn: Option<Drawn>,
+}
+
+/// What a picture follows from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Drawn {
+    frame: Frame,
+    counts: [usize; 2],
+    ghosts: bool,
+    uploads: u64,
+}
+
+/// The picture, and how near each pixel of it is.
+pub(super) struct Target {
+    size: [u32; 2],
+    picture: wgpu::TextureView,
+    depth: wgpu::TextureView,
+    group: wgpu::BindGroup,
+}
+
+impl Target {
+    fn new(
+        device: &Device,
+        layout: &wgpu::BindGroupLayout,
+        size: [u32; 2],
+        format: wgpu::TextureFormat,
+    ) -> Self {
+        let texture = |format, usage| {
+            let texture = device.create_texture(&wgpu::TextureDescriptor {
+                label: Some("samples in space"),
+                size: wgpu::Extent3d {
+                    width: size[0],
+                    height: size[1],
+                    depth_or_array_layers: 1,
+                },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: wgpu::TextureDimension::D2,
+                format,
+                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
+                view_formats: &[],
+            });
+            texture.create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        let picture = texture(format, wgpu::TextureUsages::TEXTURE_BINDING);
+        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("samples in space"),
+            layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: wgpu::BindingResource::TextureView(&picture),
+            }],
+        });
+        Self {
+            size,
+            depth: texture(DEPTH, wgpu::TextureUsages::empty()),
+            picture,
+            group,
+        }
+    }
+
+    /// A pass that begins with an empty picture.
+    fn begin<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("samples in space"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.picture,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &self.depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(1.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            ..Default::default()
+        })
+    }
+}
+
+/// Error vectors and measured points by their depth.
+pub(crate) struct SpaceLayer(pub(crate) CloudLayer);
+
+impl SpaceLayer {
+    /// The layer as a shape in this frame of a plot.
+    pub(crate) fn shape(self, rect: Rect) -> Shape {
+        Shape::Callback(Callback::new_paint_callback(rect, self))
+    }
+}
+
+impl CallbackTrait for SpaceLayer {
+    fn prepare(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        _: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        let Some(drawer) = resources.get_mut::<Drawer>() else {
+            return Vec::new();
+        };
+        let layer = &self.0;
+        drawer.upload_cloud(device, &layer.cloud);
+        drawer.upload_remainder(device, &layer.cloud, layer.remainder.as_ref());
+        drawer
+            .cloud_uniform
+            .write(queue, &layer.frame, drawer.linear);
+        let size = layer.frame.size(device.limits().max_texture_dimension_2d);
+        if drawer.space.target.as_ref().is_none_or(|t| t.size != size) {
+            let format = drawer.space.format;
+            drawer.space.target = Some(Target::new(device, &drawer.cells_layout, size, format));
+            drawer.space.drawn = None;
+        }
+        let now = Drawn {
+            frame: layer.frame,
+            counts: layer.counts,
+            ghosts: layer.ghosts,
+            uploads: drawer.uploads,
+        };
+        if drawer.space.drawn == Some(now) {
+            return Vec::new();
+        }
+        drawer.space.drawn = Some(now);
+        if let Some(target) = &drawer.space.target {
+            let mut pass = target.begin(encoder);
+            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
+            let [points, vectors] = layer.counts;
+            drawer.draw(&mut pass, &drawer.space.marks, points);
+            if layer.ghosts {
+                drawer.draw(&mut pass, &drawer.space.ghosts, vectors);
+            }
+            drawer.draw(&mut pass, &drawer.space.arrows, vectors);
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        let Some(drawer) = resources.get::<Drawer>() else {
+            return;
+        };
+        if let Some(target) = &drawer.space.target {
+            pass.set_pipeline(&drawer.space.copy);
+            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
+            pass.set_bind_group(1, &target.group, &[]);
+            pass.draw(0..3, 0..1);
+        }
+    }
+}
