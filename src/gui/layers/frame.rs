@@ -32,6 +32,8 @@ pub(crate) struct Look {
     pub(crate) deep_mm: Option<f64>,
     /// The middle of the cloud, mm.
     pub(crate) centre_mm: [f64; 3],
+    /// Whether the deviations before are of another frame, so that they are not shown beside.
+    pub(crate) framed: bool,
     /// From before, 0, to after, 1; 0 without an answer.
     pub(crate) blend: f32,
     pub(crate) answered: bool,
@@ -51,7 +53,8 @@ impl Look {
     /// Whether the deviations before stand pale beside those that are shown: only where no colour
     /// has to be compared with theirs.
     pub(crate) fn ghosts(&self) -> bool {
-        self.answered && self.blend > 0.0 && self.colouring == Colouring::State
+        let both = self.answered && self.blend > 0.0 && !self.framed;
+        both && self.colouring == Colouring::State
     }
 }
 
@@ -206,6 +209,7 @@ mod tests {
             towards: [0.0, -1.0, 0.0],
         },
         deep_mm: None,
+        framed: false,
         centre_mm: [10.0, 20.0, 30.0],
         blend: 0.0,
         answered: false,

@@ -184,3 +184,63 @@ impl CallbackTrait for SpaceLayer {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::frame::{Look, scale_at};
+    use super::super::tests::{as_parts, can_draw, drawn, frame, look, transform};
+    use super::*;
+    use crate::gui::cache::cloud::{Cloud, Place};
+    use crate::gui::style::tokens::LIGHT;
+    use crate::gui::view::Colouring;
+
+    /// Two vectors along x at one place of the screen: where each is along the line of sight, mm, and
+    /// its load, which is its colour.
+    fn middle(rows: [(f32, f32); 2], deep_mm: Option<f64>) -> [f64; 3] {
+        let place =
+            |(z, load): (f32, f32)| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0, load, -1.0, -1.0] };
+        let cloud = Arc::new(Cloud {
+            places: rows.map(place).to_vec(),
+            samples: vec![0, 1],
+            ..Cloud::default()
+        });
+        let look = Look {
+            deep_mm,
+            ..look(Colouring::Load, 0.0)
+        };
+        let picture = drawn(2.0, LIGHT.surface, move || {
+            let layer = CloudLayer {
+                cloud: Arc::clone(&cloud),
+                remainder: None,
+                frame: Frame::new(&look, &LIGHT, &transform(), None, 2.0),
+                counts: [2; 2],
+                ghosts: false,
+            };
+            SpaceLayer(layer).shape(frame())
+        });
+        // 10 of the 30 mm along the vectors, which begin in the middle of 240 × 160 points.
+        picture.at(2 * (120 + 20), 2 * 80)
+    }
+
+    #[test]
+    fn what_is_near_covers_what_is_far_in_any_order() {
+        if !can_draw() {
+            return;
+        }
+        let color = |load: f32| as_parts(scale_at(Colouring::Load, &LIGHT, load));
+        let like = |seen: [f64; 3], load: f32| {
+            let expected = color(load);
+            assert!(
+                (0..3).all(|k| (seen[k] - expected[k]).abs() < 0.02),
+                "{seen:?} {expected:?}"
+            );
+        };
+        let (near, far) = ((10.0, 0.9), (-10.0, 0.2));
+        like(middle([near, far], Some(50.0)), 0.9);
+        like(middle([far, near], Some(50.0)), 0.9);
+        // Without depth the last one covers the others.
+        like(middle([near, far], None), 0.2);
+    }
+}

@@ -1,7 +1,7 @@
 //! From where the workspace is looked at in three dimensions.
 //!
 //! The projection is parallel, so that lengths across the line of sight can be read everywhere. With
-//! azimuth a and elevation e the unit vectors of the view are, in the measuring frame (z up),
+//! azimuth a and elevation e the unit vectors of the view are, in the base frame (z up),
 //!
 //! ```text
 //! towards = (cos e cos a, cos e sin a, sin e)      from the workspace towards the viewer
@@ -14,7 +14,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-/// Axes of a view: orthogonal unit vectors of the measuring frame, right-handed.
+/// Axes of a view: orthogonal unit vectors, right-handed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facing {
     /// To the right on the screen.
@@ -30,6 +30,15 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 impl Facing {
+    /// The same view with each of its axes exchanged.
+    pub(crate) fn map(self, of: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        Self {
+            right: of(self.right),
+            up: of(self.up),
+            towards: of(self.towards),
+        }
+    }
+
     /// A point or vector as it is seen: to the right and up, mm.
     pub(crate) fn flat(&self, p: [f64; 3]) -> [f64; 2] {
         [dot(self.right, p), dot(self.up, p)]
@@ -91,7 +100,7 @@ impl Standard {
     }
 }
 
-/// A ball around everything that is drawn, mm of the measuring frame.
+/// A ball around everything that is drawn, mm of the base frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Ball {
     pub(crate) centre_mm: [f64; 3],
@@ -99,12 +108,10 @@ pub(crate) struct Ball {
 }
 
 impl Ball {
-    /// The ball around boxes, given by their smallest and largest corners, mm; corners that are not
-    /// finite do not count.
-    pub(crate) fn around(boxes: &[[[f64; 3]; 2]]) -> Self {
+    /// The ball around these points, mm; those that are not finite do not count.
+    pub(crate) fn around(points: &[[f64; 3]]) -> Self {
         let ends = |of: fn(f64, f64) -> f64, start: f64| {
-            let corners = boxes.iter().flatten();
-            let finite = corners.filter(|p| p.iter().all(|v| v.is_finite()));
+            let finite = points.iter().filter(|p| p.iter().all(|v| v.is_finite()));
             finite.fold([start; 3], |a, p| [0, 1, 2].map(|k| of(a[k], p[k])))
         };
         let (low, high) = (
@@ -117,10 +124,15 @@ impl Ball {
                 radius_mm: 1.0,
             };
         }
-        let half = [0, 1, 2].map(|k| 0.5 * (high[k] - low[k]));
+        let centre_mm = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
+        let from_centre = |p: &[f64; 3]| {
+            let off = [0, 1, 2].map(|k| p[k] - centre_mm[k]);
+            dot(off, off).sqrt()
+        };
+        let far = points.iter().map(from_centre).filter(|d| d.is_finite());
         Self {
-            centre_mm: [0, 1, 2].map(|k| low[k] + half[k]),
-            radius_mm: dot(half, half).sqrt().max(1.0),
+            centre_mm,
+            radius_mm: far.fold(1.0, f64::max),
         }
     }
 }
@@ -436,9 +448,6 @@ mod tests {
             (0.0, 0.0, 1.0)
         );
         assert_eq!(sound.offset_mm, [0.0, 1.0, 2.0]);
-        assert_eq!(
-            Ball::around(&[[[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]]]).radius_mm,
-            1.0
-        );
+        assert_eq!(Ball::around(&[[f64::INFINITY; 3]]).radius_mm, 1.0);
     }
 }

@@ -185,7 +185,7 @@ impl ViewState {
         self.aspect == Aspect::Space
     }
 
-    /// The axes of the view of the workspace.
+    /// The axes of the view of the workspace: in space those in the base frame.
     pub(crate) fn facing(&self) -> Facing {
         if self.in_space() {
             self.camera.facing()

@@ -376,10 +376,16 @@ impl Workbench {
         self.view.pose = self.view.pose.take().filter(a_pose);
     }
 
-    /// Looks at the workspace in the plane in which joint 1 turns.
+    /// Looks at the workspace in the plane in which joint 1 turns; with several joints in space, as
+    /// no plane shows them.
     fn look_along_the_axis(&mut self) {
         let along = self.subject().joint.along;
-        self.view.aspect = Aspect::Plane;
+        let several = self.subject().session.robot.joint_count() > 1;
+        self.view.aspect = if several {
+            Aspect::Space
+        } else {
+            Aspect::Plane
+        };
         self.view.camera = Camera::default();
         self.view.pose = None;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));

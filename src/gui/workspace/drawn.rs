@@ -173,7 +173,7 @@ pub(super) fn emphasis(
         return;
     };
     // Its vector over all others, whatever their colour.
-    let e = workbench.view().facing().flat(shown(workbench, sample));
+    let e = workbench.facing().flat(shown(workbench, sample));
     let from = [x - e[0], y - e[1]];
     let m = scene.magnification;
     let to = [from[0] + m * e[0], from[1] + m * e[1]];
@@ -206,7 +206,7 @@ pub(super) fn ring(
 fn in_plane(workbench: &Workbench, sample: usize) -> Option<[f64; 2]> {
     let subject = workbench.subject();
     let measured = subject.usable[sample].then(|| subject.measured(sample))?;
-    Some(workbench.view().facing().flat(measured))
+    Some(workbench.facing().flat(measured))
 }
 
 /// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.

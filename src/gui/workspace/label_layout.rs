@@ -15,7 +15,7 @@ const SOME: usize = 500;
 /// Points on the vectors of some samples.
 pub(super) fn crowd(workbench: &Workbench, scene: &Scene, transform: &PlotTransform) -> Vec<Pos2> {
     let subject = workbench.subject();
-    let facing = workbench.view().facing();
+    let facing = workbench.facing();
     let cloud = Cloud::of(subject);
     let samples = cloud.samples.iter().take(SOME);
     let points = samples.flat_map(|sample| {

@@ -151,7 +151,7 @@ pub(crate) fn under(
         let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
         return workbench.nearest()?.find([at.x, at.y], reach_mm);
     }
-    let facing = workbench.view().facing();
+    let facing = workbench.facing();
     let candidates = usable.iter().map(|sample| {
         let sample = *sample as usize;
         let [x, y] = facing.flat(workbench.subject().measured(sample));

@@ -1,12 +1,14 @@
 //! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
 //! camera's line of sight.
 
+use nalgebra::Point3;
+
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::decimation::MOST;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::long_mm;
 use crate::gui::layers::Look;
-use crate::gui::view::{Ball, Canvas, Colouring, Facing, Plane, ViewState};
+use crate::gui::view::{Ball, Canvas, Colouring, Plane};
 use crate::gui::workbench::Workbench;
 
 /// An error vector of a sample.
@@ -100,9 +102,14 @@ pub(crate) struct Scene {
 impl Scene {
     /// The workspace as the workbench has it.
     pub(crate) fn of(workbench: &Workbench) -> Self {
+        Self::on(workbench, workbench.view().canvas)
+    }
+
+    /// The same, drawn by this.
+    pub(crate) fn on(workbench: &Workbench, canvas: Canvas) -> Self {
         let subject = &**workbench.subject();
         let view = workbench.view();
-        let facing = view.facing();
+        let facing = workbench.facing();
         let flat = |p: [f64; 3]| facing.flat(p);
         let answer = workbench.answer();
         let look = look(workbench);
@@ -112,7 +119,7 @@ impl Scene {
         let usable = &subject.overview.usable;
         let cloud = Cloud::of(subject);
         let spread = &cloud.samples;
-        let shown_here: &[u32] = match (view.canvas, workbench.thinned()) {
+        let shown_here: &[u32] = match (canvas, workbench.thinned()) {
             (Canvas::Layers(_), _) => &[],
             (Canvas::Shapes, _) if usable.len() <= MOST => usable,
             (Canvas::Shapes, Some(thinned)) => thinned,
@@ -149,7 +156,7 @@ impl Scene {
         Self {
             arrows: arrows.collect(),
             points: points.collect(),
-            paths_mm: paths(subject, &facing),
+            paths_mm: paths(subject, |p| facing.flat((workbench.base() * p).into())),
             dial: (!view.in_space())
                 .then(|| dial(subject, view.plane))
                 .flatten(),
@@ -160,7 +167,7 @@ impl Scene {
             look,
             samples: usable.len(),
             with_largest: workbench.thinned().is_some(),
-            canvas: view.canvas,
+            canvas,
         }
     }
 
@@ -179,9 +186,21 @@ impl Scene {
     }
 }
 
-/// The magnification that is chosen, or at which the deviations before can be read.
-pub(crate) fn magnification(view: &ViewState, subject: &Subject) -> f64 {
-    view.magnification.unwrap_or(subject.overview.readable)
+/// The magnification that is chosen, or at which deviations can be read.
+pub(crate) fn magnification(workbench: &Workbench) -> f64 {
+    let chosen = workbench.view().magnification;
+    chosen.unwrap_or_else(|| readable(workbench))
+}
+
+/// The magnification at which deviations can be read: those before; where they are mostly those of
+/// the instrument's frame, those that are left.
+pub(crate) fn readable(workbench: &Workbench) -> f64 {
+    let left = workbench
+        .after()
+        .filter(|_| workbench.found_base().is_some());
+    left.map_or(workbench.subject().overview.readable, |after| {
+        after.readable
+    })
 }
 
 /// The deviation that is shown of a sample, mm: e = before + t (after − before).
@@ -195,21 +214,37 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
     std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
 }
 
-/// A ball around samples, robot and the origin of the base.
+/// A ball around samples, robot and the origin of the base, mm of the base frame: around some of the
+/// samples, whose order shows the whole in every beginning, and the middles of the faces of the box
+/// that the robot fills.
 pub(crate) fn ball(workbench: &Workbench) -> Ball {
-    let overview = &workbench.subject().overview;
-    Ball::around(&[overview.measured_mm, overview.robot_mm, [[0.0; 3]; 2]])
+    const SOME: usize = 1_000;
+    let subject = workbench.subject();
+    let to_base = workbench.base().inverse();
+    let cloud = Cloud::of(subject);
+    let measured = cloud.samples.iter().take(SOME).map(|sample| {
+        let p = subject.measured(*sample as usize);
+        (to_base * Point3::from(p)).into()
+    });
+    let [low, high] = subject.overview.robot_mm;
+    let faces = (0..6).map(|face| {
+        let mut p = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
+        p[face / 2] = [low, high][face % 2][face / 2];
+        p
+    });
+    Ball::around(&measured.chain(faces).chain([[0.0; 3]]).collect::<Vec<_>>())
 }
 
 fn look(workbench: &Workbench) -> Look {
     let (view, subject) = (workbench.view(), workbench.subject());
     let answered = workbench.answer().is_some();
-    let magnification = magnification(view, subject);
+    let magnification = magnification(workbench);
     let colouring = offered(subject, view.colouring);
     Look {
-        facing: view.facing(),
+        facing: workbench.facing(),
         deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
         centre_mm: Cloud::of(subject).centre_mm,
+        framed: view.in_space() && workbench.found_base().is_some(),
         blend: if answered { view.blend } else { 0.0 },
         answered,
         magnification,
@@ -283,17 +318,15 @@ pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
-fn paths(subject: &Subject, facing: &Facing) -> Vec<Vec<[f64; 2]>> {
+fn paths(subject: &Subject, flat: impl Fn(Point3<f64>) -> [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     const POINTS: usize = 181;
     if subject.single_revolute() {
         let (from, to) = subject.travel();
         let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
         let robot = &subject.session.robot;
         let arcs = subject.session.targets.iter().map(|target| {
-            let points = (0..POINTS).map(|k| {
-                let p = robot.point_in_base(&[at(k)], &target.position_mm);
-                facing.flat(p.coords.into())
-            });
+            let points =
+                (0..POINTS).map(|k| flat(robot.point_in_base(&[at(k)], &target.position_mm)));
             points.collect()
         });
         return arcs.collect();

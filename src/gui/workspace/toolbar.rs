@@ -10,7 +10,7 @@ use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
 use crate::gui::widgets::{self, caption, fine, title};
 use crate::gui::workbench::{Command, Workbench};
 
-use super::model::{magnification as magnification_of, offers};
+use super::model::{magnification as magnification_of, offers, readable};
 
 /// Something else that stands in the bar.
 pub(crate) type Beside = fn(&mut Ui, &Workbench, &mut Vec<Command>);
@@ -41,8 +41,8 @@ pub(crate) fn show(
     let room = ui.available_size();
     let roomy = room.x > ROOMY && beside.is_none();
     let fold = match room {
-        _ if room.y < TIGHT => Fold::Tight,
-        _ if room.x < WIDE => Fold::Narrow,
+        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW => Fold::Tight,
+        _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
         _ => Fold::Open,
     };
     if let Some(beside) = beside {
@@ -80,10 +80,10 @@ pub(crate) fn show(
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if measured {
-                let plot = if view.polar() {
-                    Plot::Polar
-                } else {
-                    Plot::Workspace
+                let plot = match view.aspect {
+                    Aspect::Plane => Plot::Workspace,
+                    Aspect::Space => Plot::Space,
+                    Aspect::Around => Plot::Polar,
                 };
                 picture(ui, plot, commands);
             }
@@ -115,7 +115,7 @@ pub(crate) fn show(
         Fold::Tight => {}
         Fold::Narrow => {
             widgets::row(ui, |ui| {
-                let now = significant(magnification_of(view, workbench.subject()), 2);
+                let now = significant(magnification_of(workbench), 2);
                 folded(ui, &format!("vectors × {now}"), "Length of vectors", |ui| {
                     widgets::row(ui, |ui| magnification(ui, workbench, commands));
                     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
@@ -148,6 +148,9 @@ const WITH_BLEND: f32 = 540.0;
 const ROOMY: f32 = 420.0;
 /// With less room what is seldom changed stands behind a button, points.
 const WIDE: f32 = 590.0;
+/// The same in space, where there is more of it, and below which all of it does.
+const SPACE_WIDE: f32 = 760.0;
+const SPACE_NARROW: f32 = 510.0;
 /// With less height all of it does, points.
 const TIGHT: f32 = 270.0;
 
@@ -254,7 +257,7 @@ fn blend_says(blend: f32) -> String {
 
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let now = magnification_of(workbench.view(), workbench.subject());
+    let now = magnification_of(workbench);
     caption(ui, "vectors");
     let mut factor = now;
     fine(ui, 60.0);
@@ -277,13 +280,15 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let subject = workbench.subject();
     let (before, left) = (subject.overview.readable, after.readable);
-    let now = magnification_of(workbench.view(), subject);
+    let now = magnification_of(workbench);
     let says = "how long vectors are drawn and where the colours of lengths end: so that the \
                 deviations before can be read, or those that are left after";
     caption(ui, "scale for").on_hover_text(says);
     let options = [(Some(before), "before"), (Some(left), "after")];
     match widgets::segmented(ui, &options, Some(now)) {
-        Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
+        Some(Some(factor)) if factor == readable(workbench) => {
+            commands.push(Command::Magnify(None))
+        }
         Some(factor) => commands.push(Command::Magnify(factor)),
         None => {}
     }

@@ -21,7 +21,7 @@ use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{
-    About, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Step, Then, What,
+    About, Camera, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Standard, Step, Then, What,
 };
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
@@ -233,7 +233,8 @@ fn chart(random: &mut ChaCha8Rng) -> &'static str {
 
 fn plot(random: &mut ChaCha8Rng) -> Plot {
     let chart = Plot::Chart(chart(random));
-    pick(random, &[Plot::Workspace, Plot::Polar, chart, chart, chart])
+    let drawn = [Plot::Workspace, Plot::Space, Plot::Polar];
+    pick(random, &[drawn[0], drawn[1], drawn[2], chart, chart, chart])
 }
 
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {

@@ -43,6 +43,8 @@ pub(crate) struct Sign {
     pub(crate) at_mm: [f64; 2],
     /// Its axis as it is seen: 1 long where it lies in the plane, 0 where one looks along it.
     pub(crate) along: [f64; 2],
+    /// Its axis, a unit vector of the measuring frame.
+    pub(crate) axis: [f64; 3],
     /// Whether it turns (else it slides).
     pub(crate) turns: bool,
 }
@@ -66,7 +68,9 @@ pub(crate) struct Drawn {
     pub(crate) asked_for: bool,
     /// The joint values, rad or mm.
     pub(crate) q: Vec<f64>,
-    /// The nominal robot from base to tool, mm.
+    /// The nominal robot from base to tool, mm of the measuring frame.
+    pub(crate) corners_mm: Vec<Point3<f64>>,
+    /// The same as it is seen, mm.
     pub(crate) nominal_mm: Vec<[f64; 2]>,
     pub(crate) real: Option<Real>,
     /// Its joints.
@@ -100,15 +104,17 @@ impl Drawn {
         let target = sample.and_then(|s| Some(subject.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
+        let (facing, base) = (workbench.facing(), workbench.base());
         let corners = Skeleton::new(robot, &target_mm).at(&q)?;
-        let facing = view.facing();
+        let corners: Vec<_> = corners.iter().map(|p| base * p).collect();
         let flat = |p: &Point3<f64>| facing.flat(p.coords.into());
         let motions = robot.motions_from_home(&q);
         let signs = robot.joints.iter().enumerate().map(|(k, joint)| {
-            let along = motions[k].rotation * joint.axis.direction;
+            let along = base.rotation * (motions[k].rotation * joint.axis.direction);
             Sign {
                 at_mm: flat(&corners[2 * k + 1]),
                 along: facing.flat(along.into_inner().into()),
+                axis: along.into_inner().into(),
                 turns: joint.kind == JointKind::Revolute,
             }
         });
@@ -128,6 +134,7 @@ impl Drawn {
             real: sample.and_then(|sample| real(workbench, sample, &corners, &facing)),
             signs: signs.collect(),
             values: values.collect(),
+            corners_mm: corners.clone(),
             upright: facing.up[2] > 0.999,
         })
     }
@@ -167,18 +174,16 @@ fn real(
     if !subject.usable[sample] {
         return None;
     }
-    let before = Vector3::from(subject.deviation_before(sample));
     let answer = workbench.answer();
     // What the model says is what was measured without what is left.
-    let deviation = match answer {
-        Some(answer) => before - Vector3::from(answer.deviation_after(sample)),
-        None => before,
-    };
+    let left = answer.map_or([0.0; 3], |answer| answer.deviation_after(sample));
+    let real = Vector3::from(subject.measured(sample)) - Vector3::from(left);
+    let deviation = real - corners.last()?.coords;
     let length = deviation.norm();
     if !length.is_finite() {
         return None;
     }
-    let wanted = magnification(workbench.view(), subject);
+    let wanted = magnification(workbench);
     let most = MOST_DISPLACED * subject.overview.reach_mm / length.max(1e-9);
     let times = if wanted <= most {
         wanted

@@ -18,7 +18,7 @@ pub(super) fn square_mm(ball: &Ball) -> f64 {
 }
 
 /// The grid under everything, in whole squares of the base frame: pairs of ends, mm.
-fn lines(ball: &Ball) -> Vec<[[f64; 3]; 2]> {
+pub(super) fn lines(ball: &Ball) -> Vec<[[f64; 3]; 2]> {
     let square = square_mm(ball);
     let ends = [0, 1].map(|k| {
         let reach = |sign: f64| (ball.centre_mm[k] + sign * ball.radius_mm) / square;

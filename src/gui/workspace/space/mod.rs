@@ -8,5 +8,8 @@ mod joints;
 mod looking;
 mod paint;
 mod pick;
+mod robot;
+mod sheet;
 
 pub(super) use paint::show;
+pub(crate) use sheet::sheet;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Align2, FontId, Panel, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use egui_plot::{PlotBounds, PlotPoint, PlotTransform};
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3, Vector3};
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::layers::{CloudLayer, Frame, SpaceLayer};
@@ -21,6 +21,7 @@ use super::super::pointer::{hover, marked};
 use super::super::robot::{self, Drawn};
 use super::super::{label_layout, layout, legend};
 use super::ground::{Triad, frame, grid, square_mm};
+use super::robot::Pen;
 use super::{joints, looking, pick};
 
 /// Width of the sliders that pose the robot, points.
@@ -42,10 +43,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, posing: bool, commands: &
     }
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let space = Space::new(workbench, rect);
+    let transform = &space.transform;
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let ui = &mut inside;
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-    let transform = &space.transform;
     drawn(ui, workbench, &scene, robot.as_ref(), &space, &palette);
     notes.keep(ui, &scene, transform);
     if let Some(room) = scale {
@@ -92,28 +93,49 @@ fn says(response: &egui::Response, workbench: &Workbench) {
 
 /// Where everything is on the screen.
 pub(super) struct Space {
-    facing: Facing,
-    ball: Ball,
-    points_per_mm: f64,
+    pub(super) facing: Facing,
+    /// The base in the measuring frame.
+    base: Isometry3<f64>,
+    pub(super) ball: Ball,
+    pub(super) points_per_mm: f64,
     transform: PlotTransform,
 }
 
 impl Space {
-    fn new(workbench: &Workbench, rect: Rect) -> Self {
+    /// In a plot here.
+    pub(super) fn new(workbench: &Workbench, rect: Rect) -> Self {
         let camera = workbench.view().camera;
-        let ball = ball(workbench);
         let size = [rect.width(), rect.height()].map(f64::from);
-        let [low, high] = camera.bounds(&ball, size);
+        let ball = ball(workbench);
+        let [mut low, mut high] = camera.bounds(&ball, size);
+        // The plot's coordinates are those of the measuring frame.
+        let (facing, base) = (workbench.facing(), workbench.base());
+        let shift = facing.flat(base.translation.vector.into());
+        for k in 0..2 {
+            low[k] += shift[k];
+            high[k] += shift[k];
+        }
         Self {
-            facing: camera.facing(),
+            facing,
+            base,
             points_per_mm: camera.points_per_mm(&ball, size),
             transform: PlotTransform::new(rect, PlotBounds::from_min_max(low, high), false),
             ball,
         }
     }
 
-    fn screen(&self, p: [f64; 3]) -> Pos2 {
-        let [x, y] = self.facing.flat(p);
+    /// Where a point of the base frame is on the screen.
+    pub(super) fn screen(&self, p: [f64; 3]) -> Pos2 {
+        self.measured(self.base * Point3::from(p))
+    }
+
+    /// Where a point of the measuring frame is.
+    fn measured(&self, p: Point3<f64>) -> Pos2 {
+        self.seen(self.facing.flat(p.into()))
+    }
+
+    /// Where a point of the scene is, mm to the right and up.
+    pub(super) fn seen(&self, [x, y]: [f64; 2]) -> Pos2 {
         self.transform.position_from_point(&PlotPoint::new(x, y))
     }
 
@@ -148,7 +170,14 @@ fn drawn(
     grid(&mut shapes, &space.ball, &screen, palette);
     path(&mut shapes, transform, scene, palette);
     if let Some(robot) = robot {
-        robot::beneath(&mut shapes, transform, robot, palette);
+        let pen = Pen {
+            facing: &space.facing,
+            points_per_mm: space.points_per_mm,
+            screen: |p| space.measured(p),
+            palette,
+            base: [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| space.base.rotation * axis),
+        };
+        super::robot::beneath(&mut shapes, robot, transform, &pen);
     }
     if let Canvas::Layers(_) = view.canvas {
         shapes.push(cloud(
@@ -235,38 +264,137 @@ fn proposed(
 
 /// The frames of base, tool and instrument.
 fn frames(ui: &Ui, workbench: &Workbench, robot: Option<&Drawn>, space: &Space, palette: &Palette) {
-    let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let screen = |p: [f64; 3]| space.screen(p);
-    let show = |triad: &Triad<'_>| {
+    let screen = |p: [f64; 3]| space.measured(Point3::from(p));
+    let show = |name: &str, at: Isometry3<f64>| {
+        let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let triad = Triad {
+            at_mm: at.translation.vector.into(),
+            axes: axes.map(|axis| (at.rotation * axis).into()),
+            name,
+        };
         frame(
             ui,
-            triad,
+            &triad,
             &space.facing,
             space.points_per_mm,
             &screen,
             palette,
         );
     };
-    show(&Triad {
-        at_mm: [0.0; 3],
-        axes: unit,
-        name: "base",
-    });
+    show("base", space.base);
     let session = &workbench.subject().session;
     if let Some(robot) = robot.filter(|r| r.asked_for) {
-        let tool = session.robot.base_from_tool(&robot.q);
-        show(&Triad {
-            at_mm: tool.translation.vector.into(),
-            axes: unit.map(|axis| (tool.rotation * nalgebra::Vector3::from(axis)).into()),
-            name: "tool",
-        });
+        show("tool", space.base * session.robot.base_from_tool(&robot.q));
     }
-    // A tracker that stands aside is seen from farther away.
-    if let Some(tracker) = &session.instrument.tracker {
-        show(&Triad {
-            at_mm: tracker.position_mm.coords.into(),
-            axes: unit,
-            name: &session.instrument.name,
-        });
+    let instrument = &session.instrument;
+    let stands = instrument.tracker.map(|tracker| tracker.position_mm.coords);
+    if let Some(at) = stands.or(workbench.found_base().map(|_| Vector3::zeros())) {
+        // A tracker that stands aside is seen from farther away.
+        show(
+            &instrument.name,
+            Isometry3::from_parts(at.into(), nalgebra::UnitQuaternion::identity()),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::core::edit::Edit;
+    use crate::gui::testing::workbench;
+
+    /// An arm measured by a tracker that stands in a frame of its own.
+    fn arm() -> Workbench {
+        let mut workbench = workbench();
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+        workbench.execute(Command::OpenFile(file.into()));
+        workbench.receive();
+        assert!(workbench.view().in_space(), "no plane shows several joints");
+        workbench
+    }
+
+    #[test]
+    fn once_it_is_identified_the_robot_stands_where_its_targets_were_measured() {
+        let mut workbench = arm();
+        let far = |workbench: &Workbench| {
+            let drawn = Drawn::of(workbench).expect("there are samples");
+            let (tool, sample) = (drawn.corners_mm[13], drawn.sample.expect("one of them"));
+            (tool - Point3::from(workbench.subject().measured(sample))).norm()
+        };
+        assert!(far(&workbench) > 1000.0);
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        assert!(far(&workbench) < 20.0, "{}", far(&workbench));
+        // z of the base is up although the tracker leans.
+        let up = workbench.base().rotation * Vector3::z();
+        assert!(workbench.facing().flat(up.into())[0].abs() < 1e-9);
+        // Vectors are as long as what is left can be read, and the frame's error is not drawn.
+        let scene = Scene::of(&workbench);
+        assert!(scene.magnification > 100.0 && !scene.look.ghosts());
+        // The plane stays in the measuring frame.
+        workbench.execute(Command::Look(crate::gui::view::Plane::Xy));
+        assert_eq!(workbench.base(), Isometry3::identity());
+    }
+
+    #[test]
+    fn everything_is_in_sight_until_somebody_looks_closer() {
+        let mut workbench = arm();
+        workbench.execute(Command::Edit(Edit::Identify));
+        workbench.receive();
+        let rect = Rect::from_min_size(egui::pos2(20.0, 30.0), vec2(500.0, 320.0));
+        for _ in 0..6 {
+            let turned = workbench.view().camera.orbited([61.0, 17.0]);
+            workbench.execute(Command::Turn(turned));
+            let space = Space::new(&workbench, rect);
+            let subject = workbench.subject();
+            for sample in 0..subject.len() {
+                let at = space.measured(Point3::from(subject.measured(sample)));
+                assert!(rect.contains(at), "{at:?}");
+            }
+            assert!(rect.contains(space.screen([0.0; 3])));
+        }
+        let closer = workbench.view().camera.zoomed(20.0, [0.0; 2]);
+        workbench.execute(Command::Turn(closer));
+        workbench.execute(Command::FitWorkspace);
+        assert_eq!(workbench.view().camera.zoom, 1.0);
+    }
+
+    #[test]
+    fn a_posed_robot_stands_there_until_a_sample_is_chosen_or_the_robot_is_another() {
+        let mut workbench = arm();
+        let pose = vec![0.1, -0.2, 0.3, 0.0, 0.5, 0.0];
+        workbench.execute(Command::Pose(Some(pose.clone())));
+        let drawn = Drawn::of(&workbench).expect("a robot");
+        assert!(drawn.q == pose && drawn.asked_for && drawn.real.is_none());
+        assert!(
+            drawn.says().starts_with("robot as posed"),
+            "{}",
+            drawn.says()
+        );
+        workbench.execute(Command::Select(Some(3)));
+        assert_eq!(Drawn::of(&workbench).expect("a robot").sample, Some(3));
+        workbench.execute(Command::Pose(Some(pose)));
+        workbench.execute(Command::Pose(Some(vec![0.0])));
+        assert_eq!(
+            workbench.view().pose,
+            None,
+            "one value is no pose of six joints"
+        );
+    }
+
+    #[test]
+    fn a_slider_reaches_over_the_limits_or_what_was_measured() {
+        let workbench = arm();
+        let session = &workbench.subject().session;
+        for (k, joint) in session.robot.joints.iter().enumerate() {
+            let [low, high] = joints::range(&workbench, k);
+            assert!(low < high);
+            if let Some(limits) = joint.limits {
+                assert_eq!([low, high], [limits.from, limits.to]);
+            } else {
+                let q = &session.samples.q[k];
+                assert!(q.iter().all(|v| (low..=high).contains(v)));
+            }
+        }
     }
 }

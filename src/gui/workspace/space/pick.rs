@@ -110,7 +110,7 @@ mod tests {
                 workbench.execute(Command::LookFrom(None));
                 workbench.execute(Command::Turn(camera));
                 let scene = Scene::of(&workbench);
-                let facing = workbench.view().facing();
+                let facing = workbench.facing();
                 let subject = workbench.subject();
                 for sample in subject.overview.usable.iter().map(|s| *s as usize) {
                     let p = subject.measured(sample);
