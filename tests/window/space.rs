@@ -1,6 +1,8 @@
 //! The workspace in three dimensions as a person uses it: mouse, keys, sliders, picture.
 
-use crate::window::{Window, choose, keys, press, says, there, wheel, window, window_of};
+use crate::window::{
+    Window, choose, keys, middle_of, press, says, there, wheel, window, window_of,
+};
 use egui::{Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use truepose::gui::Runner;
@@ -44,7 +46,15 @@ fn drag(window: &mut Window, button: PointerButton, modifiers: Modifiers, by: eg
     window.run_steps(2);
 }
 
-/// The sample under the pointer, found by going over the view.
+/// The card of the sample under the pointer.
+fn card(window: &Window) -> Option<String> {
+    let card = window
+        .query_all_by_label_contains("card of sample")
+        .next()?;
+    card.accesskit_node().label()
+}
+
+/// The sample under the pointer, and the middle of where it is: found by going over the view.
 fn find(window: &mut Window) -> Option<(Pos2, String)> {
     let all = rect(window);
     for row in 1..24_u8 {
@@ -53,9 +63,10 @@ fn find(window: &mut Window) -> Option<(Pos2, String)> {
             let at = all.min + part * all.size();
             window.hover_at(at);
             window.run_steps(2);
-            if let Some(card) = window.query_all_by_label_contains("card of sample").next() {
-                let label = card.accesskit_node().label()?;
-                let sample = label["card of ".len()..].split(':').next()?.to_owned();
+            if let Some(says) = card(window) {
+                let at = middle_of(window, at, card);
+                let says = card(window).unwrap_or(says);
+                let sample = says["card of ".len()..].split(':').next()?.to_owned();
                 return Some((at, sample));
             }
         }
@@ -105,25 +116,24 @@ fn dragging_orbits_and_with_shift_or_the_middle_button_moves() {
     );
     let turned = name(&window);
     assert!(turned.contains("seen from azimuth"), "{turned}");
-    // From the direction it came, by 0.008 rad for each point.
     keys(&mut window, Modifiers::NONE, Key::Num0);
     let (before, sample) = find(&mut window).expect("samples");
     for (button, modifiers) in [
         (PointerButton::Middle, Modifiers::NONE),
         (PointerButton::Primary, Modifiers::SHIFT),
     ] {
-        drag(&mut window, button, modifiers, vec2(60.0, -40.0));
+        drag(&mut window, button, modifiers, vec2(60.0, 40.0));
         assert!(
             name(&window).ends_with("isometric view"),
             "the direction stays"
         );
-        window.hover_at(before + vec2(60.0, -40.0));
+        window.hover_at(before + vec2(60.0, 40.0));
         window.run_steps(2);
         assert!(
             says(&window, &format!("card of {sample}:")),
             "it went along"
         );
-        drag(&mut window, button, modifiers, vec2(-60.0, 40.0));
+        drag(&mut window, button, modifiers, vec2(-60.0, -40.0));
     }
 }
 
@@ -132,7 +142,7 @@ fn the_wheel_zooms_about_the_pointer_and_a_double_click_or_home_fits() {
     let mut window = in_space();
     let (at, sample) = find(&mut window).expect("samples");
     let here = format!("card of {sample}:");
-    wheel(&mut window, at, 3.0);
+    wheel(&mut window, at, 1.0);
     window.hover_at(at);
     window.run_steps(2);
     assert!(
@@ -152,6 +162,10 @@ fn the_wheel_zooms_about_the_pointer_and_a_double_click_or_home_fits() {
     window.run_steps(2);
     assert!(says(&window, &here), "Home shows everything again");
     wheel(&mut window, away, 6.0);
+    // Frames are a quarter of a second apart.
+    window
+        .ctx
+        .options_mut(|o| o.input_options.max_double_click_delay = 2.0);
     for _ in 0..2 {
         window.drag_at(away);
         window.drop_at(away);
@@ -204,15 +218,15 @@ fn the_keyboard_turns_the_view_that_has_the_focus() {
 fn sliders_pose_the_robot_and_a_sample_takes_it_back() {
     let mut window = window_of([1280.0, 800.0], Some(ARM.into()), Runner::AtOnce);
     assert!(
-        !there(&window, "Joint 1, j1"),
+        !there(&window, "Pose of joint 1, j1"),
         "they are shut until they are wanted"
     );
     press(&mut window, "Pose the robot");
     for joint in 1..=6 {
-        assert!(there(&window, &format!("Joint {joint}, j{joint}")));
+        assert!(there(&window, &format!("Pose of joint {joint}, j{joint}")));
     }
     assert!(!there(&window, "Back to sample"));
-    window.get_by_label("Joint 2, j2").focus();
+    window.get_by_label("Pose of joint 2, j2").focus();
     window.run_steps(2);
     keys(&mut window, Modifiers::NONE, Key::ArrowRight);
     assert!(says(&window, "robot as posed: j1"));

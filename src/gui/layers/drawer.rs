@@ -11,7 +11,7 @@ use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
 
 use super::frame::Frame;
 use super::pipelines::{SAMPLE, columns, pipeline, pipeline_layout, shader};
-use super::space::Space;
+use super::target::Space;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 use crate::gui::cache::heat::Heat;
 

@@ -20,6 +20,7 @@ mod gpu;
 mod pipelines;
 mod shapes;
 mod space;
+mod target;
 #[cfg(test)]
 mod tests;
 

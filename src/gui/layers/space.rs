@@ -10,105 +10,8 @@ use egui_wgpu::wgpu::{self, Device, Queue};
 use egui_wgpu::{Callback, CallbackResources, CallbackTrait, ScreenDescriptor};
 
 use super::drawer::Drawer;
-use super::frame::Frame;
 use super::gpu::CloudLayer;
-use super::pipelines::DEPTH;
-
-/// What stays from frame to frame for the view in space.
-pub(super) struct Space {
-    pub(super) marks: wgpu::RenderPipeline,
-    pub(super) ghosts: wgpu::RenderPipeline,
-    pub(super) arrows: wgpu::RenderPipeline,
-    pub(super) copy: wgpu::RenderPipeline,
-    pub(super) format: wgpu::TextureFormat,
-    pub(super) target: Option<Target>,
-    /// What was drawn last.
-    pub(super) drawn: Option<Drawn>,
-}
-
-/// What a picture follows from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Drawn {
-    frame: Frame,
-    counts: [usize; 2],
-    ghosts: bool,
-    uploads: u64,
-}
-
-/// The picture, and how near each pixel of it is.
-pub(super) struct Target {
-    size: [u32; 2],
-    picture: wgpu::TextureView,
-    depth: wgpu::TextureView,
-    group: wgpu::BindGroup,
-}
-
-impl Target {
-    fn new(
-        device: &Device,
-        layout: &wgpu::BindGroupLayout,
-        size: [u32; 2],
-        format: wgpu::TextureFormat,
-    ) -> Self {
-        let texture = |format, usage| {
-            let texture = device.create_texture(&wgpu::TextureDescriptor {
-                label: Some("samples in space"),
-                size: wgpu::Extent3d {
-                    width: size[0],
-                    height: size[1],
-                    depth_or_array_layers: 1,
-                },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
-                view_formats: &[],
-            });
-            texture.create_view(&wgpu::TextureViewDescriptor::default())
-        };
-        let picture = texture(format, wgpu::TextureUsages::TEXTURE_BINDING);
-        let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("samples in space"),
-            layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: wgpu::BindingResource::TextureView(&picture),
-            }],
-        });
-        Self {
-            size,
-            depth: texture(DEPTH, wgpu::TextureUsages::empty()),
-            picture,
-            group,
-        }
-    }
-
-    /// A pass that begins with an empty picture.
-    fn begin<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
-        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("samples in space"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.picture,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &self.depth,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            ..Default::default()
-        })
-    }
-}
+use super::target::{Drawn, Target};
 
 /// Error vectors and measured points by their depth.
 pub(crate) struct SpaceLayer(pub(crate) CloudLayer);
@@ -189,7 +92,7 @@ impl CallbackTrait for SpaceLayer {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::frame::{Look, scale_at};
+    use super::super::frame::{Frame, Look, scale_at};
     use super::super::tests::{as_parts, can_draw, drawn, frame, look, transform};
     use super::*;
     use crate::gui::cache::cloud::{Cloud, Place};

@@ -11,6 +11,7 @@ mod layers;
 mod layout;
 mod legend;
 mod model;
+mod notes;
 mod paint;
 mod pointer;
 mod polar;

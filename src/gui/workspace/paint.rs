@@ -1,7 +1,7 @@
 //! The workspace plot in egui.
 
 use egui::{Role, Ui, WidgetInfo};
-use egui_plot::{Axis, PlotTransform};
+use egui_plot::Axis;
 
 use crate::gui::plots::{Drawing, axis, gestures, steps};
 use crate::gui::style::tokens::Palette;
@@ -10,13 +10,11 @@ use crate::gui::workbench::{Command, Workbench};
 
 use super::drawn::{arrows, emphasis, names_of_regions, path, points, ring, sectors};
 use super::model::Scene;
-use super::pointer::{hover, marked};
+use super::notes::Notes;
+use super::pointer::{REACH, hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
 use super::{handles, label_layout, layers, layout, legend, toolbar};
-
-/// A sample is under the pointer within this many points.
-pub(super) const REACH: f32 = 14.0;
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
@@ -144,35 +142,5 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     hover(&response, workbench, under, commands);
     if editing && let Some(dial) = &scene.dial {
         handles::show(ui, workbench, dial, &transform, commands);
-    }
-}
-
-/// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
-/// from the plot's size: the legend says what the frame before found.
-pub(super) struct Notes {
-    id: egui::Id,
-    pub(super) said: Vec<String>,
-}
-
-impl Notes {
-    pub(super) fn recall(ui: &Ui, scene: &Scene) -> Self {
-        let id = ui.scope_id().with("what is not drawn");
-        let said = if scene.canvas == Canvas::Shapes {
-            scene.notes()
-        } else {
-            ui.data(|data| data.get_temp(id)).unwrap_or_default()
-        };
-        Self { id, said }
-    }
-
-    pub(super) fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
-        if scene.canvas == Canvas::Shapes {
-            return;
-        }
-        let now = layout::drawn(scene, layout::counts(scene, transform));
-        if now != self.said {
-            ui.data_mut(|data| data.insert_temp(self.id, now));
-            ui.ctx().request_repaint();
-        }
     }
 }

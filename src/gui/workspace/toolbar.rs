@@ -39,12 +39,17 @@ pub(crate) fn show(
     let around = measured && view.polar();
     let blends = drawn && workbench.answer().is_some();
     let room = ui.available_size();
-    let roomy = room.x > ROOMY && beside.is_none();
     let fold = match room {
         _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW => Fold::Tight,
         _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
         _ => Fold::Open,
     };
+    let least = if fold == Fold::Tight {
+        ROOMY_FOLDED
+    } else {
+        ROOMY
+    };
+    let roomy = room.x > least && beside.is_none();
     if let Some(beside) = beside {
         widgets::row(ui, |ui| {
             beside(ui, workbench, commands);
@@ -143,9 +148,11 @@ pub(crate) fn show(
 }
 
 /// With less room the plot has no title, and before and after stand in a row of their own, points.
-const TITLED: f32 = 400.0;
-const WITH_BLEND: f32 = 540.0;
+const TITLED: f32 = 440.0;
+const WITH_BLEND: f32 = 590.0;
 const ROOMY: f32 = 420.0;
+/// The same with a button for how anything is drawn.
+const ROOMY_FOLDED: f32 = 570.0;
 /// With less room what is seldom changed stands behind a button, points.
 const WIDE: f32 = 590.0;
 /// The same in space, where there is more of it, and below which all of it does.
@@ -221,6 +228,8 @@ fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut blend = workbench.view().blend;
+    // Beside the switch of views in a narrow bar.
+    let narrow = ui.available_width() < 320.0;
     let palette = Palette::of(ui);
     let end = |ui: &mut Ui, text: &str, shown: bool| {
         let text = RichText::new(text).size(size::SMALL);
@@ -232,7 +241,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ui.label(text);
     };
     end(ui, "after", blend >= 1.0);
-    fine(ui, 64.0);
+    fine(ui, if narrow { 44.0 } else { 64.0 });
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx()
         .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));

@@ -47,6 +47,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
         }
     });
     ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.spacing_mut().interact_size.y = 16.0;
         for (k, (joint, q)) in joints.iter().zip(now).enumerate() {
             caption(
                 ui,
@@ -57,7 +59,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &m
             fine(ui, ui.available_width());
             let slider = Slider::new(&mut next, low.min(*q)..=high.max(*q)).show_value(false);
             let slider = ui.add(slider);
-            let name = format!("Joint {}, {}", k + 1, joint.name);
+            let name = format!("Pose of joint {}, {}", k + 1, joint.name);
             ui.ctx()
                 .accesskit_node_builder(slider.id, |node| node.set_label(name));
             if slider.changed() && next != *q {

@@ -16,8 +16,8 @@ use crate::gui::workbench::{Command, Workbench};
 
 use super::super::drawn::{arrows, emphasis, path, points, ring};
 use super::super::model::{Scene, ball};
-use super::super::paint::{Notes, REACH};
-use super::super::pointer::{hover, marked};
+use super::super::notes::Notes;
+use super::super::pointer::{REACH, hover, marked};
 use super::super::robot::{self, Drawn};
 use super::super::{label_layout, layout, legend};
 use super::ground::{Triad, frame, grid, square_mm};
