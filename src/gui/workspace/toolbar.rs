@@ -65,32 +65,13 @@ pub(crate) fn show(
         if ui.available_width() > least && beside.is_none() {
             title(ui, "Workspace");
         }
-        let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
-        let [space, polar] = [Aspect::Space, Aspect::Around].map(|aspect| (aspect, view.plane));
-        let views = [
-            planes[0],
-            planes[1],
-            planes[2],
-            (space, "3-D"),
-            (polar, "polar"),
-        ];
-        match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
-            Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
-            Some((Aspect::Space, _)) => commands.push(Command::LookFrom(None)),
-            Some((Aspect::Around, _)) => commands.push(Command::LookAround),
-            None => {}
-        }
+        ways(ui, workbench, commands);
         if around && fold == Fold::Open {
             component(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if measured {
-                let plot = match view.aspect {
-                    Aspect::Plane => Plot::Workspace,
-                    Aspect::Space => Plot::Space,
-                    Aspect::Around => Plot::Polar,
-                };
-                picture(ui, plot, commands);
+                picture(ui, plot_of(view.aspect), commands);
             }
             gestures::fit(ui, "Fit to view", Command::FitWorkspace, commands);
             if around && fold == Fold::Open {
@@ -144,6 +125,34 @@ pub(crate) fn show(
                 blend(ui, workbench, commands);
             });
         });
+    }
+}
+
+/// The ways to look at the workspace.
+fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let view = workbench.view();
+    let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
+    let [space, polar] = [Aspect::Space, Aspect::Around].map(|aspect| (aspect, view.plane));
+    let views = [
+        planes[0],
+        planes[1],
+        planes[2],
+        (space, "3-D"),
+        (polar, "polar"),
+    ];
+    match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
+        Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
+        Some((Aspect::Space, _)) => commands.push(Command::LookFrom(None)),
+        Some((Aspect::Around, _)) => commands.push(Command::LookAround),
+        None => {}
+    }
+}
+
+fn plot_of(aspect: Aspect) -> Plot {
+    match aspect {
+        Aspect::Plane => Plot::Workspace,
+        Aspect::Space => Plot::Space,
+        Aspect::Around => Plot::Polar,
     }
 }
 
@@ -296,7 +305,7 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let options = [(Some(before), "before"), (Some(left), "after")];
     match widgets::segmented(ui, &options, Some(now)) {
         Some(Some(factor)) if factor == readable(workbench) => {
-            commands.push(Command::Magnify(None))
+            commands.push(Command::Magnify(None));
         }
         Some(factor) => commands.push(Command::Magnify(factor)),
         None => {}

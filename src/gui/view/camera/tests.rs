@@ -51,23 +51,17 @@ fn standard_views_show_the_axes_that_their_names_say() {
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| facing.flat(axis))
     };
     let [x, y, z] = seen(Standard::Top);
-    (
-        near(x, [1.0, 0.0]),
-        near(y, [0.0, 1.0]),
-        near(z, [0.0, 0.0]),
-    );
+    near(x, [1.0, 0.0]);
+    near(y, [0.0, 1.0]);
+    near(z, [0.0, 0.0]);
     let [x, y, z] = seen(Standard::Front);
-    (
-        near(x, [0.0, 0.0]),
-        near(y, [1.0, 0.0]),
-        near(z, [0.0, 1.0]),
-    );
+    near(x, [0.0, 0.0]);
+    near(y, [1.0, 0.0]);
+    near(z, [0.0, 1.0]);
     let [x, y, z] = seen(Standard::Side);
-    (
-        near(x, [1.0, 0.0]),
-        near(y, [0.0, 0.0]),
-        near(z, [0.0, 1.0]),
-    );
+    near(x, [1.0, 0.0]);
+    near(y, [0.0, 0.0]);
+    near(z, [0.0, 1.0]);
     let lengths = seen(Standard::Isometric).map(|[a, b]| a.hypot(b));
     assert!(
         lengths.iter().all(|l| (l - lengths[0]).abs() < 1e-12),

@@ -299,6 +299,20 @@ fn look(random: &mut ChaCha8Rng) -> Command {
     }
 }
 
+/// Another way to look at the workspace, or another pose of its robot.
+fn way_to_look(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..4) {
+        0 => Command::LookAround,
+        1 => Command::LookFrom(one_of(random, &Standard::ALL).copied()),
+        2 => Command::Turn(Camera {
+            azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
+            zoom: pick(random, &[1.0, -2.0, 1e300]),
+            ..Camera::default()
+        }),
+        _ => Command::Pose(one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned()),
+    }
+}
+
 /// A command of any kind but those that ask the system.
 pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Files) -> Command {
     let sample = |random: &mut ChaCha8Rng| {
@@ -375,16 +389,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         134 | 135 => Command::Chart(chart(random)),
         152 => Command::ChartJoint(random.random_range(0..7)),
         153 => Command::ShowEffect(random.random_range(0..4)),
-        154 => match random.random_range(0..4) {
-            0 => Command::LookAround,
-            1 => Command::LookFrom(one_of(random, &Standard::ALL).copied()),
-            2 => Command::Turn(Camera {
-                azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
-                zoom: pick(random, &[1.0, -2.0, 1e300]),
-                ..Camera::default()
-            }),
-            _ => Command::Pose(one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned()),
-        },
+        154 => way_to_look(random),
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137..=139 => Command::Prefer(preferences(random)),
