@@ -6,6 +6,9 @@
 //! follow in the background as they do in the window; beside it what counting the samples of the
 //! regions one by one takes, which a frame must not do.
 //!
+//! The rows "in 3-D" are the same window with the workspace in three dimensions, where each frame looks
+//! for the nearest of the samples that are drawn.
+//!
 //! The pointer is on the plot and moves, so that the nearest sample is searched in every frame. With
 //! 10⁶ samples `egui_plot`'s arrows could not even be drawn: their index buffer is too long.
 
@@ -287,6 +290,32 @@ fn drag(group: &mut BenchmarkGroup<'_, WallTime>) {
     group.bench_function(name, |bencher| bencher.iter(|| window.dragged()));
 }
 
+/// The same window in 3-D: the pointer moves, and the camera orbits.
+fn in_space(group: &mut BenchmarkGroup<'_, WallTime>, window: &mut Window, samples: usize) {
+    window.frame(vec![Event::Key {
+        key: Key::Num5,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::COMMAND | Modifiers::SHIFT,
+    }]);
+    window.frame(Vec::new());
+    let moves = median_ms(101, || window.moved());
+    window.frame(vec![Event::PointerMoved(pos2(560.0, 330.0))]);
+    window.frame(vec![Event::PointerButton {
+        pos: pos2(560.0, 330.0),
+        button: PointerButton::Primary,
+        pressed: true,
+        modifiers: Modifiers::NONE,
+    }]);
+    let orbits = median_ms(101, || window.moved());
+    eprintln!(
+        "{samples} samples in 3-D: the pointer moves {moves:.2} ms, the camera orbits {orbits:.2} ms"
+    );
+    let name = BenchmarkId::new("the camera orbits in 3-D", samples);
+    group.bench_function(name, |bencher| bencher.iter(|| window.moved()));
+}
+
 fn frame_time(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("frame");
     group.sample_size(10);
@@ -304,6 +333,7 @@ fn frame_time(criterion: &mut Criterion) {
         );
         let name = BenchmarkId::new("the whole window", samples);
         group.bench_function(name, |bencher| bencher.iter(|| window.moved()));
+        in_space(&mut group, &mut window, samples);
         let name = BenchmarkId::new("egui_plot's arrows alone", samples);
         group.bench_function(name, |bencher| bencher.iter(|| plain(&ctx, &tails, &tips)));
     }

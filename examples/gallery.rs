@@ -1,7 +1,7 @@
 //! Makes the pictures of the README and of the documentation: drives the window through the walk of
 //! `docs/walk-through.md`, in both themes, and writes what it shows into `docs/pictures`.
 //!
-//! `cargo run --example gallery`
+//! `cargo run --example gallery`; with `-- arm` only the picture of the arm
 //!
 //! It needs something to draw with (Mesa's lavapipe does); without an adapter it says so and writes
 //! nothing.
@@ -19,6 +19,7 @@ mod walk;
 use std::path::{Path, PathBuf};
 
 use egui::Theme;
+use egui_kittest::kittest::Queryable as _;
 use walk::{Window, press, there};
 
 /// Writes pictures of one theme.
@@ -89,6 +90,27 @@ impl Gallery {
         Ok(())
     }
 
+    /// An arm in three dimensions, identified, at the pose of a sample.
+    fn arm(&self) -> anyhow::Result<()> {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+        let mut window = walk::window(self.theme, Some(file.into()));
+        walk::identified(&mut window);
+        let view = window.get_by_label_contains("3-D view, ").rect();
+        for row in 0..60_u8 {
+            let at = view.center_top() + egui::vec2(30.0, f32::from(row) / 60.0 * view.height());
+            window.hover_at(at);
+            window.run_steps(2);
+            if window.query_all_by_label_contains("card of sample").count() > 0 {
+                window.drag_at(at);
+                window.run_steps(1);
+                window.drop_at(at);
+                window.run_steps(3);
+                break;
+            }
+        }
+        self.picture(&mut window, "space")
+    }
+
     /// Other views of the same machine: what is not there in this version is passed over.
     fn views(&self) -> anyhow::Result<()> {
         let mut window = walk::window(self.theme, None);
@@ -119,6 +141,7 @@ fn main() -> anyhow::Result<()> {
         println!("skipped: no adapter to draw with, no picture was written");
         return Ok(());
     }
+    let only_the_arm = std::env::args().any(|argument| argument == "arm");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     // Short names on the sheet, as a person has them who works beside the files.
     std::env::set_current_dir(root.join("sessions/walk-through"))?;
@@ -127,8 +150,11 @@ fn main() -> anyhow::Result<()> {
             folder: root.join("docs/pictures"),
             theme,
         };
-        gallery.walk()?;
-        gallery.views()?;
+        if !only_the_arm {
+            gallery.walk()?;
+            gallery.views()?;
+        }
+        gallery.arm()?;
     }
     Ok(())
 }

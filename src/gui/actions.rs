@@ -9,7 +9,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Room;
 use crate::gui::units::{AngleUnit, LengthUnit};
-use crate::gui::view::{Plane, Sheet, Step, What};
+use crate::gui::view::{Plane, Sheet, Standard, Step, What};
 use crate::gui::workbench::{Command, Workbench};
 
 /// The window as it stands.
@@ -30,7 +30,12 @@ impl Now<'_> {
 
     fn looks_at(self, plane: Plane) -> bool {
         let view = self.workbench.view();
-        view.plane == plane && !view.polar()
+        view.plane == plane && !view.polar() && !view.in_space()
+    }
+
+    fn sees_from(self, from: Standard) -> bool {
+        let view = self.workbench.view();
+        view.in_space() && view.camera.standard() == Some(from)
     }
 }
 
@@ -192,6 +197,8 @@ actions! {
     LOOK_AROUND: SHIFTED, Num4, "deviation around the angle (polar)",
         |_| "Deviation around the angle".into(), |_| Command::LookAround,
         [on(|now| now.workbench.view().polar())];
+    LOOK_IN_SPACE: SHIFTED, Num5, "workspace in 3-D", |_| "Workspace in 3-D".into(),
+        |_| Command::LookFrom(None), [on(|now| now.workbench.view().in_space())];
     FIT: COMMAND, F, "fit the plots' view", |_| "Show everything in the plots".into(),
         |_| Command::Fit;
     FIT_TOO: PLAIN, Home, "the same", |_| String::new(), |_| Command::Fit;
@@ -205,6 +212,15 @@ actions! {
         |_| Command::GoTo(Step::Gap), [on(|now| now.workbench.view().step == Step::Gap)];
     EXPORT: COMMAND, Num5, "step 5, export", |_| Step::Export.name().into(),
         |_| Command::GoTo(Step::Export), [on(|now| now.workbench.view().step == Step::Export)];
+    FROM_ISOMETRIC: PLAIN, Num0, "3-D view, isometric", |_| "3-D view, isometric".into(),
+        |_| Command::LookFrom(Some(Standard::Isometric)),
+        [on(|now| now.sees_from(Standard::Isometric))];
+    FROM_FRONT: PLAIN, Num1, "3-D view from the front", |_| "3-D view from the front".into(),
+        |_| Command::LookFrom(Some(Standard::Front)), [on(|now| now.sees_from(Standard::Front))];
+    FROM_SIDE: PLAIN, Num3, "3-D view from the side", |_| "3-D view from the side".into(),
+        |_| Command::LookFrom(Some(Standard::Side)), [on(|now| now.sees_from(Standard::Side))];
+    FROM_TOP: PLAIN, Num7, "3-D view from above", |_| "3-D view from above".into(),
+        |_| Command::LookFrom(Some(Standard::Top)), [on(|now| now.sees_from(Standard::Top))];
     ABOUT: Modifiers::SHIFT, F1, "about truepose", |_| "About truepose".into(),
         |_| sheet(Sheet::Named("about"));
     WORDS: PLAIN, F1, "glossary", |_| "Glossary".into(), |_| sheet(Sheet::Named("words"));

@@ -164,7 +164,7 @@ impl App {
     /// The same for the picture of a plot: `workspace`, `deviation` or `gap by step`.
     pub fn type_picture_path(&mut self, plot: &str, path: &Path) {
         let chart = crate::gui::charts::find(plot).map(|chart| Plot::Chart(chart.about().id));
-        let others = [Plot::Workspace, Plot::Polar].into_iter();
+        let others = [Plot::Workspace, Plot::Space, Plot::Polar].into_iter();
         if let Some(plot) = others.chain(chart).find(|p| p.name() == plot) {
             self.type_path(What::Picture(plot), path);
         }

@@ -36,5 +36,6 @@ mod report;
 mod session;
 mod setup;
 mod sizes;
+mod space;
 mod walk_through;
 mod workspace;

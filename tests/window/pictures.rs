@@ -156,3 +156,24 @@ fn the_compensation_of_a_program_in_light() {
     window.run_steps(4);
     looks_like(&mut window, "compensation-light");
 }
+
+/// An arm in three dimensions, identified.
+fn an_arm_in_space(theme: Theme, name: &str) {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/arms/six-60.json");
+    let Some(mut window) = window(theme, Some(file.into())) else {
+        return;
+    };
+    press(&mut window, "3 Identify");
+    press(&mut window, "Identify");
+    looks_like(&mut window, name);
+}
+
+#[test]
+fn an_arm_in_space_in_light() {
+    an_arm_in_space(Theme::Light, "space-light");
+}
+
+#[test]
+fn an_arm_in_space_in_dark() {
+    an_arm_in_space(Theme::Dark, "space-dark");
+}

@@ -1,6 +1,9 @@
 //! What an identification answers.
 
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+
 use crate::compensation::Verification;
+use crate::effects::Role;
 use crate::fit::Identification;
 use crate::model::Calibration;
 
@@ -32,5 +35,22 @@ impl Answer {
     /// What is left of a sample's deviation, mm.
     pub(crate) fn deviation_after(&self, sample: usize) -> [f64; 3] {
         std::array::from_fn(|axis| self.after_mm[axis][sample])
+    }
+
+    /// The pose of the base in the measuring frame (of the first setup) as it was identified, where
+    /// the instrument was never brought into the base frame: turned by more than 0.02 rad or moved
+    /// by more than `far_mm`. Points of the base frame become points of the measuring frame.
+    pub(crate) fn measuring_from_base(&self, far_mm: f64) -> Option<Isometry3<f64>> {
+        const TURNED: f64 = 0.02;
+        let mut terms = self.calibration.model.terms().iter();
+        let frame = terms.find(|t| t.effect.about().role == Role::FreeFrame && t.setting == 0.0)?;
+        let [a, b, c, x, y, z] = frame.coefficients[..] else {
+            return None;
+        };
+        let turn = Vector3::new(a, b, c);
+        let shift = Vector3::new(x, y, z);
+        let far = turn.norm() > TURNED || shift.norm() > far_mm;
+        let rotation = UnitQuaternion::from_scaled_axis(turn);
+        far.then(|| Isometry3::from_parts(Translation3::from(shift), rotation))
     }
 }

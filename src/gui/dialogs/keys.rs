@@ -13,9 +13,10 @@ use super::ends::done;
 pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     ui.set_width(600.0);
     widgets::heading(ui, "Keyboard and mouse");
-    let others: [(&str, &str); 6] = [
+    let others: [(&str, &str); 7] = [
         ("← →", "move the boundary that has the focus"),
         ("Shift+← →", "move it further"),
+        ("← → ↑ ↓ + −", "orbit and zoom the 3-D view that has the focus"),
         ("Tab, Shift+Tab", "next control, the one before"),
         ("Space or Enter", "press it"),
         ("Ctrl++, Ctrl+−, Ctrl+0", "larger, smaller, usual text"),

@@ -32,10 +32,12 @@ fn drawn(corner: u32, from_mm: vec3f, vector: vec3f, width_pt: f32, color: vec4f
     let half = 0.5 * max(head, width) + 1.0;
     let place = CORNERS[corner];
     let local = vec2f(mix(-1.0, length_px + 1.0, place.x), half * place.y);
-    arrow.position = clip_of(tail + local.x * u + local.y * v);
+    let tip = from_mm + vector * frame.shown.y;
+    let depth = mix(depth_of(from_mm), depth_of(tip), place.x);
+    arrow.position = clip_of(tail + local.x * u + local.y * v, depth);
     arrow.local = local;
     arrow.form = vec3f(length_px, head, width);
-    arrow.color = color;
+    arrow.color = faded(color, depth_of(from_mm));
     return arrow;
 }
 
@@ -84,5 +86,8 @@ fn covered(arrow: Arrow) -> @location(0) vec4f {
     let triangle = max(neck - p.x, side);
     // Both meet at the neck, where each covers the part that the other leaves.
     let coverage = clamp(0.5 - shaft, 0.0, 1.0) + clamp(0.5 - triangle, 0.0, 1.0);
+    if coverage < 0.004 {
+        discard;
+    }
     return output_of(arrow.color, min(coverage, 1.0));
 }

@@ -11,6 +11,7 @@ use egui_wgpu::wgpu::{self, Buffer, BufferUsages, Device, Queue};
 
 use super::frame::Frame;
 use super::pipelines::{SAMPLE, columns, pipeline, pipeline_layout, shader};
+use super::target::Space;
 use crate::gui::cache::cloud::{Cloud, Place, Remainder};
 use crate::gui::cache::heat::Heat;
 
@@ -56,13 +57,17 @@ pub(super) struct Drawer {
     pub(super) ghosts: wgpu::RenderPipeline,
     pub(super) arrows: wgpu::RenderPipeline,
     pub(super) heat_map: wgpu::RenderPipeline,
-    cells_layout: wgpu::BindGroupLayout,
+    /// Of a texture that is read cell by cell.
+    pub(super) cells_layout: wgpu::BindGroupLayout,
     pub(super) cloud_uniform: Uniform,
     pub(super) heat_uniform: Uniform,
     places: (Weak<Cloud>, Vec<Buffer>),
     /// Whose remainder, what remains, and where it is.
     remains: (Weak<Cloud>, Option<Weak<Remainder>>, Vec<Buffer>),
     pub(super) heat: Option<(Weak<Heat>, wgpu::BindGroup)>,
+    /// How often samples or what remains of them were uploaded.
+    pub(super) uploads: u64,
+    pub(super) space: Space,
 }
 
 impl Drawer {
@@ -101,12 +106,26 @@ impl Drawer {
         let arrows = shader(device, &[SAMPLE, include_str!("arrows.wgsl")]);
         let marks = shader(device, &[SAMPLE, include_str!("marks.wgsl")]);
         let heat = shader(device, &[include_str!("heat.wgsl")]);
+        let copy = shader(device, &[include_str!("copy.wgsl")]);
+        let of_samples = |module, vertex, depth| {
+            pipeline(device, &samples, module, vertex, &columns(), format, depth)
+        };
         Self {
             linear: format.is_srgb(),
-            marks: pipeline(device, &samples, &marks, "mark", &columns(), format),
-            ghosts: pipeline(device, &samples, &arrows, "ghost", &columns(), format),
-            arrows: pipeline(device, &samples, &arrows, "arrow", &columns(), format),
-            heat_map: pipeline(device, &map, &heat, "everywhere", &[], format),
+            marks: of_samples(&marks, "mark", false),
+            ghosts: of_samples(&arrows, "ghost", false),
+            arrows: of_samples(&arrows, "arrow", false),
+            heat_map: pipeline(device, &map, &heat, "everywhere", &[], format, false),
+            space: Space {
+                marks: of_samples(&marks, "mark", true),
+                ghosts: of_samples(&arrows, "ghost", true),
+                arrows: of_samples(&arrows, "arrow", true),
+                copy: pipeline(device, &map, &copy, "everywhere", &[], format, false),
+                format,
+                target: None,
+                drawn: None,
+            },
+            uploads: 0,
             cloud_uniform: Uniform::new(device, &uniform),
             heat_uniform: Uniform::new(device, &uniform),
             cells_layout,
@@ -121,6 +140,7 @@ impl Drawer {
             let chunks = cloud.places.chunks(CHUNK);
             let buffers = chunks.map(|chunk| vertices(device, bytemuck::cast_slice(chunk)));
             self.places = (Arc::downgrade(cloud), buffers.collect());
+            self.uploads += 1;
         }
     }
 
@@ -153,6 +173,7 @@ impl Drawer {
             remainder.map(Arc::downgrade),
             buffers,
         );
+        self.uploads += 1;
     }
 
     pub(super) fn upload_heat(&mut self, device: &Device, queue: &Queue, heat: &Arc<Heat>) {
@@ -196,7 +217,7 @@ impl Drawer {
     /// Draws the first `count` samples with this pipeline.
     pub(super) fn draw(
         &self,
-        pass: &mut wgpu::RenderPass<'static>,
+        pass: &mut wgpu::RenderPass<'_>,
         pipeline: &wgpu::RenderPipeline,
         count: usize,
     ) {

@@ -4,12 +4,12 @@ use egui::{Color32, Rect};
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::style::tokens::{Palette, STOPS};
-use crate::gui::view::{Colouring, Plane};
+use crate::gui::view::{Colouring, Facing};
 
 use crate::gui::cache::heat::Heat;
 
 /// Rows of four numbers; `frame.wgsl` names them.
-const ROWS: usize = 16 + STOPS;
+const ROWS: usize = 17 + STOPS;
 
 /// Width of an error vector, points, at any zoom.
 pub(crate) const WIDTH: f32 = 1.6;
@@ -20,12 +20,20 @@ pub(crate) const OUTLINE: f32 = 0.8;
 /// How much of what is beneath the heat map hides.
 pub(crate) const HEAT: f32 = 0.72;
 
+/// How much of its colour what is farthest loses.
+pub(crate) const FADE: f32 = 0.6;
+
 /// What the layers show, and how.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Look {
-    pub(crate) plane: Plane,
+    pub(crate) facing: Facing,
+    /// What is nearer or farther than the middle by no more than this is drawn by its depth, mm;
+    /// `None`: depth does not count.
+    pub(crate) deep_mm: Option<f64>,
     /// The middle of the cloud, mm.
     pub(crate) centre_mm: [f64; 3],
+    /// Whether the deviations before are of another frame, so that they are not shown beside.
+    pub(crate) framed: bool,
     /// From before, 0, to after, 1; 0 without an answer.
     pub(crate) blend: f32,
     pub(crate) answered: bool,
@@ -45,7 +53,8 @@ impl Look {
     /// Whether the deviations before stand pale beside those that are shown: only where no colour
     /// has to be compared with theirs.
     pub(crate) fn ghosts(&self) -> bool {
-        self.answered && self.blend > 0.0 && self.colouring == Colouring::State
+        let both = self.answered && self.blend > 0.0 && !self.framed;
+        both && self.colouring == Colouring::State
     }
 }
 
@@ -63,20 +72,15 @@ impl Frame {
         heat: Option<&Heat>,
         pixels: f32,
     ) -> Self {
-        let [right, up] = look.plane.axes();
-        let axis = |k: usize| {
-            let mut row = [0.0; 4];
-            row[k] = 1.0;
-            row
-        };
-        let middle = [look.centre_mm[right], look.centre_mm[up]];
+        let axis = |[x, y, z]: [f64; 3], last: f64| [x, y, z, last].map(single);
+        let middle = look.facing.flat(look.centre_mm);
         let at = transform.position_from_point(&PlotPoint::new(middle[0], middle[1]));
         let viewport = viewport(*transform.frame(), pixels);
         let [sx, sy] = [transform.dpos_dvalue_x(), transform.dpos_dvalue_y()];
         let tolerance = look.tolerance_mm.map_or(-1.0, single);
         let mut rows = [[0.0; 4]; ROWS];
-        rows[0] = axis(right);
-        rows[1] = axis(up);
+        rows[0] = axis(look.facing.right, 0.0);
+        rows[1] = axis(look.facing.up, 0.0);
         rows[2] = [
             single(sx) * pixels,
             single(sy) * pixels,
@@ -89,7 +93,9 @@ impl Frame {
         rows[4] = [look.blend, single(look.magnification), long, tolerance];
         let answered = if look.answered { 1.0 } else { 0.0 };
         rows[5] = [mode(look.colouring), answered, WIDTH, look.mark];
-        rows[6] = [WEDGE[0], WEDGE[1], HEAT, 0.0];
+        // A colour that stands for a number is the same near and far.
+        let fades = look.deep_mm.is_some() && look.colouring == Colouring::State;
+        rows[6] = [WEDGE[0], WEDGE[1], HEAT, if fades { FADE } else { 0.0 }];
         rows[7][3] = viewport.left();
         rows[8][2] = viewport.top();
         if let Some(heat) = heat {
@@ -115,10 +121,24 @@ impl Frame {
         rows[13] = straight(palette.outside, 1.0);
         rows[14] = straight(palette.surface, 1.0);
         rows[15] = straight(palette.warning, 1.0);
-        for (row, stop) in rows[16..].iter_mut().zip(stops(look.colouring, palette)) {
+        rows[16] = look.deep_mm.map_or([0.0; 4], |deep| {
+            axis(look.facing.towards, 0.5 / deep.max(1e-9))
+        });
+        for (row, stop) in rows[17..].iter_mut().zip(stops(look.colouring, palette)) {
             *row = straight(stop, 1.0);
         }
         Self { rows }
+    }
+
+    /// Width and height of what is drawn on, pixels; at least 1 and at most so many.
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within what a texture can be"
+    )]
+    pub(super) fn size(&self, most: u32) -> [u32; 2] {
+        let [width, height, ..] = self.rows[3];
+        [width, height].map(|side| side.clamp(1.0, most as f32) as u32)
     }
 }
 
@@ -183,7 +203,13 @@ mod tests {
     use crate::gui::style::tokens::LIGHT;
 
     const LOOK: Look = Look {
-        plane: Plane::Xz,
+        facing: Facing {
+            right: [1.0, 0.0, 0.0],
+            up: [0.0, 0.0, 1.0],
+            towards: [0.0, -1.0, 0.0],
+        },
+        deep_mm: None,
+        framed: false,
         centre_mm: [10.0, 20.0, 30.0],
         blend: 0.0,
         answered: false,

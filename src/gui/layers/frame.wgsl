@@ -11,7 +11,8 @@ struct Frame {
     shown: vec4f,
     // What colour says; whether there is an answer; width of vectors, points; size of marks.
     style: vec4f,
-    // Narrowest and widest vector, points; opacity of the heat map.
+    // Narrowest and widest vector, points; opacity of the heat map; how much colour what is farthest
+    // loses.
     style_2: vec4f,
     // The heat map's first cell from the middle of the cloud, mm; cells per mm; the plot's left
     // edge on the screen, pixels.
@@ -25,6 +26,8 @@ struct Frame {
     outside: vec4f,
     surface: vec4f,
     warning: vec4f,
+    // Towards the viewer; what a mm is of the whole depth, 0 where depth does not count.
+    towards: vec4f,
     stops: array<vec4f, 8>,
 }
 
@@ -43,9 +46,20 @@ fn px_of(p: vec3f) -> vec2f {
     return frame.to_px.zw + frame.to_px.xy * flat_of(p);
 }
 
-fn clip_of(px: vec2f) -> vec4f {
+// From 0, nearest to the viewer, to 1.
+fn depth_of(p: vec3f) -> f32 {
+    return clamp(0.5 - frame.towards.w * dot(frame.towards.xyz, p), 0.0, 1.0);
+}
+
+fn clip_of(px: vec2f, depth: f32) -> vec4f {
     let half = px / frame.size.xy;
-    return vec4f(2.0 * half.x - 1.0, 1.0 - 2.0 * half.y, 0.0, 1.0);
+    return vec4f(2.0 * half.x - 1.0, 1.0 - 2.0 * half.y, depth, 1.0);
+}
+
+// A colour at a depth: what is far comes nearer to what it stands on.
+fn faded(color: vec4f, depth: f32) -> vec4f {
+    let part = frame.style_2.w * clamp(2.0 * depth - 0.5, 0.0, 1.0);
+    return vec4f(mix(color.rgb, frame.surface.rgb, part), color.a);
 }
 
 // What nobody sees.

@@ -10,6 +10,7 @@ struct Mark {
     @location(1) @interpolate(flat) kind: vec2f,
     // What it is filled with where colour says something; transparent where nothing is known.
     @location(2) @interpolate(flat) said: vec4f,
+    @location(3) @interpolate(flat) depth: f32,
 }
 
 const CORNERS = array<vec2f, 6>(
@@ -36,7 +37,9 @@ fn mark(@builtin(vertex_index) corner: u32, sample: Sample) -> Mark {
     let marked = sample.suspected > 0.5 && frame.style.y > 0.5;
     let half = select(5.0 * frame.style.w, 8.75, marked) + 1.0;
     mark.local = half * CORNERS[corner];
-    mark.position = clip_of(px_of(sample.at) + mark.local * frame.size.z);
+    let depth = depth_of(sample.at);
+    mark.position = clip_of(px_of(sample.at) + mark.local * frame.size.z, depth);
+    mark.depth = depth;
     mark.kind = vec2f(kind, select(0.0, 1.0, marked));
     return mark;
 }
@@ -56,7 +59,7 @@ fn covered(mark: Mark) -> @location(0) vec4f {
     if mark.kind.x < 1.5 {
         let within = mark.kind.x > 0.5;
         let radius = select(2.6, 2.8, within) * size;
-        let color = select(frame.measured, frame.within, within);
+        let color = faded(select(frame.measured, frame.within, within), mark.depth);
         if colour_says() {
             let fill = output_of(inner, covers(far - radius));
             let stroke = output_of(frame.measured, covers(abs(far - radius) - 0.4 * thin));
@@ -72,5 +75,10 @@ fn covered(mark: Mark) -> @location(0) vec4f {
     }
     let ring = mark.kind.y * covers(abs(far - 8.0) - 0.75);
     let around = output_of(frame.warning, ring);
-    return around + out * (1.0 - around.a);
+    let all = around + out * (1.0 - around.a);
+    // What covers nothing is not in the way of what is behind it.
+    if all.a < 0.004 {
+        discard;
+    }
+    return all;
 }

@@ -10,7 +10,8 @@
 //!   plane), `nearest` (which sample is under the pointer).
 //! - Layout: `frame`: where all of it goes in this frame, as the shaders take it.
 //! - Paint: `gpu` (what egui calls back), `drawer` (what stays on the graphics processor) and `pipelines`
-//!   with `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl` and `heat.wgsl`; `shapes` draws the heat
+//!   with `space` (samples by their depth, in a picture of their own) and `frame.wgsl`, `sample.wgsl`, `arrows.wgsl`, `marks.wgsl`, `heat.wgsl` and
+//!   `copy.wgsl`; `shapes` draws the heat
 //!   map where there is nothing but egui.
 
 mod drawer;
@@ -18,9 +19,12 @@ mod frame;
 mod gpu;
 mod pipelines;
 mod shapes;
+mod space;
+mod target;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use frame::{Frame, Look, OUTLINE, WEDGE, WIDTH, scale_at};
 pub(crate) use gpu::{CloudLayer, HeatLayer, register};
 pub(crate) use shapes::mesh;
+pub(crate) use space::SpaceLayer;

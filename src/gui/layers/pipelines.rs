@@ -43,6 +43,20 @@ pub(super) fn columns() -> [Option<wgpu::VertexBufferLayout<'static>>; 2] {
     ]
 }
 
+/// How near what is drawn in space is.
+pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+fn nearest_first() -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH,
+        depth_write_enabled: Some(true),
+        depth_compare: Some(wgpu::CompareFunction::LessEqual),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+/// A pipeline with this vertex function; where `depth` counts, what is near covers what is far.
 pub(super) fn pipeline(
     device: &Device,
     layout: &wgpu::PipelineLayout,
@@ -50,6 +64,7 @@ pub(super) fn pipeline(
     vertex: &str,
     buffers: &[Option<wgpu::VertexBufferLayout<'_>>],
     format: wgpu::TextureFormat,
+    depth: bool,
 ) -> wgpu::RenderPipeline {
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(vertex),
@@ -61,7 +76,7 @@ pub(super) fn pipeline(
             buffers,
         },
         primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
+        depth_stencil: depth.then(nearest_first),
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module,

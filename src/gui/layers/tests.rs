@@ -21,7 +21,7 @@ use crate::gui::cache::heat::Heat;
 
 const SIZE: Vec2 = egui::vec2(240.0, 160.0);
 
-fn can_draw() -> bool {
+pub(super) fn can_draw() -> bool {
     let instance = egui_wgpu::wgpu::Instance::default();
     let adapters = instance.enumerate_adapters(egui_wgpu::wgpu::Backends::all());
     let found = !pollster::block_on(adapters).is_empty();
@@ -34,18 +34,22 @@ fn can_draw() -> bool {
 }
 
 /// A picture of what is drawn on a surface, red, green and blue from 0 to 1.
-struct Picture {
+pub(super) struct Picture {
     width: usize,
     pixels: Vec<[f64; 3]>,
 }
 
 impl Picture {
-    fn at(&self, x: usize, y: usize) -> [f64; 3] {
+    pub(super) fn at(&self, x: usize, y: usize) -> [f64; 3] {
         self.pixels[y * self.width + x]
     }
 }
 
-fn drawn(pixels: f32, surface: Color32, shape: impl Fn() -> egui::Shape + 'static) -> Picture {
+pub(super) fn drawn(
+    pixels: f32,
+    surface: Color32,
+    shape: impl Fn() -> egui::Shape + 'static,
+) -> Picture {
     let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
     register(&state);
     let mut harness = Harness::builder()
@@ -68,19 +72,21 @@ fn drawn(pixels: f32, surface: Color32, shape: impl Fn() -> egui::Shape + 'stati
 }
 
 /// The frame of the plot: a part of the picture, so that clipping can be seen.
-fn frame() -> Rect {
+pub(super) fn frame() -> Rect {
     Rect::from_min_max(egui::pos2(20.0, 16.0), egui::pos2(220.0, 144.0))
 }
 
 /// Two points to the millimetre, the origin in the middle.
-fn transform() -> PlotTransform {
+pub(super) fn transform() -> PlotTransform {
     let bounds = PlotBounds::from_min_max([-50.0, -32.0], [50.0, 32.0]);
     PlotTransform::new(frame(), bounds, false)
 }
 
-fn look(colouring: Colouring, blend: f32) -> Look {
+pub(super) fn look(colouring: Colouring, blend: f32) -> Look {
     Look {
-        plane: Plane::Xy,
+        facing: Plane::Xy.facing(),
+        deep_mm: None,
+        framed: false,
         centre_mm: [0.0; 3],
         blend,
         answered: true,
@@ -144,7 +150,7 @@ fn coverage(tail: [f64; 2], tip: [f64; 2], width: f64, point: f64, x: usize, y: 
     f64::from(u32::try_from(hits).expect("at most 64")) / (FINE * FINE) as f64
 }
 
-fn as_parts(color: Color32) -> [f64; 3] {
+pub(super) fn as_parts(color: Color32) -> [f64; 3] {
     [color.r(), color.g(), color.b()].map(|c| f64::from(c) / 255.0)
 }
 

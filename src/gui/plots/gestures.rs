@@ -12,11 +12,13 @@ use crate::gui::widgets::sign;
 use crate::gui::workbench::Command;
 
 /// What is done with the mouse, and what it does; the help and the tooltips say the same.
-pub(crate) const GESTURES: [(&str, &str); 5] = [
+pub(crate) const GESTURES: [(&str, &str); 7] = [
     ("wheel, or pinch", "zoom at the pointer"),
     ("Shift and wheel", "zoom along a chart's axis"),
     ("drag", "move"),
     ("drag with the right button", "show a part"),
+    ("drag in the 3-D view", "orbit"),
+    ("Shift or middle button and drag in the 3-D view", "move"),
     ("double click, or Home", "fit the view"),
 ];
 
@@ -67,7 +69,7 @@ fn settle(response: &Response) {
 }
 
 /// How much closer the wheel goes in this frame, along the axis below and upwards.
-fn closer(ctx: &Context) -> Vec2 {
+pub(crate) fn closer(ctx: &Context) -> Vec2 {
     let (scrolled, shift) = ctx.input(|i| (i.smooth_scroll_delta(), i.modifiers.shift));
     if shift {
         // egui turns the wheel sideways with Shift.

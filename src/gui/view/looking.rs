@@ -1,5 +1,7 @@
 //! From where the workspace is looked at, and what its colours say.
 
+use super::camera::Facing;
+
 /// The plane that the workspace is looked at in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Plane {
@@ -32,6 +34,18 @@ impl Plane {
         }
     }
 
+    /// Its axes in the measuring frame.
+    pub(crate) fn facing(self) -> Facing {
+        let unit = |axis: usize, sign: f64| [0, 1, 2].map(|k| if k == axis { sign } else { 0.0 });
+        let [right, up] = self.axes();
+        let sign = if self == Self::Xz { -1.0 } else { 1.0 };
+        Facing {
+            right: unit(right, 1.0),
+            up: unit(up, 1.0),
+            towards: unit(self.normal(), sign),
+        }
+    }
+
     /// The axis that it looks along.
     pub(crate) fn normal(self) -> usize {
         match self {
@@ -48,6 +62,8 @@ pub(crate) enum Aspect {
     /// Where the robot was, in a plane.
     #[default]
     Plane,
+    /// The same in three dimensions.
+    Space,
     /// The deviation around the joint's angle.
     Around,
 }

@@ -1,10 +1,12 @@
 //! How the window looks at the document. Nothing here changes what is saved, and nothing here can
 //! be undone.
 
+mod camera;
 mod looking;
 mod output;
 mod sheet;
 
+pub(crate) use camera::{Ball, Camera, Facing, Standard};
 pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
@@ -117,8 +119,12 @@ pub(crate) struct ViewState {
     pub(crate) step: Step,
     /// The plane of the workspace plot.
     pub(crate) plane: Plane,
-    /// Whether that plane is shown, or the deviation around the joint's angle.
+    /// Whether that plane is shown, the space, or the deviation around the joint's angle.
     pub(crate) aspect: Aspect,
+    /// From where the space is looked at.
+    pub(crate) camera: Camera,
+    /// The joint values that the robot was posed at by hand, rad or mm; `None`: those of a sample.
+    pub(crate) pose: Option<Vec<f64>>,
     /// How much longer than real error vectors are drawn; `None`: so that they are readable.
     pub(crate) magnification: Option<f64>,
     /// From 0, before, to 1, after.
@@ -173,6 +179,20 @@ impl ViewState {
     pub(crate) fn polar(&self) -> bool {
         self.aspect == Aspect::Around
     }
+
+    /// Whether the workspace is looked at in three dimensions.
+    pub(crate) fn in_space(&self) -> bool {
+        self.aspect == Aspect::Space
+    }
+
+    /// The axes of the view of the workspace: in space those in the base frame.
+    pub(crate) fn facing(&self) -> Facing {
+        if self.in_space() {
+            self.camera.facing()
+        } else {
+            self.plane.facing()
+        }
+    }
 }
 
 impl Default for ViewState {
@@ -181,6 +201,8 @@ impl Default for ViewState {
             step: Step::default(),
             plane: Plane::default(),
             aspect: Aspect::default(),
+            camera: Camera::default(),
+            pose: None,
             magnification: None,
             blend: 1.0,
             colouring: Colouring::default(),

@@ -33,6 +33,8 @@ pub(crate) enum Plot {
     Workspace,
     /// The chart of this name, as it is shown.
     Chart(&'static str),
+    /// The same in three dimensions, as it is seen.
+    Space,
     /// A component of the deviation around the joint's angle.
     Polar,
 }
@@ -43,6 +45,7 @@ impl Plot {
         match self {
             Self::Workspace => "workspace",
             Self::Chart(name) => name,
+            Self::Space => "3-D view",
             Self::Polar => "polar",
         }
     }

@@ -9,7 +9,7 @@ use crate::gui::core::document::Document;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::view::Plot;
 use crate::gui::workbench::{Draw, Workbench};
-use crate::gui::workspace::polar_sheet;
+use crate::gui::workspace::{polar_sheet, space_sheet};
 use crate::pipeline::verify;
 use crate::present::chart::{Chart, FULL_WIDTH};
 use crate::present::drawing::{Drawing, Label, MUTED};
@@ -32,6 +32,11 @@ struct Wanted {
 
 /// A plot as it is now, to be drawn in the background.
 pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
+    if plot == Plot::Space {
+        // As it is seen now: few enough to be drawn at once.
+        let sheet = space_sheet(workbench);
+        return Box::new(move || sheet);
+    }
     let shown = workbench.answer().is_some();
     let view = workbench.view();
     let wanted = Wanted {
@@ -42,7 +47,7 @@ pub(crate) fn drawing(workbench: &Workbench, plot: Plot) -> Draw {
         floor_mm: workbench.diagnosis().map(|d| d.floor.mm),
         chart: match plot {
             Plot::Chart(name) => Some(chart(workbench, name)),
-            Plot::Workspace | Plot::Polar => None,
+            Plot::Workspace | Plot::Space | Plot::Polar => None,
         },
     };
     Box::new(move || draw(&wanted))

@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use nalgebra::{Isometry3, Vector3};
+
 use crate::diagnosis::Diagnosis;
 use crate::effects::Term;
 use crate::gui::cache::heat::Heat;
@@ -15,7 +17,7 @@ use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_model::Given;
 use crate::gui::core::search::term_of;
-use crate::gui::view::{Canvas, Step};
+use crate::gui::view::{Canvas, Facing, Step};
 
 use super::Workbench;
 
@@ -87,9 +89,35 @@ impl Workbench {
         self.backdrop().filter(seen)?.nearest.as_deref()
     }
 
+    /// The identified pose of the base in the measuring frame, where the instrument stands in a frame
+    /// of its own: then deviations before are mostly those of the frame.
+    pub(crate) fn found_base(&self) -> Option<Isometry3<f64>> {
+        /// Part of the workspace.
+        const FAR: f64 = 0.05;
+        let far_mm = FAR * self.subject().overview.reach_mm;
+        self.answer()?.measuring_from_base(far_mm)
+    }
+
+    /// Where the base is drawn in the measuring frame: in space as it was identified, once that is
+    /// shown.
+    pub(crate) fn base(&self) -> Isometry3<f64> {
+        let shown = self.view.in_space() && self.view.blend > 0.0;
+        let found = self.found_base().filter(|_| shown);
+        found.unwrap_or_else(Isometry3::identity)
+    }
+
+    /// The axes of the view of the workspace, in the measuring frame. In space z of the base is up.
+    pub(crate) fn facing(&self) -> Facing {
+        let turn = self.base().rotation;
+        self.view
+            .facing()
+            .map(|axis| (turn * Vector3::from(axis)).into())
+    }
+
     /// The heat map, if it is shown. While a newer one is being made it is the one before.
     pub(crate) fn heat(&self) -> Option<&Arc<Heat>> {
-        let seen = |b: &&Backdrop| self.view.heat && b.scenery.plane == self.view.plane;
+        let wanted = self.view.heat && !self.view.in_space();
+        let seen = |b: &&Backdrop| wanted && b.scenery.plane == self.view.plane;
         self.backdrop().filter(seen)?.heat.as_ref()
     }
 
@@ -202,7 +230,7 @@ impl Workbench {
             subject: Arc::clone(self.subject()),
             outcome,
             plane: self.view.plane,
-            heat: self.view.heat,
+            heat: self.view.heat && !self.view.in_space(),
             thins: self.view.canvas == Canvas::Shapes,
             polar: self.view.polar(),
             component: self.view.component,

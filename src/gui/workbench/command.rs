@@ -10,7 +10,9 @@ use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Beside, Said};
 use crate::gui::preferences::Preferences;
-use crate::gui::view::{Canvas, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
+use crate::gui::view::{
+    Camera, Canvas, Colouring, Part, Plane, Sheet, Side, Standard, Step, Then, What,
+};
 
 /// One thing that can be done.
 #[derive(Debug, Clone)]
@@ -110,6 +112,12 @@ pub(crate) enum Command {
     GoTo(Step),
     /// Look at the workspace in this plane.
     Look(Plane),
+    /// Look at the workspace in three dimensions, from this side if one is named.
+    LookFrom(Option<Standard>),
+    /// Look at it from here.
+    Turn(Camera),
+    /// Draw the robot at these joint values, rad or mm; `None`: at a sample.
+    Pose(Option<Vec<f64>>),
     /// Look at the deviation around the joint's angle.
     LookAround,
     /// Draw error vectors so much longer; `None`: so that they are readable.

@@ -50,7 +50,9 @@ use crate::gui::files::Replace;
 use crate::gui::jobs::{Jobs, Kind};
 use crate::gui::style::font_fallback::Letters;
 use crate::gui::units::Units;
-use crate::gui::view::{Aspect, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState};
+use crate::gui::view::{
+    Aspect, Camera, Message, Part, Plane, Plot, Sheet, Side, Step, Then, ViewState,
+};
 use crate::present::drawing::Drawing;
 use crate::sessions::Samples;
 
@@ -240,6 +242,14 @@ impl Workbench {
             Command::Look(plane) => {
                 (view.plane, view.aspect, view.part) = (plane, Aspect::Plane, Part::Workspace);
             }
+            Command::LookFrom(from) => {
+                (view.aspect, view.part) = (Aspect::Space, Part::Workspace);
+                if let Some(from) = from {
+                    view.camera = view.camera.seen_from(from);
+                }
+            }
+            Command::Turn(camera) => view.camera = camera.sound(),
+            Command::Pose(q) => view.pose = q,
             Command::LookAround => (view.aspect, view.part) = (Aspect::Around, Part::Workspace),
             Command::Magnify(factor) => {
                 view.magnification = factor.filter(|f| f.is_finite() && *f > 0.0);
@@ -253,10 +263,12 @@ impl Workbench {
             Command::Hover(sample) => view.hovered = sample,
             Command::Select(sample) => {
                 view.selected = sample;
+                view.pose = None;
                 view.marked.clear();
             }
             Command::Mark(samples) => {
                 view.selected = samples.first().copied();
+                view.pose = None;
                 view.marked = samples;
                 view.side = Side::Samples;
             }
@@ -300,8 +312,14 @@ impl Workbench {
             }
             Command::Type { region, end, text } => self.type_boundary(region, end, text),
             Command::Dismiss => view.message = None,
-            Command::Fit => view.fitted.everywhere(),
-            Command::FitWorkspace => view.fitted.workspace += 1,
+            Command::Fit => {
+                view.fitted.everywhere();
+                view.camera = view.camera.fitted();
+            }
+            Command::FitWorkspace => {
+                view.fitted.workspace += 1;
+                view.camera = view.camera.fitted();
+            }
             Command::Part(part) => view.part = part,
             Command::FitChart => view.fitted.chart += 1,
             _ => {}
@@ -362,12 +380,23 @@ impl Workbench {
         self.view.hovered = self.view.hovered.filter(there);
         self.view.selected = self.view.selected.filter(there);
         self.view.marked.retain(there);
+        let joints = self.subject().session.robot.joint_count();
+        let a_pose = |q: &Vec<f64>| q.len() == joints && q.iter().all(|v| v.is_finite());
+        self.view.pose = self.view.pose.take().filter(a_pose);
     }
 
-    /// Looks at the workspace in the plane in which joint 1 turns.
+    /// Looks at the workspace in the plane in which joint 1 turns; with several joints in space, as
+    /// no plane shows them.
     fn look_along_the_axis(&mut self) {
         let along = self.subject().joint.along;
-        self.view.aspect = Aspect::Plane;
+        let several = self.subject().session.robot.joint_count() > 1;
+        self.view.aspect = if several {
+            Aspect::Space
+        } else {
+            Aspect::Plane
+        };
+        self.view.camera = Camera::default();
+        self.view.pose = None;
         let steepest = (0..3).max_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs()));
         self.view.plane = Plane::ALL
             .into_iter()

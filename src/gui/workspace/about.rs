@@ -97,8 +97,8 @@ pub(crate) fn about(workbench: &Workbench, sample: usize) -> (String, Vec<Line>)
             lines.push((name.to_owned(), format!("{} {unit}", trimmed(value, 2))));
         }
     }
-    let [right, up] = workbench.view().plane.axes();
-    let direction = shown[up].atan2(shown[right]).to_degrees();
+    let [right, up] = workbench.facing().flat(shown);
+    let direction = up.atan2(right).to_degrees();
     lines.push((
         "direction".to_owned(),
         format!("{}°", trimmed(direction, 0)),

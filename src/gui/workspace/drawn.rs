@@ -172,12 +172,11 @@ pub(super) fn emphasis(
     let Some([x, y]) = in_plane(workbench, sample) else {
         return;
     };
-    let [right, up] = workbench.view().plane.axes();
     // Its vector over all others, whatever their colour.
-    let e = shown(workbench, sample);
-    let from = [x - e[right], y - e[up]];
+    let e = workbench.facing().flat(shown(workbench, sample));
+    let from = [x - e[0], y - e[1]];
     let m = scene.magnification;
-    let to = [from[0] + m * e[right], from[1] + m * e[up]];
+    let to = [from[0] + m * e[0], from[1] + m * e[1]];
     let (from, to) = (screen(transform, from), screen(transform, to));
     marks::arrow(
         shapes,
@@ -203,11 +202,11 @@ pub(super) fn ring(
     }
 }
 
-/// Where a sample was measured, in the plane that is looked at, mm; none if it is not usable.
+/// Where a sample was measured, as it is seen, mm; none if it is not usable.
 fn in_plane(workbench: &Workbench, sample: usize) -> Option<[f64; 2]> {
     let subject = workbench.subject();
     let measured = subject.usable[sample].then(|| subject.measured(sample))?;
-    Some(workbench.view().plane.axes().map(|axis| measured[axis]))
+    Some(workbench.facing().flat(measured))
 }
 
 /// Names of regions stand so far from the axis, in parts of the farthest reflector's distance.

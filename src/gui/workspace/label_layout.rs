@@ -15,7 +15,7 @@ const SOME: usize = 500;
 /// Points on the vectors of some samples.
 pub(super) fn crowd(workbench: &Workbench, scene: &Scene, transform: &PlotTransform) -> Vec<Pos2> {
     let subject = workbench.subject();
-    let axes = workbench.view().plane.axes();
+    let facing = workbench.facing();
     let cloud = Cloud::of(subject);
     let samples = cloud.samples.iter().take(SOME);
     let points = samples.flat_map(|sample| {
@@ -23,7 +23,7 @@ pub(super) fn crowd(workbench: &Workbench, scene: &Scene, transform: &PlotTransf
         let (at, e) = (subject.measured(sample), shown(workbench, sample));
         [0.0, 0.5, 1.0].map(|part| {
             let more = part * (scene.magnification - 1.0);
-            let [x, y] = axes.map(|k| at[k] + more * e[k]);
+            let [x, y] = facing.flat([0, 1, 2].map(|k| at[k] + more * e[k]));
             transform.position_from_point(&PlotPoint::new(x, y))
         })
     });

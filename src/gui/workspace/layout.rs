@@ -151,11 +151,10 @@ pub(crate) fn under(
         let reach_mm = f64::from(reach) / transform.dpos_dvalue_x().abs();
         return workbench.nearest()?.find([at.x, at.y], reach_mm);
     }
-    let axes = workbench.view().plane.axes();
+    let facing = workbench.facing();
     let candidates = usable.iter().map(|sample| {
         let sample = *sample as usize;
-        let measured = workbench.subject().measured(sample);
-        let [x, y] = axes.map(|k| measured[k]);
+        let [x, y] = facing.flat(workbench.subject().measured(sample));
         let at = transform.position_from_point(&PlotPoint::new(x, y));
         (sample, [at.x, at.y])
     });

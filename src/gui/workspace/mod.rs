@@ -11,15 +11,18 @@ mod layers;
 mod layout;
 mod legend;
 mod model;
+mod notes;
 mod paint;
 mod pointer;
 mod polar;
 mod robot;
 mod scales;
+mod space;
 mod toolbar;
 
 pub(crate) use layout::nearest;
 pub(crate) use paint::show;
 pub(crate) use pointer::{hover, marked};
 pub(crate) use polar::sheet::sheet as polar_sheet;
+pub(crate) use space::sheet as space_sheet;
 pub(crate) use toolbar::show as bar;

@@ -1,11 +1,14 @@
-//! What the workspace plot shows, in mm of the measuring frame, projected on a plane.
+//! What the workspace plot shows, in mm of the measuring frame, projected on a plane or along the
+//! camera's line of sight.
+
+use nalgebra::Point3;
 
 use crate::gui::cache::cloud::Cloud;
 use crate::gui::cache::decimation::MOST;
 use crate::gui::core::loaded_session::Subject;
 use crate::gui::core::overview::long_mm;
 use crate::gui::layers::Look;
-use crate::gui::view::{Canvas, Colouring, Plane, ViewState};
+use crate::gui::view::{Ball, Canvas, Colouring, Plane};
 use crate::gui::workbench::Workbench;
 
 /// An error vector of a sample.
@@ -99,10 +102,15 @@ pub(crate) struct Scene {
 impl Scene {
     /// The workspace as the workbench has it.
     pub(crate) fn of(workbench: &Workbench) -> Self {
+        Self::on(workbench, workbench.view().canvas)
+    }
+
+    /// The same, drawn by this.
+    pub(crate) fn on(workbench: &Workbench, canvas: Canvas) -> Self {
         let subject = &**workbench.subject();
         let view = workbench.view();
-        let [right, up] = view.plane.axes();
-        let flat = |p: [f64; 3]| [p[right], p[up]];
+        let facing = workbench.facing();
+        let flat = |p: [f64; 3]| facing.flat(p);
         let answer = workbench.answer();
         let look = look(workbench);
         let shown = |sample: usize| shown(workbench, sample);
@@ -111,14 +119,20 @@ impl Scene {
         let usable = &subject.overview.usable;
         let cloud = Cloud::of(subject);
         let spread = &cloud.samples;
-        let shown_here: &[u32] = match (view.canvas, workbench.thinned()) {
+        let shown_here: &[u32] = match (canvas, workbench.thinned()) {
             (Canvas::Layers(_), _) => &[],
             (Canvas::Shapes, _) if usable.len() <= MOST => usable,
             (Canvas::Shapes, Some(thinned)) => thinned,
             // Until they are chosen: some.
             (Canvas::Shapes, None) => &spread[..MOST.min(spread.len())],
         };
-        let samples = || shown_here.iter().map(|sample| *sample as usize);
+        let mut shown_here: Vec<usize> = shown_here.iter().map(|s| *s as usize).collect();
+        if view.in_space() {
+            // What is near covers what is far.
+            let nearness = |sample: usize| facing.nearness(subject.measured(sample));
+            shown_here.sort_by(|a, b| nearness(*a).total_cmp(&nearness(*b)).then(a.cmp(b)));
+        }
+        let samples = || shown_here.iter().copied();
         let arrows = samples().map(|sample| {
             let e = shown(sample);
             let measured = subject.measured(sample);
@@ -139,20 +153,21 @@ impl Scene {
             suspected: answer.is_some_and(|a| a.suspected[sample]),
             says: says(subject, &look, sample, shown(sample)),
         });
-        let measured_mm = subject.overview.measured_mm.map(flat);
         Self {
             arrows: arrows.collect(),
             points: points.collect(),
-            paths_mm: paths(subject, view.plane),
-            dial: dial(subject, view.plane),
+            paths_mm: paths(subject, |p| facing.flat((workbench.base() * p).into())),
+            dial: (!view.in_space())
+                .then(|| dial(subject, view.plane))
+                .flatten(),
             magnification: look.magnification,
             reach_mm: subject.overview.reach_mm,
-            measured_mm,
-            robot_mm: subject.overview.robot_mm.map(flat),
+            measured_mm: facing.flat_box(subject.overview.measured_mm),
+            robot_mm: facing.flat_box(subject.overview.robot_mm),
             look,
             samples: usable.len(),
             with_largest: workbench.thinned().is_some(),
-            canvas: view.canvas,
+            canvas,
         }
     }
 
@@ -171,9 +186,21 @@ impl Scene {
     }
 }
 
-/// The magnification that is chosen, or at which the deviations before can be read.
-pub(crate) fn magnification(view: &ViewState, subject: &Subject) -> f64 {
-    view.magnification.unwrap_or(subject.overview.readable)
+/// The magnification that is chosen, or at which deviations can be read.
+pub(crate) fn magnification(workbench: &Workbench) -> f64 {
+    let chosen = workbench.view().magnification;
+    chosen.unwrap_or_else(|| readable(workbench))
+}
+
+/// The magnification at which deviations can be read: those before; where they are mostly those of
+/// the instrument's frame, those that are left.
+pub(crate) fn readable(workbench: &Workbench) -> f64 {
+    let left = workbench
+        .after()
+        .filter(|_| workbench.found_base().is_some());
+    left.map_or(workbench.subject().overview.readable, |after| {
+        after.readable
+    })
 }
 
 /// The deviation that is shown of a sample, mm: e = before + t (after − before).
@@ -187,14 +214,37 @@ pub(crate) fn shown(workbench: &Workbench, sample: usize) -> [f64; 3] {
     std::array::from_fn(|k| before[k] + blend * (after[k] - before[k]))
 }
 
+/// A ball around samples, robot and the origin of the base, mm of the base frame: around some of the
+/// samples, whose order shows the whole in every beginning, and the middles of the faces of the box
+/// that the robot fills.
+pub(crate) fn ball(workbench: &Workbench) -> Ball {
+    const SOME: usize = 1_000;
+    let subject = workbench.subject();
+    let to_base = workbench.base().inverse();
+    let cloud = Cloud::of(subject);
+    let measured = cloud.samples.iter().take(SOME).map(|sample| {
+        let p = subject.measured(*sample as usize);
+        (to_base * Point3::from(p)).into()
+    });
+    let [low, high] = subject.overview.robot_mm;
+    let faces = (0..6).map(|face| {
+        let mut p = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
+        p[face / 2] = [low, high][face % 2][face / 2];
+        p
+    });
+    Ball::around(&measured.chain(faces).chain([[0.0; 3]]).collect::<Vec<_>>())
+}
+
 fn look(workbench: &Workbench) -> Look {
     let (view, subject) = (workbench.view(), workbench.subject());
     let answered = workbench.answer().is_some();
-    let magnification = magnification(view, subject);
+    let magnification = magnification(workbench);
     let colouring = offered(subject, view.colouring);
     Look {
-        plane: view.plane,
+        facing: workbench.facing(),
+        deep_mm: view.in_space().then(|| 2.0 * ball(workbench).radius_mm),
         centre_mm: Cloud::of(subject).centre_mm,
+        framed: view.in_space() && workbench.found_base().is_some(),
         blend: if answered { view.blend } else { 0.0 },
         answered,
         magnification,
@@ -238,8 +288,8 @@ fn says(subject: &Subject, look: &Look, sample: usize, e: [f64; 3]) -> Option<f3
         Colouring::State => return None,
         Colouring::Deviation => e.iter().map(|v| v * v).sum::<f64>().sqrt() / look.long_mm,
         Colouring::Direction => {
-            let [right, up] = look.plane.axes();
-            e[up].atan2(e[right]) / (2.0 * std::f64::consts::PI)
+            let [right, up] = look.facing.flat(e);
+            up.atan2(right) / (2.0 * std::f64::consts::PI)
         }
         Colouring::Load | Colouring::Temperature | Colouring::Time => {
             let condition = look.colouring.condition()?;
@@ -268,18 +318,15 @@ pub(crate) fn dial(subject: &Subject, plane: Plane) -> Option<Dial> {
 }
 
 /// Points on the way of the nominal robot: an arc of each reflector for a single joint that turns.
-fn paths(subject: &Subject, plane: Plane) -> Vec<Vec<[f64; 2]>> {
+fn paths(subject: &Subject, flat: impl Fn(Point3<f64>) -> [f64; 2]) -> Vec<Vec<[f64; 2]>> {
     const POINTS: usize = 181;
-    let [right, up] = plane.axes();
     if subject.single_revolute() {
         let (from, to) = subject.travel();
         let at = |k: usize| from + (to - from) * k as f64 / (POINTS - 1) as f64;
         let robot = &subject.session.robot;
         let arcs = subject.session.targets.iter().map(|target| {
-            let points = (0..POINTS).map(|k| {
-                let p = robot.point_in_base(&[at(k)], &target.position_mm);
-                [p[right], p[up]]
-            });
+            let points =
+                (0..POINTS).map(|k| flat(robot.point_in_base(&[at(k)], &target.position_mm)));
             points.collect()
         });
         return arcs.collect();

@@ -1,7 +1,7 @@
 //! The workspace plot in egui.
 
 use egui::{Role, Ui, WidgetInfo};
-use egui_plot::{Axis, PlotTransform};
+use egui_plot::Axis;
 
 use crate::gui::plots::{Drawing, axis, gestures, steps};
 use crate::gui::style::tokens::Palette;
@@ -10,18 +10,18 @@ use crate::gui::workbench::{Command, Workbench};
 
 use super::drawn::{arrows, emphasis, names_of_regions, path, points, ring, sectors};
 use super::model::Scene;
-use super::pointer::{hover, marked};
+use super::notes::Notes;
+use super::pointer::{REACH, hover, marked};
 use super::polar::Polar;
 use super::robot::{self, Drawn};
-use super::{handles, label_layout, layers, layout, legend};
-
-/// A sample is under the pointer within this many points.
-const REACH: f32 = 14.0;
+use super::{handles, label_layout, layers, layout, legend, toolbar};
 
 /// Shows the plot in the space that is left, and sends what the pointer does.
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if workbench.view().polar() {
         around(ui, workbench, commands);
+    } else if workbench.view().in_space() {
+        super::space::show(ui, workbench, toolbar::posing(ui), commands);
     } else {
         plane(ui, workbench, commands);
     }
@@ -142,35 +142,5 @@ fn plane(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     hover(&response, workbench, under, commands);
     if editing && let Some(dial) = &scene.dial {
         handles::show(ui, workbench, dial, &transform, commands);
-    }
-}
-
-/// What the legend says of what is not drawn. It stands above the plot, and what is drawn follows
-/// from the plot's size: the legend says what the frame before found.
-struct Notes {
-    id: egui::Id,
-    said: Vec<String>,
-}
-
-impl Notes {
-    fn recall(ui: &Ui, scene: &Scene) -> Self {
-        let id = ui.scope_id().with("what is not drawn");
-        let said = if scene.canvas == Canvas::Shapes {
-            scene.notes()
-        } else {
-            ui.data(|data| data.get_temp(id)).unwrap_or_default()
-        };
-        Self { id, said }
-    }
-
-    fn keep(self, ui: &Ui, scene: &Scene, transform: &PlotTransform) {
-        if scene.canvas == Canvas::Shapes {
-            return;
-        }
-        let now = layout::drawn(scene, layout::counts(scene, transform));
-        if now != self.said {
-            ui.data_mut(|data| data.insert_temp(self.id, now));
-            ui.ctx().request_repaint();
-        }
     }
 }

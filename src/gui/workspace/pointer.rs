@@ -7,6 +7,9 @@ use crate::gui::workbench::{Command, Workbench};
 
 use super::card;
 
+/// A sample is under the pointer within this many points.
+pub(super) const REACH: f32 = 14.0;
+
 /// Sends what is under the pointer, and says what it is.
 pub(crate) fn hover(
     response: &egui::Response,

@@ -6,11 +6,11 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::plots::{gestures, picture};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::units::{significant, trimmed};
-use crate::gui::view::{Colouring, Plane, Plot};
+use crate::gui::view::{Aspect, Colouring, Plane, Plot, Standard};
 use crate::gui::widgets::{self, caption, fine, title};
 use crate::gui::workbench::{Command, Workbench};
 
-use super::model::{magnification as magnification_of, offers};
+use super::model::{magnification as magnification_of, offers, readable};
 
 /// Something else that stands in the bar.
 pub(crate) type Beside = fn(&mut Ui, &Workbench, &mut Vec<Command>);
@@ -39,12 +39,17 @@ pub(crate) fn show(
     let around = measured && view.polar();
     let blends = drawn && workbench.answer().is_some();
     let room = ui.available_size();
-    let roomy = room.x > ROOMY && beside.is_none();
     let fold = match room {
-        _ if room.y < TIGHT => Fold::Tight,
-        _ if room.x < WIDE => Fold::Narrow,
+        _ if room.y < TIGHT || view.in_space() && room.x < SPACE_NARROW => Fold::Tight,
+        _ if room.x < if view.in_space() { SPACE_WIDE } else { WIDE } => Fold::Narrow,
         _ => Fold::Open,
     };
+    let least = if fold == Fold::Tight {
+        ROOMY_FOLDED
+    } else {
+        ROOMY
+    };
+    let roomy = room.x > least && beside.is_none();
     if let Some(beside) = beside {
         widgets::row(ui, |ui| {
             beside(ui, workbench, commands);
@@ -60,25 +65,13 @@ pub(crate) fn show(
         if ui.available_width() > least && beside.is_none() {
             title(ui, "Workspace");
         }
-        let planes = Plane::ALL.map(|plane| (Some(plane), plane.name()));
-        let views = [planes[0], planes[1], planes[2], (None, "polar")];
-        let shown = (!view.polar()).then_some(view.plane);
-        match widgets::segmented(ui, &views, shown) {
-            Some(Some(plane)) => commands.push(Command::Look(plane)),
-            Some(None) => commands.push(Command::LookAround),
-            None => {}
-        }
+        ways(ui, workbench, commands);
         if around && fold == Fold::Open {
             component(ui, workbench, commands);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if measured {
-                let plot = if view.polar() {
-                    Plot::Polar
-                } else {
-                    Plot::Workspace
-                };
-                picture(ui, plot, commands);
+                picture(ui, plot_of(view.aspect), commands);
             }
             gestures::fit(ui, "Fit to view", Command::FitWorkspace, commands);
             if around && fold == Fold::Open {
@@ -108,12 +101,12 @@ pub(crate) fn show(
         Fold::Tight => {}
         Fold::Narrow => {
             widgets::row(ui, |ui| {
-                let now = significant(magnification_of(view, workbench.subject()), 2);
+                let now = significant(magnification_of(workbench), 2);
                 folded(ui, &format!("vectors × {now}"), "Length of vectors", |ui| {
                     widgets::row(ui, |ui| magnification(ui, workbench, commands));
                     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
                 });
-                heat(ui, workbench, commands);
+                beneath(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
         }
@@ -121,7 +114,7 @@ pub(crate) fn show(
             widgets::row(ui, |ui| {
                 magnification(ui, workbench, commands);
                 scale_for(ui, workbench, commands);
-                heat(ui, workbench, commands);
+                beneath(ui, workbench, commands);
                 colouring(ui, workbench, commands);
             });
         }
@@ -135,12 +128,45 @@ pub(crate) fn show(
     }
 }
 
+/// The ways to look at the workspace.
+fn ways(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let view = workbench.view();
+    let planes = Plane::ALL.map(|plane| ((Aspect::Plane, plane), plane.name()));
+    let [space, polar] = [Aspect::Space, Aspect::Around].map(|aspect| (aspect, view.plane));
+    let views = [
+        planes[0],
+        planes[1],
+        planes[2],
+        (space, "3-D"),
+        (polar, "polar"),
+    ];
+    match widgets::segmented(ui, &views, (view.aspect, view.plane)) {
+        Some((Aspect::Plane, plane)) => commands.push(Command::Look(plane)),
+        Some((Aspect::Space, _)) => commands.push(Command::LookFrom(None)),
+        Some((Aspect::Around, _)) => commands.push(Command::LookAround),
+        None => {}
+    }
+}
+
+fn plot_of(aspect: Aspect) -> Plot {
+    match aspect {
+        Aspect::Plane => Plot::Workspace,
+        Aspect::Space => Plot::Space,
+        Aspect::Around => Plot::Polar,
+    }
+}
+
 /// With less room the plot has no title, and before and after stand in a row of their own, points.
-const TITLED: f32 = 400.0;
-const WITH_BLEND: f32 = 540.0;
+const TITLED: f32 = 440.0;
+const WITH_BLEND: f32 = 590.0;
 const ROOMY: f32 = 420.0;
+/// The same with a button for how anything is drawn.
+const ROOMY_FOLDED: f32 = 570.0;
 /// With less room what is seldom changed stands behind a button, points.
 const WIDE: f32 = 590.0;
+/// The same in space, where there is more of it, and below which all of it does.
+const SPACE_WIDE: f32 = 760.0;
+const SPACE_NARROW: f32 = 510.0;
 /// With less height all of it does, points.
 const TIGHT: f32 = 270.0;
 
@@ -162,7 +188,7 @@ fn folded(ui: &mut Ui, text: &str, name: &str, contents: impl FnOnce(&mut Ui)) {
 fn everything(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::row(ui, |ui| magnification(ui, workbench, commands));
     widgets::row(ui, |ui| scale_for(ui, workbench, commands));
-    heat(ui, workbench, commands);
+    beneath(ui, workbench, commands);
     caption(ui, "colour");
     let shown = coloured(workbench);
     for colouring in Colouring::ALL {
@@ -211,6 +237,8 @@ fn which(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 /// From before to after. What stands at the end that is shown is written stronger.
 fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let mut blend = workbench.view().blend;
+    // Beside the switch of views in a narrow bar.
+    let narrow = ui.available_width() < 320.0;
     let palette = Palette::of(ui);
     let end = |ui: &mut Ui, text: &str, shown: bool| {
         let text = RichText::new(text).size(size::SMALL);
@@ -222,7 +250,7 @@ fn blend(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
         ui.label(text);
     };
     end(ui, "after", blend >= 1.0);
-    fine(ui, 64.0);
+    fine(ui, if narrow { 44.0 } else { 64.0 });
     let slider = ui.add(Slider::new(&mut blend, 0.0..=1.0).show_value(false));
     ui.ctx()
         .accesskit_node_builder(slider.id, |node| node.set_label("From before to after"));
@@ -247,7 +275,7 @@ fn blend_says(blend: f32) -> String {
 
 /// How long the vectors are drawn.
 fn magnification(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let now = magnification_of(workbench.view(), workbench.subject());
+    let now = magnification_of(workbench);
     caption(ui, "vectors");
     let mut factor = now;
     fine(ui, 60.0);
@@ -270,16 +298,63 @@ fn scale_for(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     };
     let subject = workbench.subject();
     let (before, left) = (subject.overview.readable, after.readable);
-    let now = magnification_of(workbench.view(), subject);
+    let now = magnification_of(workbench);
     let says = "how long vectors are drawn and where the colours of lengths end: so that the \
                 deviations before can be read, or those that are left after";
     caption(ui, "scale for").on_hover_text(says);
     let options = [(Some(before), "before"), (Some(left), "after")];
     match widgets::segmented(ui, &options, Some(now)) {
-        Some(Some(factor)) if factor == before => commands.push(Command::Magnify(None)),
+        Some(Some(factor)) if factor == readable(workbench) => {
+            commands.push(Command::Magnify(None));
+        }
         Some(factor) => commands.push(Command::Magnify(factor)),
         None => {}
     }
+}
+
+/// What only one way of looking has: the heat map of a plane; the side and the pose in space.
+fn beneath(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let view = workbench.view();
+    if !view.in_space() {
+        heat(ui, workbench, commands);
+        return;
+    }
+    caption(ui, "from");
+    let shown = view.camera.standard();
+    let text = RichText::new(shown.map_or("free", Standard::name)).size(size::SMALL);
+    let list = ComboBox::from_id_salt("view in space").selected_text(text);
+    let list = list.width(76.0).show_ui(ui, |ui| {
+        for from in Standard::ALL {
+            if ui
+                .selectable_label(shown == Some(from), from.name())
+                .clicked()
+            {
+                commands.push(Command::LookFrom(Some(from)));
+            }
+        }
+    });
+    ui.ctx()
+        .accesskit_node_builder(list.response.id, |node| node.set_label("Standard view"));
+    let mut open = posing(ui);
+    let text = RichText::new("pose").size(size::SMALL);
+    let checkbox = ui
+        .checkbox(&mut open, text)
+        .on_hover_text("sliders that pose the robot");
+    ui.ctx()
+        .accesskit_node_builder(checkbox.id, |node| node.set_label("Pose the robot"));
+    if checkbox.changed() {
+        ui.data_mut(|data| data.insert_temp(posing_id(), open));
+    }
+}
+
+fn posing_id() -> egui::Id {
+    egui::Id::unique("sliders that pose the robot")
+}
+
+/// Whether the sliders that pose the robot are open.
+pub(super) fn posing(ui: &Ui) -> bool {
+    ui.data(|data| data.get_temp(posing_id()))
+        .unwrap_or_default()
 }
 
 /// Whether the error between the samples is shown.

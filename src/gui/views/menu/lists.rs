@@ -19,13 +19,15 @@ pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
 
 pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     use actions::{
-        DIAGNOSIS, EXPORT, FIT, IDENTIFICATION, LOOK_AROUND, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE,
-        NEXT_LENGTH, OTHER_THEME, REGIONS, RESULTS, SESSION,
+        DIAGNOSIS, EXPORT, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE, FROM_TOP, IDENTIFICATION,
+        LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
+        OTHER_THEME, REGIONS, RESULTS, SESSION,
     };
     ui.set_min_width(260.0);
     menu.items(ui, &[SESSION, REGIONS, IDENTIFICATION, DIAGNOSIS, EXPORT]);
     ui.separator();
-    menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, FIT]);
+    menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE]);
+    menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP, FIT]);
     ui.separator();
     menu.items(ui, &[RESULTS]);
     ui.separator();

@@ -21,7 +21,7 @@ use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{
-    About, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Step, Then, What,
+    About, Camera, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Standard, Step, Then, What,
 };
 use crate::gui::workbench::{Command, Workbench};
 use crate::kinematics::JointKind;
@@ -233,7 +233,8 @@ fn chart(random: &mut ChaCha8Rng) -> &'static str {
 
 fn plot(random: &mut ChaCha8Rng) -> Plot {
     let chart = Plot::Chart(chart(random));
-    pick(random, &[Plot::Workspace, Plot::Polar, chart, chart, chart])
+    let drawn = [Plot::Workspace, Plot::Space, Plot::Polar];
+    pick(random, &[drawn[0], drawn[1], drawn[2], chart, chart, chart])
 }
 
 fn what(random: &mut ChaCha8Rng) -> (What, &'static str) {
@@ -304,6 +305,20 @@ fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
     Command::Compensate {
         path: files.any(random),
         load_kg: angle(random),
+    }
+}
+
+/// Another way to look at the workspace, or another pose of its robot.
+fn way_to_look(random: &mut ChaCha8Rng) -> Command {
+    match random.random_range(0..4) {
+        0 => Command::LookAround,
+        1 => Command::LookFrom(one_of(random, &Standard::ALL).copied()),
+        2 => Command::Turn(Camera {
+            azimuth_rad: pick(random, &[0.3, -7.0, f64::NAN]),
+            zoom: pick(random, &[1.0, -2.0, 1e300]),
+            ..Camera::default()
+        }),
+        _ => Command::Pose(one_of(random, &[vec![0.3], vec![f64::NAN], vec![0.1; 6]]).cloned()),
     }
 }
 
@@ -384,7 +399,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         134 | 135 => Command::Chart(chart(random)),
         152 => Command::ChartJoint(random.random_range(0..7)),
         153 => Command::ShowEffect(random.random_range(0..4)),
-        154 => Command::LookAround,
+        154 => way_to_look(random),
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137..=139 => Command::Prefer(preferences(random)),

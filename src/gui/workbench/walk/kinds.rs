@@ -27,7 +27,7 @@ kinds!(
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, ChooseTargets(), Compensate {..}, Adapt(), Type {..},
     Search(), FindLetters(..), DismissLetters(), Simulate(..), Cancel(), StopSearch(), StopLooking(), GoTo(..), Look(..), Magnify(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
-    Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),
+    Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),
 );
 
 kinds!(

@@ -4,4 +4,4 @@ mod model;
 mod paint;
 
 pub(super) use model::Drawn;
-pub(super) use paint::{beneath, values};
+pub(super) use paint::{FAINT, beneath, real_beneath, values};

@@ -7,7 +7,7 @@
 use nalgebra::{Point3, Vector3};
 
 use crate::gui::core::scale::round_down;
-use crate::gui::view::Plane;
+use crate::gui::view::Facing;
 use crate::gui::workbench::Workbench;
 use crate::kinematics::{JointKind, Robot};
 
@@ -43,6 +43,8 @@ pub(crate) struct Sign {
     pub(crate) at_mm: [f64; 2],
     /// Its axis as it is seen: 1 long where it lies in the plane, 0 where one looks along it.
     pub(crate) along: [f64; 2],
+    /// Its axis, a unit vector of the measuring frame.
+    pub(crate) axis: [f64; 3],
     /// Whether it turns (else it slides).
     pub(crate) turns: bool,
 }
@@ -62,9 +64,13 @@ pub(crate) struct Real {
 pub(crate) struct Drawn {
     /// The sample; `None`: nobody measured this pose.
     pub(crate) sample: Option<usize>,
-    /// Whether somebody points at that sample, or chose it.
+    /// Whether somebody points at that sample, chose it, or posed the robot.
     pub(crate) asked_for: bool,
-    /// The nominal robot from base to tool, mm.
+    /// The joint values, rad or mm.
+    pub(crate) q: Vec<f64>,
+    /// The nominal robot from base to tool, mm of the measuring frame.
+    pub(crate) corners_mm: Vec<Point3<f64>>,
+    /// The same as it is seen, mm.
     pub(crate) nominal_mm: Vec<[f64; 2]>,
     pub(crate) real: Option<Real>,
     /// Its joints.
@@ -90,21 +96,25 @@ impl Drawn {
             let columns = subject.session.samples.q.iter();
             columns.map(|q| q[sample]).collect()
         };
-        let sample = asked.or(middle);
-        let q = sample.map_or_else(|| home(robot), pose);
+        let posed = view.pose.clone();
+        let sample = asked.or(middle).filter(|_| posed.is_none());
+        let q = posed.or_else(|| sample.map(pose));
+        let q = q.unwrap_or_else(|| home(robot));
         let targets = &subject.session.targets;
         let target = sample.and_then(|s| Some(subject.session.samples.target.as_ref()?[s]));
         let target = targets.get(target.map_or(0, |t| t as usize));
         let target_mm = target.map_or_else(Point3::origin, |t| t.position_mm);
+        let (facing, base) = (workbench.facing(), workbench.base());
         let corners = Skeleton::new(robot, &target_mm).at(&q)?;
-        let axes = view.plane.axes();
-        let flat = |p: &Point3<f64>| axes.map(|k| p[k]);
+        let corners: Vec<_> = corners.iter().map(|p| base * p).collect();
+        let flat = |p: &Point3<f64>| facing.flat(p.coords.into());
         let motions = robot.motions_from_home(&q);
         let signs = robot.joints.iter().enumerate().map(|(k, joint)| {
-            let along = motions[k].rotation * joint.axis.direction;
+            let along = base.rotation * (motions[k].rotation * joint.axis.direction);
             Sign {
                 at_mm: flat(&corners[2 * k + 1]),
-                along: axes.map(|a| along[a]),
+                along: facing.flat(along.into_inner().into()),
+                axis: along.into_inner().into(),
                 turns: joint.kind == JointKind::Revolute,
             }
         });
@@ -118,12 +128,14 @@ impl Drawn {
         });
         Some(Self {
             sample,
-            asked_for: asked.is_some(),
+            asked_for: asked.is_some() || view.pose.is_some(),
+            q: q.clone(),
             nominal_mm: corners.iter().map(flat).collect(),
-            real: sample.and_then(|sample| real(workbench, sample, &corners, view.plane)),
+            real: sample.and_then(|sample| real(workbench, sample, &corners, &facing)),
             signs: signs.collect(),
             values: values.collect(),
-            upright: axes[1] == 2,
+            corners_mm: corners.clone(),
+            upright: facing.up[2] > 0.999,
         })
     }
 
@@ -132,7 +144,8 @@ impl Drawn {
         let mut says = match (self.sample, self.asked_for) {
             (Some(sample), true) => format!("robot at sample {}", sample + 1),
             (Some(sample), false) => format!("robot at sample {}, as an example", sample + 1),
-            (None, _) => "robot at home".to_owned(),
+            (None, true) => "robot as posed".to_owned(),
+            (None, false) => "robot at home".to_owned(),
         };
         for (k, (name, value)) in self.values.iter().enumerate() {
             says += if k == 0 { ": " } else { ", " };
@@ -155,34 +168,31 @@ fn real(
     workbench: &Workbench,
     sample: usize,
     corners: &[Point3<f64>],
-    plane: Plane,
+    facing: &Facing,
 ) -> Option<Real> {
     let subject = &**workbench.subject();
     if !subject.usable[sample] {
         return None;
     }
-    let before = Vector3::from(subject.deviation_before(sample));
     let answer = workbench.answer();
     // What the model says is what was measured without what is left.
-    let deviation = match answer {
-        Some(answer) => before - Vector3::from(answer.deviation_after(sample)),
-        None => before,
-    };
+    let left = answer.map_or([0.0; 3], |answer| answer.deviation_after(sample));
+    let real = Vector3::from(subject.measured(sample)) - Vector3::from(left);
+    let deviation = real - corners.last()?.coords;
     let length = deviation.norm();
     if !length.is_finite() {
         return None;
     }
-    let wanted = magnification(workbench.view(), subject);
+    let wanted = magnification(workbench);
     let most = MOST_DISPLACED * subject.overview.reach_mm / length.max(1e-9);
     let times = if wanted <= most {
         wanted
     } else {
         round_down(most).max(1.0)
     };
-    let axes = plane.axes();
     let moved = displaced(corners, deviation * times);
     Some(Real {
-        corners_mm: moved.iter().map(|p| axes.map(|k| p[k])).collect(),
+        corners_mm: moved.iter().map(|p| facing.flat(p.coords.into())).collect(),
         times,
         identified: answer.is_some(),
     })
@@ -195,6 +205,7 @@ mod tests {
     use super::*;
     use crate::gui::core::edit::Edit;
     use crate::gui::testing::workbench;
+    use crate::gui::view::Plane;
     use crate::gui::workbench::Command;
 
     #[test]

@@ -18,7 +18,7 @@ const LINE: f32 = 2.5;
 /// Below this part of its length an axis is looked along.
 const END_ON: f32 = 0.35;
 /// How much of the robot is seen that nobody asked for.
-const FAINT: f32 = 0.6;
+pub(crate) const FAINT: f32 = 0.6;
 
 fn screen(transform: &PlotTransform, p: [f64; 2]) -> Pos2 {
     transform.position_from_point(&egui_plot::PlotPoint::new(p[0], p[1]))
@@ -59,19 +59,7 @@ pub(crate) fn beneath(
             shapes.push(marks::disc(*corner, 0.5 * width, color));
         }
     }
-    if let Some(real) = drawn.real.as_ref().filter(|_| drawn.asked_for) {
-        let color = seen(if real.identified {
-            palette.after
-        } else {
-            palette.before
-        });
-        let corners: Vec<Pos2> = real.corners_mm.iter().map(at).collect();
-        shapes.push(Shape::line(corners.clone(), Stroke::new(LINE, color)));
-        if let Some(tool) = corners.last() {
-            shapes.push(marks::disc(*tool, 5.0, palette.surface));
-            shapes.push(marks::disc(*tool, 4.0, color));
-        }
-    }
+    real_beneath(shapes, transform, drawn, palette);
     if let Some(tool) = nominal.last() {
         let stroke = Stroke::new(1.5, edge);
         let fill = palette.surface;
@@ -81,6 +69,30 @@ pub(crate) fn beneath(
     for sign in &drawn.signs {
         let stroke = Stroke::new(1.5, seen(palette.text));
         joint(shapes, screen(transform, sign.at_mm), sign, stroke, palette);
+    }
+}
+
+/// The real robot, where somebody asked for this pose.
+pub(crate) fn real_beneath(
+    shapes: &mut Vec<Shape>,
+    transform: &PlotTransform,
+    drawn: &Drawn,
+    palette: &Palette,
+) {
+    let Some(real) = drawn.real.as_ref().filter(|_| drawn.asked_for) else {
+        return;
+    };
+    let color = if real.identified {
+        palette.after
+    } else {
+        palette.before
+    };
+    let corners = real.corners_mm.iter().map(|p| screen(transform, *p));
+    let corners: Vec<Pos2> = corners.collect();
+    shapes.push(Shape::line(corners.clone(), Stroke::new(LINE, color)));
+    if let Some(tool) = corners.last() {
+        shapes.push(marks::disc(*tool, 5.0, palette.surface));
+        shapes.push(marks::disc(*tool, 4.0, color));
     }
 }
 

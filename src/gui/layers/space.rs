@@ -1,0 +1,149 @@
+//! Samples in three dimensions: what is near covers what is far.
+//!
+//! The pass in which egui draws has no depth. So the samples are drawn into a picture of their own,
+//! with a buffer of depths beside it, before that pass, and in it the picture is copied. It is drawn
+//! again only when samples, camera or colours change: while the pointer moves over a million vectors
+//! a frame copies one picture.
+
+use egui::{PaintCallbackInfo, Rect, Shape};
+use egui_wgpu::wgpu::{self, Device, Queue};
+use egui_wgpu::{Callback, CallbackResources, CallbackTrait, ScreenDescriptor};
+
+use super::drawer::Drawer;
+use super::gpu::CloudLayer;
+use super::target::{Drawn, Target};
+
+/// Error vectors and measured points by their depth.
+pub(crate) struct SpaceLayer(pub(crate) CloudLayer);
+
+impl SpaceLayer {
+    /// The layer as a shape in this frame of a plot.
+    pub(crate) fn shape(self, rect: Rect) -> Shape {
+        Shape::Callback(Callback::new_paint_callback(rect, self))
+    }
+}
+
+impl CallbackTrait for SpaceLayer {
+    fn prepare(
+        &self,
+        device: &Device,
+        queue: &Queue,
+        _: &ScreenDescriptor,
+        encoder: &mut wgpu::CommandEncoder,
+        resources: &mut CallbackResources,
+    ) -> Vec<wgpu::CommandBuffer> {
+        let Some(drawer) = resources.get_mut::<Drawer>() else {
+            return Vec::new();
+        };
+        let layer = &self.0;
+        drawer.upload_cloud(device, &layer.cloud);
+        drawer.upload_remainder(device, &layer.cloud, layer.remainder.as_ref());
+        drawer
+            .cloud_uniform
+            .write(queue, &layer.frame, drawer.linear);
+        let size = layer.frame.size(device.limits().max_texture_dimension_2d);
+        if drawer.space.target.as_ref().is_none_or(|t| t.size != size) {
+            let format = drawer.space.format;
+            drawer.space.target = Some(Target::new(device, &drawer.cells_layout, size, format));
+            drawer.space.drawn = None;
+        }
+        let now = Drawn {
+            frame: layer.frame,
+            counts: layer.counts,
+            ghosts: layer.ghosts,
+            uploads: drawer.uploads,
+        };
+        if drawer.space.drawn == Some(now) {
+            return Vec::new();
+        }
+        drawer.space.drawn = Some(now);
+        if let Some(target) = &drawer.space.target {
+            let mut pass = target.begin(encoder);
+            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
+            let [points, vectors] = layer.counts;
+            drawer.draw(&mut pass, &drawer.space.marks, points);
+            if layer.ghosts {
+                drawer.draw(&mut pass, &drawer.space.ghosts, vectors);
+            }
+            drawer.draw(&mut pass, &drawer.space.arrows, vectors);
+        }
+        Vec::new()
+    }
+
+    fn paint(
+        &self,
+        _: PaintCallbackInfo,
+        pass: &mut wgpu::RenderPass<'static>,
+        resources: &CallbackResources,
+    ) {
+        let Some(drawer) = resources.get::<Drawer>() else {
+            return;
+        };
+        if let Some(target) = &drawer.space.target {
+            pass.set_pipeline(&drawer.space.copy);
+            pass.set_bind_group(0, &drawer.cloud_uniform.group, &[]);
+            pass.set_bind_group(1, &target.group, &[]);
+            pass.draw(0..3, 0..1);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::frame::{Frame, Look, scale_at};
+    use super::super::tests::{as_parts, can_draw, drawn, frame, look, transform};
+    use super::*;
+    use crate::gui::cache::cloud::{Cloud, Place};
+    use crate::gui::style::tokens::LIGHT;
+    use crate::gui::view::Colouring;
+
+    /// Two vectors along x at one place of the screen: where each is along the line of sight, mm, and
+    /// its load, which is its colour.
+    fn middle(rows: [(f32, f32); 2], deep_mm: Option<f64>) -> [f64; 3] {
+        let place =
+            |(z, load): (f32, f32)| -> Place { [3.0, 0.0, z, 3.0, 0.0, 0.0, load, -1.0, -1.0] };
+        let cloud = Arc::new(Cloud {
+            places: rows.map(place).to_vec(),
+            samples: vec![0, 1],
+            ..Cloud::default()
+        });
+        let look = Look {
+            deep_mm,
+            ..look(Colouring::Load, 0.0)
+        };
+        let picture = drawn(2.0, LIGHT.surface, move || {
+            let layer = CloudLayer {
+                cloud: Arc::clone(&cloud),
+                remainder: None,
+                frame: Frame::new(&look, &LIGHT, &transform(), None, 2.0),
+                counts: [2; 2],
+                ghosts: false,
+            };
+            SpaceLayer(layer).shape(frame())
+        });
+        // 10 of the 30 mm along the vectors, which begin in the middle of 240 × 160 points.
+        picture.at(2 * (120 + 20), 2 * 80)
+    }
+
+    #[test]
+    fn what_is_near_covers_what_is_far_in_any_order() {
+        if !can_draw() {
+            return;
+        }
+        let color = |load: f32| as_parts(scale_at(Colouring::Load, &LIGHT, load));
+        let like = |seen: [f64; 3], load: f32| {
+            let expected = color(load);
+            assert!(
+                (0..3).all(|k| (seen[k] - expected[k]).abs() < 0.02),
+                "{seen:?} {expected:?}"
+            );
+        };
+        let (near, far) = ((10.0, 0.9), (-10.0, 0.2));
+        like(middle([near, far], Some(50.0)), 0.9);
+        like(middle([far, near], Some(50.0)), 0.9);
+        // Without depth the last one covers the others.
+        like(middle([near, far], None), 0.2);
+    }
+}

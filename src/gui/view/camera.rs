@@ -1,0 +1,294 @@
+//! From where the workspace is looked at in three dimensions.
+//!
+//! The projection is parallel, so that lengths across the line of sight can be read everywhere. With
+//! azimuth a and elevation e the unit vectors of the view are, in the base frame (z up),
+//!
+//! ```text
+//! towards = (cos e cos a, cos e sin a, sin e)      from the workspace towards the viewer
+//! right   = (−sin a, cos a, 0)
+//! up      = towards × right
+//! ```
+//!
+//! so that z never leans to the side. The view fits a sphere around everything that is drawn: the
+//! scale stays the same while the camera orbits.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+
+/// Axes of a view: orthogonal unit vectors, right-handed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Facing {
+    /// To the right on the screen.
+    pub(crate) right: [f64; 3],
+    /// Up on the screen.
+    pub(crate) up: [f64; 3],
+    /// Out of the screen, towards the viewer.
+    pub(crate) towards: [f64; 3],
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl Facing {
+    /// The same view with each of its axes exchanged.
+    pub(crate) fn map(self, of: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        Self {
+            right: of(self.right),
+            up: of(self.up),
+            towards: of(self.towards),
+        }
+    }
+
+    /// A point or vector as it is seen: to the right and up, mm.
+    pub(crate) fn flat(&self, p: [f64; 3]) -> [f64; 2] {
+        [dot(self.right, p), dot(self.up, p)]
+    }
+
+    /// How near to the viewer a point is, mm; the larger the nearer.
+    pub(crate) fn nearness(&self, p: [f64; 3]) -> f64 {
+        dot(self.towards, p)
+    }
+
+    /// Smallest and largest corner of a box as it is seen, mm. `ends` are the box's corners with
+    /// the smallest and with the largest coordinates.
+    pub(crate) fn flat_box(&self, ends: [[f64; 3]; 2]) -> [[f64; 2]; 2] {
+        let mut seen = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        for corner in 0..8_usize {
+            let p = self.flat([0, 1, 2].map(|k| ends[corner >> k & 1][k]));
+            for k in 0..2 {
+                seen[0][k] = seen[0][k].min(p[k]);
+                seen[1][k] = seen[1][k].max(p[k]);
+            }
+        }
+        seen
+    }
+}
+
+/// A view that has a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Standard {
+    Isometric,
+    /// Against z, x to the right.
+    Top,
+    /// Against x, y to the right.
+    Front,
+    /// Along y, x to the right.
+    Side,
+}
+
+impl Standard {
+    pub(crate) const ALL: [Self; 4] = [Self::Isometric, Self::Top, Self::Front, Self::Side];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Isometric => "isometric",
+            Self::Top => "top",
+            Self::Front => "front",
+            Self::Side => "side",
+        }
+    }
+
+    /// Azimuth and elevation, rad.
+    fn angles(self) -> [f64; 2] {
+        match self {
+            // The three axes look equally long: tan e = 1/√2.
+            Self::Isometric => [-FRAC_PI_4, 0.5_f64.sqrt().atan()],
+            Self::Top => [-FRAC_PI_2, FRAC_PI_2],
+            Self::Front => [0.0, 0.0],
+            Self::Side => [-FRAC_PI_2, 0.0],
+        }
+    }
+}
+
+/// A ball around everything that is drawn, mm of the base frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Ball {
+    pub(crate) centre_mm: [f64; 3],
+    pub(crate) radius_mm: f64,
+}
+
+impl Ball {
+    /// The ball around these points, mm; those that are not finite do not count.
+    pub(crate) fn around(points: &[[f64; 3]]) -> Self {
+        let ends = |of: fn(f64, f64) -> f64, start: f64| {
+            let finite = points.iter().filter(|p| p.iter().all(|v| v.is_finite()));
+            finite.fold([start; 3], |a, p| [0, 1, 2].map(|k| of(a[k], p[k])))
+        };
+        let (low, high) = (
+            ends(f64::min, f64::INFINITY),
+            ends(f64::max, f64::NEG_INFINITY),
+        );
+        if low[0] > high[0] {
+            return Self {
+                centre_mm: [0.0; 3],
+                radius_mm: 1.0,
+            };
+        }
+        let centre_mm = [0, 1, 2].map(|k| 0.5 * (low[k] + high[k]));
+        let from_centre = |p: &[f64; 3]| {
+            let off = [0, 1, 2].map(|k| p[k] - centre_mm[k]);
+            dot(off, off).sqrt()
+        };
+        let far = points.iter().map(from_centre).filter(|d| d.is_finite());
+        Self {
+            centre_mm,
+            radius_mm: far.fold(1.0, f64::max),
+        }
+    }
+}
+
+/// Azimuth and elevation for each point that is dragged, rad.
+const TURN: f64 = 0.008;
+/// The smallest and the largest zoom.
+const ZOOM: [f64; 2] = [0.1, 1e5];
+/// The ball takes this part of the plot.
+const FILLED: f64 = 0.96;
+
+/// See the module.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Camera {
+    /// About z, from x, rad.
+    pub(crate) azimuth_rad: f64,
+    /// Above the plane of x and y, rad, from −π/2 to π/2.
+    pub(crate) elevation_rad: f64,
+    /// 1: everything fits.
+    pub(crate) zoom: f64,
+    /// The point that is in the middle of the plot and that the camera orbits about, from the middle
+    /// of everything, mm.
+    pub(crate) offset_mm: [f64; 3],
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self::from(Standard::Isometric)
+    }
+}
+
+impl From<Standard> for Camera {
+    fn from(view: Standard) -> Self {
+        let [azimuth_rad, elevation_rad] = view.angles();
+        Self {
+            azimuth_rad,
+            elevation_rad,
+            zoom: 1.0,
+            offset_mm: [0.0; 3],
+        }
+    }
+}
+
+impl Camera {
+    pub(crate) fn facing(&self) -> Facing {
+        let (sin_a, cos_a) = self.azimuth_rad.sin_cos();
+        let (sin_e, cos_e) = self.elevation_rad.sin_cos();
+        Facing {
+            right: [-sin_a, cos_a, 0.0],
+            up: [-sin_e * cos_a, -sin_e * sin_a, cos_e],
+            towards: [cos_e * cos_a, cos_e * sin_a, sin_e],
+        }
+    }
+
+    /// The named view that this is, if it is one.
+    pub(crate) fn standard(&self) -> Option<Standard> {
+        Standard::ALL.into_iter().find(|view| {
+            let [azimuth, elevation] = view.angles();
+            (self.azimuth_rad - azimuth).abs() < 1e-9
+                && (self.elevation_rad - elevation).abs() < 1e-9
+        })
+    }
+
+    /// The same place, looked at from a named view.
+    pub(crate) fn seen_from(self, view: Standard) -> Self {
+        let [azimuth_rad, elevation_rad] = view.angles();
+        Self {
+            azimuth_rad,
+            elevation_rad,
+            ..self
+        }
+    }
+
+    /// The same direction, everything in sight.
+    pub(crate) fn fitted(self) -> Self {
+        Self {
+            zoom: 1.0,
+            offset_mm: [0.0; 3],
+            ..self
+        }
+    }
+
+    /// Only numbers that can be drawn: azimuth within half a turn, elevation within a quarter.
+    pub(crate) fn sound(self) -> Self {
+        let or = |value: f64, other: f64| if value.is_finite() { value } else { other };
+        let azimuth = or(self.azimuth_rad, 0.0);
+        Self {
+            azimuth_rad: azimuth - TAU * (azimuth / TAU).round(),
+            elevation_rad: or(self.elevation_rad, 0.0).clamp(-FRAC_PI_2, FRAC_PI_2),
+            zoom: or(self.zoom, 1.0).clamp(ZOOM[0], ZOOM[1]),
+            offset_mm: self.offset_mm.map(|v| or(v, 0.0)),
+        }
+    }
+
+    /// Points on the screen for each mm, in a plot of this size in points.
+    pub(crate) fn points_per_mm(&self, ball: &Ball, size: [f64; 2]) -> f64 {
+        let half = 0.5 * size[0].min(size[1]).max(1.0);
+        self.zoom * FILLED * half / ball.radius_mm
+    }
+
+    /// Smallest and largest corner of what a plot of this size (points) shows, mm to the right and
+    /// up from the projected origin.
+    pub(crate) fn bounds(&self, ball: &Ball, size: [f64; 2]) -> [[f64; 2]; 2] {
+        let scale = self.points_per_mm(ball, size);
+        let middle = [0, 1, 2].map(|k| ball.centre_mm[k] + self.offset_mm[k]);
+        let middle = self.facing().flat(middle);
+        let half = size.map(|side| 0.5 * side.max(1.0) / scale);
+        [
+            [middle[0] - half[0], middle[1] - half[1]],
+            [middle[0] + half[0], middle[1] + half[1]],
+        ]
+    }
+
+    /// After a drag by so many points to the right and down: what is near follows the pointer.
+    pub(crate) fn orbited(self, [right, down]: [f64; 2]) -> Self {
+        Self {
+            azimuth_rad: self.azimuth_rad - TURN * right,
+            elevation_rad: self.elevation_rad + TURN * down,
+            ..self
+        }
+        .sound()
+    }
+
+    /// After a drag by so many mm to the right and up: everything follows the pointer.
+    pub(crate) fn panned(self, [right, up]: [f64; 2]) -> Self {
+        let facing = self.facing();
+        Self {
+            offset_mm: [0, 1, 2]
+                .map(|k| self.offset_mm[k] - right * facing.right[k] - up * facing.up[k]),
+            ..self
+        }
+        .sound()
+    }
+
+    /// Closer by this factor about a point that is so many mm to the right of the plot's middle and
+    /// above it: that point stays where it is on the screen.
+    pub(crate) fn zoomed(self, factor: f64, [right, up]: [f64; 2]) -> Self {
+        let next = Self {
+            zoom: self.zoom * factor,
+            ..self
+        }
+        .sound();
+        let part = self.zoom / next.zoom - 1.0;
+        next.panned([right * part, up * part])
+    }
+
+    /// In words: the view's name, or from which direction.
+    pub(crate) fn says(&self) -> String {
+        if let Some(view) = self.standard() {
+            return format!("{} view", view.name());
+        }
+        let [azimuth, elevation] = [self.azimuth_rad, self.elevation_rad]
+            .map(|a| crate::gui::units::trimmed(a.to_degrees(), 0));
+        format!("seen from azimuth {azimuth}°, elevation {elevation}°")
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,82 @@
+//! Sliders that pose the robot by hand.
+
+use egui::{RichText, ScrollArea, Slider, Ui};
+
+use crate::gui::core::scale::stride;
+use crate::gui::style::tokens::size;
+use crate::gui::units::Units;
+use crate::gui::widgets::{self, caption, fine};
+use crate::gui::workbench::{Command, Workbench};
+use crate::kinematics::JointKind;
+
+/// Smallest and largest value of a joint's slider, rad or mm: its limits; where it has none, what
+/// was measured; where nothing was, a turn to either side or 500 mm.
+pub(super) fn range(workbench: &Workbench, joint: usize) -> [f64; 2] {
+    /// Samples that are looked at: a frame must not look at all.
+    const SOME: usize = 2_000;
+    let session = &workbench.subject().session;
+    let one = &session.robot.joints[joint];
+    let whole = match one.kind {
+        JointKind::Revolute => std::f64::consts::PI,
+        JointKind::Prismatic => 500.0,
+    };
+    if let Some(limits) = one.limits.filter(|l| l.from < l.to) {
+        return [limits.from, limits.to];
+    }
+    let q = &session.samples.q[joint];
+    let some = q.iter().step_by(stride(q.len(), SOME));
+    let finite = some.copied().filter(|v| v.is_finite());
+    let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+        [a.min(v), b.max(v)]
+    });
+    if low < high {
+        [low, high]
+    } else {
+        [-whole, whole]
+    }
+}
+
+/// A slider for each joint; `now` is where the robot is drawn.
+pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &[f64], commands: &mut Vec<Command>) {
+    let units = workbench.units();
+    let joints = &workbench.subject().session.robot.joints;
+    ui.horizontal(|ui| {
+        widgets::title(ui, "Pose");
+        if workbench.view().pose.is_some() && ui.button("Back to sample").clicked() {
+            commands.push(Command::Pose(None));
+        }
+    });
+    ScrollArea::vertical().id_salt("joints").show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.spacing_mut().interact_size.y = 16.0;
+        for (k, (joint, q)) in joints.iter().zip(now).enumerate() {
+            caption(
+                ui,
+                &format!("{}  {}", joint.name, value(units, joint.kind, *q)),
+            );
+            let [low, high] = range(workbench, k);
+            let mut next = *q;
+            fine(ui, ui.available_width());
+            let slider = Slider::new(&mut next, low.min(*q)..=high.max(*q)).show_value(false);
+            let slider = ui.add(slider);
+            let name = format!("Pose of joint {}, {}", k + 1, joint.name);
+            ui.ctx()
+                .accesskit_node_builder(slider.id, |node| node.set_label(name));
+            if slider.changed() && next != *q {
+                let mut pose = now.to_vec();
+                pose[k] = next;
+                commands.push(Command::Pose(Some(pose)));
+            }
+        }
+        if workbench.view().pose.is_none() {
+            ui.label(RichText::new("from the sample that is shown").size(size::NOTE));
+        }
+    });
+}
+
+fn value(units: Units, kind: JointKind, q: f64) -> String {
+    match kind {
+        JointKind::Revolute => units.angle(q),
+        JointKind::Prismatic => units.length(q),
+    }
+}

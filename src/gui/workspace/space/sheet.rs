@@ -1,0 +1,279 @@
+//! The view in space as a drawing for a file: as it is seen, on paper.
+
+use egui::{Pos2, Rect, pos2, vec2};
+
+use crate::gui::layers::scale_at;
+use crate::gui::style::tokens::LIGHT;
+use crate::gui::units::trimmed;
+use crate::gui::view::{Canvas, Colouring};
+use crate::gui::workbench::Workbench;
+use crate::present::drawing::{
+    AFTER, Anchor, BEFORE, Colour, Drawing, INK, Item, Label, MUTED, RULE, Shape, Stroke,
+};
+
+use super::super::model::Scene;
+use super::super::robot::Drawn;
+use super::ground::{lines, square_mm};
+use super::paint::Space;
+
+/// Width and height of the picture, and of what is written below it, points.
+const SIZE: [f64; 2] = [480.0, 360.0];
+const FOOT: f64 = 30.0;
+/// Length of an axis of the base frame, points.
+const AXIS: f64 = 28.0;
+
+fn on_sheet(at: Pos2) -> [f64; 2] {
+    [at.x, at.y].map(f64::from)
+}
+
+/// The part of a line that is on the sheet (Liang & Barsky 1984).
+fn clipped([from, to]: [[f64; 2]; 2]) -> Option<[[f64; 2]; 2]> {
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
+    for k in 0..2 {
+        let along = to[k] - from[k];
+        for (way, room) in [(-along, from[k]), (along, SIZE[k] - from[k])] {
+            if way == 0.0 && room < 0.0 || !room.is_finite() {
+                return None;
+            }
+            if way < 0.0 {
+                first = first.max(room / way);
+            } else if way > 0.0 {
+                last = last.min(room / way);
+            }
+        }
+    }
+    let at = |t: f64| [0, 1].map(|k| from[k] + t * (to[k] - from[k]));
+    (first < last).then(|| [at(first), at(last)])
+}
+
+/// Shaft and head of an arrow.
+fn arrow(from: [f64; 2], to: [f64; 2]) -> Vec<[[f64; 2]; 2]> {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = dx.hypot(dy);
+    if length.is_nan() || length < 0.4 {
+        return Vec::new();
+    }
+    let head = (0.35 * length).min(4.0) / length;
+    let side = |sign: f64| {
+        [
+            to[0] - head * (dx + sign * 0.5 * dy),
+            to[1] - head * (dy - sign * 0.5 * dx),
+        ]
+    };
+    vec![[from, to], [to, side(1.0)], [to, side(-1.0)]]
+}
+
+/// Adds lines, cut where the sheet ends.
+fn add(drawing: &mut Drawing, lines: impl IntoIterator<Item = [[f64; 2]; 2]>, stroke: Stroke) {
+    let inside = lines.into_iter().filter_map(clipped);
+    let lines: Vec<Vec<[f64; 2]>> = inside.map(|ends| ends.to_vec()).collect();
+    if !lines.is_empty() {
+        drawing.items.push(Item::Lines(lines, stroke));
+    }
+}
+
+/// The view on a sheet, and what it shows.
+///
+/// # Errors
+/// There is nothing to draw.
+pub(crate) fn sheet(workbench: &Workbench) -> Result<(Drawing, String), String> {
+    if workbench.subject().is_empty() {
+        return Err("there are no samples to draw".to_owned());
+    }
+    let scene = Scene::on(workbench, Canvas::Shapes);
+    let space = Space::new(
+        workbench,
+        Rect::from_min_size(pos2(0.0, 0.0), vec2(480.0, 360.0)),
+    );
+    let mut drawing = Drawing::new(SIZE[0], SIZE[1] + FOOT);
+    let grid = lines(&space.ball);
+    let grid = grid
+        .into_iter()
+        .map(|ends| ends.map(|p| on_sheet(space.screen(p))));
+    add(&mut drawing, grid, Stroke::new(0.4, RULE));
+    if let Some(robot) = Drawn::of(workbench) {
+        let pairs = |corners: &[[f64; 2]]| -> Vec<[[f64; 2]; 2]> {
+            let at: Vec<[f64; 2]> = corners.iter().map(|p| on_sheet(space.seen(*p))).collect();
+            at.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+        };
+        add(
+            &mut drawing,
+            pairs(&robot.nominal_mm),
+            Stroke::new(2.2, MUTED),
+        );
+        let joints = robot
+            .signs
+            .iter()
+            .map(|sign| on_sheet(space.seen(sign.at_mm)));
+        mark(&mut drawing, Shape::Square, joints.collect(), 2.4, MUTED);
+        if let Some(real) = robot.real.as_ref().filter(|_| robot.asked_for) {
+            let colour = if real.identified { AFTER } else { BEFORE };
+            add(
+                &mut drawing,
+                pairs(&real.corners_mm),
+                Stroke::new(1.0, colour),
+            );
+        }
+    }
+    vectors(&mut drawing, workbench, &scene, &space);
+    axes(&mut drawing, &space);
+    let says = words(&mut drawing, workbench, &scene, &space);
+    Ok((drawing, says))
+}
+
+/// Measured points and error vectors, the farthest first.
+fn vectors(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &Space) {
+    let m = scene.magnification;
+    let tip = |from: [f64; 2], v: [f64; 2]| [from[0] + m * v[0], from[1] + m * v[1]];
+    let flat = if scene.look.answered { AFTER } else { BEFORE };
+    let at = |point: &super::super::model::Point| on_sheet(space.seen(point.at_mm));
+    mark(
+        drawing,
+        Shape::Diamond,
+        scene.points.iter().map(at).collect(),
+        1.3,
+        INK,
+    );
+    for one in &scene.arrows {
+        let colour = match (scene.look.colouring, one.says) {
+            (Colouring::State, _) => flat,
+            (colouring, Some(part)) => {
+                let [r, g, b, _] = scale_at(colouring, &LIGHT, part).to_array();
+                Colour(r, g, b)
+            }
+            (_, None) => MUTED,
+        };
+        let ends = [one.from_mm, tip(one.from_mm, one.vector_mm)];
+        let [from, to] = ends.map(|p| on_sheet(space.seen(p)));
+        add(drawing, arrow(from, to), Stroke::new(0.8, colour));
+    }
+    if let Some(sample) = workbench
+        .view()
+        .selected
+        .filter(|s| workbench.subject().usable[*s])
+    {
+        let at = space.facing.flat(workbench.subject().measured(sample));
+        let at = vec![on_sheet(space.seen(at))];
+        let marks = Item::Marks {
+            shape: Shape::Diamond,
+            at,
+            half: 5.0,
+            colour: INK,
+            filled: false,
+        };
+        drawing.items.push(marks);
+    }
+}
+
+fn mark(drawing: &mut Drawing, shape: Shape, at: Vec<[f64; 2]>, half: f64, colour: Colour) {
+    let inside = |p: &[f64; 2]| (0..2).all(|k| (0.0..=SIZE[k]).contains(&p[k]));
+    let at: Vec<[f64; 2]> = at.into_iter().filter(inside).collect();
+    if !at.is_empty() {
+        drawing.items.push(Item::Marks {
+            shape,
+            at,
+            half,
+            colour,
+            filled: true,
+        });
+    }
+}
+
+/// The frame of the base.
+fn axes(drawing: &mut Drawing, space: &Space) {
+    let from = on_sheet(space.screen([0.0; 3]));
+    for (k, letter) in ["x", "y", "z"].into_iter().enumerate() {
+        let end = |points: f64| {
+            let mut p = [0.0; 3];
+            p[k] = points / space.points_per_mm;
+            on_sheet(space.screen(p))
+        };
+        add(drawing, arrow(from, end(AXIS)), Stroke::new(1.0, INK));
+        let [x, y] = end(AXIS + 7.0);
+        if clipped([from, [x, y]]) == Some([from, [x, y]]) {
+            let label = Label::new([x, y + 2.5], letter, 7.0, INK);
+            drawing.text(label.anchored(Anchor::Middle));
+        }
+    }
+}
+
+/// What it shows, in words below it; the first line is the title.
+fn words(drawing: &mut Drawing, workbench: &Workbench, scene: &Scene, space: &Space) -> String {
+    let session = crate::report::document::clean(&workbench.subject().session.name);
+    let magnified = trimmed(scene.magnification, 3);
+    let title = format!(
+        "{session}: {} samples, {}, deviations {} magnified {magnified} times",
+        scene.samples,
+        workbench.view().camera.says(),
+        if scene.look.answered {
+            "after"
+        } else {
+            "before"
+        },
+    );
+    let mut more = format!("grid {} mm", trimmed(square_mm(&space.ball), 3));
+    if scene.look.colouring != Colouring::State {
+        more += &format!("; colour: {}", scene.look.colouring.name());
+    }
+    for note in scene.notes() {
+        more += &format!("; {note}");
+    }
+    for (k, line) in [title.clone(), more].into_iter().enumerate() {
+        let at = [0.0, SIZE[1] + 12.0 + 11.0 * k as f64];
+        drawing.text(Label::new(at, line, 7.0, MUTED));
+    }
+    title
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gui::testing::workbench;
+    use crate::gui::view::Camera;
+    use crate::gui::workbench::Command;
+
+    #[test]
+    fn a_line_is_cut_where_the_sheet_ends() {
+        let [w, h] = SIZE;
+        let across = clipped([[-50.0, 0.5 * h], [w + 50.0, 0.5 * h]]);
+        assert_eq!(across, Some([[0.0, 0.5 * h], [w, 0.5 * h]]));
+        let inside = [[1.0, 2.0], [30.0, 40.0]];
+        assert_eq!(clipped(inside), Some(inside));
+        assert_eq!(clipped([[-5.0, -5.0], [-5.0, 900.0]]), None);
+        assert_eq!(clipped([[f64::NAN, 1.0], [2.0, 2.0]]), None);
+    }
+
+    #[test]
+    fn the_sheet_holds_what_is_seen_and_nothing_outside_it() {
+        let mut workbench = workbench();
+        workbench.execute(Command::LookFrom(None));
+        let count = |workbench: &Workbench| {
+            let (drawing, says) = sheet(workbench).expect("there are samples");
+            let mut marks = 0;
+            for item in &drawing.items {
+                let points: Vec<[f64; 2]> = match item {
+                    Item::Lines(lines, _) => lines.concat(),
+                    Item::Marks { at, half, .. } if *half < 2.0 => {
+                        marks += at.len();
+                        at.clone()
+                    }
+                    _ => Vec::new(),
+                };
+                for p in points {
+                    assert!((-1e-9..=SIZE[0] + 1e-9).contains(&p[0]), "{p:?}");
+                    assert!((-1e-9..=SIZE[1] + 1e-9).contains(&p[1]), "{p:?}");
+                }
+            }
+            (marks, says)
+        };
+        let (marks, says) = count(&workbench);
+        assert_eq!(marks, workbench.subject().len());
+        assert!(says.contains("isometric view"), "{says}");
+        // Closer, less of it is on the sheet.
+        let closer = Camera::default().zoomed(6.0, [0.0; 2]).orbited([30.0, 9.0]);
+        workbench.execute(Command::Turn(closer));
+        let (fewer, says) = count(&workbench);
+        assert!(fewer < marks, "{fewer}");
+        assert!(says.contains("seen from azimuth"), "{says}");
+    }
+}
