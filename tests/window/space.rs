@@ -97,7 +97,9 @@ fn switch_keys_and_menu_lead_to_the_view_and_it_says_what_it_shows() {
     );
     assert!(there(&window, "3-D view, 208 samples, isometric view"));
     press(&mut window, "polar");
-    choose(&mut window, "View", "3-D view from above");
+    choose(&mut window, "View", "Standard 3-D views");
+    window.get_by_label("3-D view from above").click();
+    window.run_steps(4);
     assert!(name(&window).ends_with("top view"));
     assert!(window.unnamed_widgets().is_empty());
     // Robots with several joints begin with it.

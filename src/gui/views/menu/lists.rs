@@ -27,7 +27,12 @@ pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     menu.items(ui, &[SESSION, REGIONS, IDENTIFICATION, DIAGNOSIS, EXPORT]);
     ui.separator();
     menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE]);
-    menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP, FIT]);
+    // In a list of their own: a longer menu would not fit below its header.
+    ui.menu_button("Standard 3-D views", |ui| {
+        ui.set_min_width(220.0);
+        menu.items(ui, &[FROM_ISOMETRIC, FROM_FRONT, FROM_SIDE, FROM_TOP]);
+    });
+    menu.items(ui, &[FIT]);
     ui.separator();
     menu.items(ui, &[RESULTS]);
     ui.separator();
