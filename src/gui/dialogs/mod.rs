@@ -25,6 +25,7 @@ macro_rules! register {
 register! {
     about,
     keys,
+    palette,
     preferences,
     recovery,
     words,

@@ -9,7 +9,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Beside, Said};
-use crate::gui::preferences::Preferences;
+use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{Canvas, Colouring, Part, Plane, Sheet, Side, Step, Then, What};
 
 /// One thing that can be done.
@@ -23,6 +23,11 @@ pub(crate) enum Command {
     /// Take the last change back.
     Undo,
     Redo,
+    /// Open a file with the system's program for it, or show it in its folder.
+    OpenOutside {
+        path: PathBuf,
+        in_folder: bool,
+    },
     /// Ask for a file to open.
     ChooseFile,
     OpenFile(PathBuf),
@@ -56,6 +61,10 @@ pub(crate) enum Command {
     Restore(usize),
     /// Throw it away.
     DiscardLeft(usize),
+    /// Throw all of it away.
+    DiscardAllLeft,
+    /// Ask for a file that an instrument wrote.
+    ChooseImport,
     /// Keep what is not saved against a crash.
     KeepRecovery,
     /// Look whether open files are what they were.
@@ -95,7 +104,7 @@ pub(crate) enum Command {
     DismissLetters,
     /// Drop the task that is under way.
     Cancel,
-    /// Drop the search that is under way.
+    /// End the search that is under way; what it has found stays in sight.
     StopSearch,
     /// Stops looking at a foreign file; saying something looks again.
     StopLooking,
@@ -137,6 +146,8 @@ pub(crate) enum Command {
     Canvas(Canvas),
     /// Show numbers, colours and text like this.
     Prefer(Preferences),
+    /// Give panels these sizes; remembered only once that is preferred.
+    Resize(Sizes),
     /// Robot and instrument as they are being typed, while that makes no robot.
     Draft(Option<Box<SetupForm>>),
     /// Open, change or close a sheet.

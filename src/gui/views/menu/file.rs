@@ -18,14 +18,17 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
             menu.item_about(ui, action, Some(example.what));
         }
     });
-    menu.items(ui, &[actions::NEW]);
+    menu.items(ui, &[actions::IMPORT, actions::NEW]);
     ui.separator();
     menu.items(
         ui,
         &[actions::SAVE, actions::SAVE_AS, actions::SAVE_TO_PATH],
     );
     ui.separator();
-    menu.items(ui, &[actions::SAVE_MODEL, actions::SAVE_TABLE]);
+    menu.items(
+        ui,
+        &[actions::SAVE_MODEL, actions::SAVE_TABLE, actions::REPORT],
+    );
     ui.separator();
     menu.items(ui, &[actions::RELOAD, actions::FOLLOW]);
     ui.separator();
