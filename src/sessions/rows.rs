@@ -56,8 +56,11 @@ impl Samples {
             column.iter_mut().for_each(names);
         }
         self.target.iter_mut().for_each(|c| pick(c, rows, &0));
-        for column in [&mut self.held_out, &mut self.excluded] {
-            column.iter_mut().for_each(|c| pick(c, rows, &false));
+        for marks in [&mut self.held_out, &mut self.excluded]
+            .into_iter()
+            .flatten()
+        {
+            pick(marks, rows, &false);
         }
         let setups = self.setups.iter_mut();
         setups.for_each(|setups| pick(&mut setups.index, rows, &0));

@@ -46,7 +46,7 @@ impl Neighbours {
         let suits = move |path: &&PathBuf| {
             let (ending, name) = (text(path.extension()), text(path.file_stem()));
             endings.contains(&&*ending)
-                && !name.ends_with(".meta")
+                && Path::new(&name).extension().is_none_or(|e| e != "meta")
                 && words.iter().any(|word| name.contains(word))
         };
         self.0.iter().filter(suits).take(OFFERED)

@@ -21,9 +21,11 @@ pub(crate) enum Gripped {
     Usual,
 }
 
-/// A grip on an edge that stands upright at `x`, over the whole height of `panel`.
+/// A grip on an edge of `panel` that stands upright at `x`, over its whole height and inside it.
 pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> {
-    let rect = Rect::from_x_y_ranges(x - REACH..=x + REACH, panel.y_range());
+    let inwards = (panel.center().x - x).signum();
+    let middle = x + inwards * REACH;
+    let rect = Rect::from_x_y_ranges(middle - REACH..=middle + REACH, panel.y_range());
     let response = ui.interact(rect, Id::unique("grip").with(name), Sense::click_and_drag());
     let says = format!("width of {name}");
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, &says));

@@ -9,6 +9,7 @@ mod next;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
+use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{grouped, significant};
 use crate::gui::workbench::{Command, Workbench};
@@ -40,7 +41,7 @@ pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: 
 
 /// A diagnosis is running: what it has found so far.
 fn under_way(ui: &mut Ui, workbench: &Workbench) {
-    let found = workbench.searching().map(|running| running.found());
+    let found = workbench.searching().map(Running::found);
     let says = match found.as_ref().map_or(0, Vec::len) {
         0 => "Nothing found so far",
         _ => "Found so far; a likelier name may take the place of one",

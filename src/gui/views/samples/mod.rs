@@ -59,18 +59,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut hovered = None;
     table
         .header(24.0, |mut header| {
-            let heads = [
-                "sample".to_owned(),
-                format!("angle, {angle}"),
-                format!("before, {length}"),
-                format!("after, {length}"),
-                String::new(),
-            ];
-            for (head, by) in heads.iter().zip(By::ALL) {
-                if heading(&mut header, head, by, sorting) {
-                    sorting = sorting.after_click(by);
-                }
-            }
+            sorting = heads(&mut header, [angle, length], sorting);
         })
         .body(|body| {
             body.rows(ROW, subject.len(), |mut row| {
@@ -128,6 +117,11 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
             });
         });
     ui.data_mut(|data| data.insert_temp(sorted_by, sorting));
+    point_at(ui, hovered, commands);
+}
+
+/// Says which row the pointer is on, where that is another than before.
+fn point_at(ui: &Ui, hovered: Option<usize>, commands: &mut Vec<Command>) {
     let id = ui.scope_id().with("row under the pointer");
     let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
     ui.data_mut(|data| data.insert_temp(id, hovered));
@@ -152,6 +146,24 @@ fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
     // What is only pointed at moves the table no farther than it must.
     let align = elsewhere.is_none().then_some(Align::Center);
     wanted.map(|row| (row, align))
+}
+
+/// The heads of all columns; how the rows are sorted after a click on one.
+fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sorting) -> Sorting {
+    let heads = [
+        "sample".to_owned(),
+        format!("angle, {angle}"),
+        format!("before, {length}"),
+        format!("after, {length}"),
+        String::new(),
+    ];
+    let mut after = sorting;
+    for (head, by) in heads.iter().zip(By::ALL) {
+        if heading(header, head, by, sorting) {
+            after = sorting.after_click(by);
+        }
+    }
+    after
 }
 
 /// The head of a column, which sorts by it; the last is a mark, and needs a name all the same.

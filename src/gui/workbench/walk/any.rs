@@ -271,6 +271,13 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
     })
 }
 
+fn sizes(random: &mut ChaCha8Rng) -> Sizes {
+    Sizes {
+        left: one_of(random, &[0.0, 300.0, f32::NAN, 1e9]).copied(),
+        ..Sizes::default()
+    }
+}
+
 fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     Preferences {
         sizes: Sizes::default(),
@@ -389,10 +396,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
         137 | 138 => Command::Prefer(preferences(random)),
-        139 => Command::Resize(Sizes {
-            left: one_of(random, &[0.0, 300.0, f32::NAN, 1e9]).copied(),
-            ..Sizes::default()
-        }),
+        139 => Command::Resize(sizes(random)),
         140..=142 => Command::Draft(
             random
                 .random::<bool>()
