@@ -111,6 +111,17 @@ impl Diagnostic {
         }
     }
 
+    /// The same finding with the name of its file instead of the whole path: for a person who knows
+    /// which folder it is in.
+    #[must_use]
+    pub fn without_folder(mut self) -> Self {
+        let name = self.place.file.as_deref().and_then(Path::file_name);
+        if let Some(name) = name.map(PathBuf::from) {
+            self.place.file = Some(name);
+        }
+        self
+    }
+
     /// The same finding, about these samples (counted from 0).
     #[must_use]
     pub fn about(mut self, samples: &[usize]) -> Self {

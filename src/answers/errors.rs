@@ -110,6 +110,8 @@ pub enum Unusable {
     MissingCell,
     /// The instrument lost the reflector: it wrote (0, 0, 0).
     LostReflector,
+    /// A person took it out.
+    Excluded,
 }
 
 impl Unusable {
@@ -118,6 +120,7 @@ impl Unusable {
         match self {
             Self::MissingCell => "a joint value or a coordinate is missing",
             Self::LostReflector => "the instrument lost the reflector: it wrote 0, 0, 0",
+            Self::Excluded => "by hand",
         }
     }
 }

@@ -179,6 +179,28 @@ pub struct Identification {
 }
 
 impl Identification {
+    /// Samples that a person took out, counted from 0: they count in no fit and no figure.
+    pub fn excluded(&self) -> Vec<usize> {
+        let by_hand = self
+            .left_out
+            .iter()
+            .filter(|l| l.because == Unusable::Excluded);
+        by_hand.map(|l| l.sample).collect()
+    }
+
+    /// The same in words; `None` where there is none.
+    pub fn excluded_in_words(&self) -> Option<String> {
+        const MOST: usize = 20;
+        let excluded = self.excluded();
+        let numbers = excluded.iter().take(MOST).map(|i| (i + 1).to_string());
+        let numbers = numbers.collect::<Vec<_>>().join(", ");
+        let more = if excluded.len() > MOST { ", …" } else { "" };
+        let n = excluded.len();
+        (n > 0).then(|| {
+            let samples = if n == 1 { "sample" } else { "samples" };
+            format!("{n} {samples} excluded by hand, in no figure: {numbers}{more}")
+        })
+    }
     /// The calibration that goes with this answer, to be saved and exported.
     pub fn calibration(&self, session: &Session, inputs: &Inputs) -> Calibration {
         let step = |what: &str, pick: fn(&Gap) -> Spread| GapStep {

@@ -315,6 +315,9 @@ fn left_out_in_words(text: &mut String, d: &Diagnosis) {
             d.samples
         );
     }
+    if let Some(says) = d.identification.excluded_in_words() {
+        let _ = writeln!(text, "{says}");
+    }
     for outlier in &d.outliers {
         let _ = writeln!(
             text,

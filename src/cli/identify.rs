@@ -6,6 +6,7 @@ use clap::{Args, ValueEnum};
 
 use truepose::effects::JointValues;
 use truepose::fit::noise::StatedNoise;
+use truepose::fit::problem::Unusable;
 use truepose::fit::{DEFAULT_EFFECTS, Estimate, IMPLAUSIBLE, Identification, RegionResult};
 use truepose::pipeline;
 use truepose::present::identification_v1::{degrees, document};
@@ -200,7 +201,14 @@ fn in_words(answer: &Identification, session: &Session, data_problems: &[DataPro
             o.deviation_mm
         );
     }
-    for l in &answer.left_out {
+    if let Some(says) = answer.excluded_in_words() {
+        text += &format!("\n{says}");
+    }
+    let lost = answer
+        .left_out
+        .iter()
+        .filter(|l| l.because != Unusable::Excluded);
+    for l in lost {
         text += &format!("\nexcluded: sample {}: {}", l.sample + 1, l.because.says());
     }
     let quality = &answer.quality;

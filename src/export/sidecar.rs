@@ -178,8 +178,10 @@ impl Example {
             table_says: says,
             command_to_send: sent,
             says: format!(
-                "commanded {commanded}{unit}, robot reached {reached:.digits$}{unit}, table says \
-                 {number}: {then}"
+                "commanded {}{unit}, robot reached {reached:.digits$}{unit}, table says \
+                 {number}: {then}",
+                // The data's range may end at any digit.
+                (commanded * 1e6).round() / 1e6
             ),
         }
     }

@@ -271,6 +271,9 @@ impl<'a> Problem<'a> {
 /// Whether a sample cannot be used, and why; as a point, of whose coordinates none may be missing.
 pub fn unusable(session: &Session, sample: usize) -> Option<Unusable> {
     let samples = &session.samples;
+    if samples.is_excluded(sample) {
+        return Some(Unusable::Excluded);
+    }
     let x = samples.x_mm[sample];
     let y = samples.y_mm[sample];
     let z = samples.z_mm.as_ref().map(|z| z[sample]);

@@ -9,7 +9,7 @@ use crate::gui::core::simulate::Form;
 use crate::gui::preferences::{Preferences, Theme};
 use crate::gui::style::layout::Room;
 use crate::gui::units::{AngleUnit, LengthUnit};
-use crate::gui::view::{Plane, Sheet, Standard, Step, What};
+use crate::gui::view::{About, Plane, Sheet, Standard, Step, What};
 use crate::gui::workbench::{Command, Workbench};
 
 /// The window as it stands.
@@ -39,6 +39,21 @@ impl Now<'_> {
     }
 }
 
+/// What an action needs, and what to do where that is not there.
+#[derive(Clone, Copy)]
+struct Need {
+    there: fn(Now<'_>) -> bool,
+    first: &'static str,
+}
+
+const fn need(there: fn(Now<'_>) -> bool, first: &'static str) -> Need {
+    Need { there, first }
+}
+
+const NOTHING: Need = need(|_| true, "");
+const MEASURED: Need = need(measured, "Open a session first");
+const ANSWERED: Need = need(answered, "Identify the robot first");
+
 /// Something that can be done.
 #[derive(Clone, Copy)]
 pub(crate) struct Action {
@@ -47,7 +62,7 @@ pub(crate) struct Action {
     help: &'static str,
     /// What the menu says.
     label: fn(Now<'_>) -> String,
-    enabled: fn(Now<'_>) -> bool,
+    needs: Need,
     /// One of several ways to look: whether it is this.
     on: Option<fn(Now<'_>) -> bool>,
     command: fn(Now<'_>) -> Command,
@@ -65,14 +80,14 @@ impl Action {
             keys: KeyboardShortcut::new(modifiers, key),
             help,
             label,
-            enabled: |_| true,
+            needs: NOTHING,
             on: None,
             command,
         }
     }
 
-    const fn when(self, enabled: fn(Now<'_>) -> bool) -> Self {
-        Self { enabled, ..self }
+    const fn when(self, needs: Need) -> Self {
+        Self { needs, ..self }
     }
 
     const fn on(self, on: fn(Now<'_>) -> bool) -> Self {
@@ -87,7 +102,12 @@ impl Action {
     }
 
     pub(crate) fn enabled(&self, now: Now<'_>) -> bool {
-        (self.enabled)(now)
+        (self.needs.there)(now)
+    }
+
+    /// What has to be done first, where it cannot be done now.
+    pub(crate) fn first(&self) -> &'static str {
+        self.needs.first
     }
 
     /// Whether it is chosen, where it is one of several ways to look.
@@ -144,39 +164,46 @@ macro_rules! actions {
 
 actions! {
     REDO: SHIFTED, Z, "redo", |now| with("Redo", now.workbench.redoes()), |_| Command::Redo,
-        [when(|now| now.workbench.redoes().is_some())];
+        [when(need(|now| now.workbench.redoes().is_some(), "Nothing was undone"))];
     UNDO: COMMAND, Z, "undo", |now| with("Undo", now.workbench.undoes()), |_| Command::Undo,
-        [when(|now| now.workbench.undoes().is_some())];
+        [when(need(|now| now.workbench.undoes().is_some(), "Nothing was changed yet"))];
     OPEN_LATEST: SHIFTED, O, "open the last file again", |_| String::new(), open_latest;
     OPEN: COMMAND, O, "open a file", |_| "Open…".into(), |_| Command::ChooseFile;
+    IMPORT: SHIFTED, I, "import what an instrument wrote", |_| "Import…".into(),
+        |_| Command::ChooseImport;
     EXAMPLE_1: PLAIN, F2, "first example", |_| EXAMPLES[0].name.into(), |_| Command::OpenExample(0);
     EXAMPLE_2: PLAIN, F3, "second example", |_| EXAMPLES[1].name.into(), |_| Command::OpenExample(1);
     EXAMPLE_3: PLAIN, F4, "third example", |_| EXAMPLES[2].name.into(), |_| Command::OpenExample(2);
     NEW: COMMAND, N, "new by simulation", |_| "New by simulation…".into(),
         |_| sheet(Sheet::Simulate(Form::default()));
     SAVE_AS: SHIFTED, S, "save session as", |_| "Save session as…".into(),
-        |_| Command::ChooseWhereToSave, [when(measured)];
-    SAVE: COMMAND, S, "save session", |_| "Save session".into(), |_| Command::Save, [when(measured)];
+        |_| Command::ChooseWhereToSave, [when(MEASURED)];
+    SAVE: COMMAND, S, "save session", |_| "Save session".into(), |_| Command::Save, [when(MEASURED)];
     SAVE_TO_PATH: SHIFTED, P, "save session to a path", |_| "Save session to path…".into(),
-        |now| now.workbench.typed_path(), [when(measured)];
+        |now| now.workbench.typed_path(), [when(MEASURED)];
     SAVE_MODEL: COMMAND, M, "save model", |_| "Save model…".into(),
-        |_| Command::ChooseWhereToExport(What::Model), [when(answered)];
+        |_| Command::ChooseWhereToExport(What::Model), [when(ANSWERED)];
     COMPENSATE: SHIFTED, T, "correct targets or a program", |_| "Compensate targets…".into(),
-        |_| Command::ChooseTargets, [when(answered)];
+        |_| Command::ChooseTargets, [when(ANSWERED)];
     SAVE_TABLE: COMMAND, T, "save table", |_| "Save table…".into(),
-        |_| Command::ChooseWhereToExport(What::Table), [when(answered)];
+        |_| Command::ChooseWhereToExport(What::Table), [when(ANSWERED)];
+    REPORT: SHIFTED, R, "save the report", |_| "Report…".into(),
+        |_| Command::ChooseWhereToExport(What::Report(About::Session)), [when(MEASURED)];
     RELOAD: COMMAND, R, "read the file again", |_| "Read the file again".into(),
-        |_| Command::Reload, [when(|now| now.workbench.file().is_some())];
+        |_| Command::Reload, [when(need(|now| now.workbench.file().is_some(), "The session is in no file yet"))];
     FOLLOW: COMMAND, L, "follow the file, or stop", follow_says,
         |now| Command::Follow(now.workbench.following().is_none()),
-        [when(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some())];
+        [when(need(|now| now.workbench.following().is_some() || now.workbench.samples_file().is_some(), "The samples are in no file of their own"))];
     QUIT: COMMAND, Q, "quit", |_| "Quit".into(), |_| Command::Leave;
     IDENTIFY: COMMAND, I, "identify", |_| "Identify".into(),
-        |_| Command::Edit(Edit::Identify), [when(measured)];
+        |_| Command::Edit(Edit::Identify), [when(MEASURED)];
     SEARCH: COMMAND, G, "search for what is missing", |_| "Run diagnosis".into(),
-        |_| Command::Search, [when(measured)];
+        |_| Command::Search, [when(MEASURED)];
     CANCEL: COMMAND, Period, "cancel", |_| "Cancel what is running".into(), |_| Command::Cancel,
-        [when(|now| now.workbench.jobs().newest().is_some())];
+        [when(need(|now| now.workbench.jobs().newest().is_some(), "Nothing is running"))];
+    EXCLUDE: PLAIN, Delete, "exclude the chosen samples, or include them again", exclude_says,
+        |now| Command::Edit(Edit::Exclude(chosen(now), !are_excluded(now))),
+        [when(need(|now| !chosen(now).is_empty(), "Choose a sample in a plot or in the table"))];
     PREFERENCES: COMMAND, Comma, "preferences", |_| "Preferences…".into(),
         |_| sheet(Sheet::Named("preferences"));
     NEXT_ANGLE: SHIFTED, U, "other unit of angles", |now| next_angle(now).1.into(),
@@ -202,16 +229,16 @@ actions! {
     FIT: COMMAND, F, "fit the plots' view", |_| "Show everything in the plots".into(),
         |_| Command::Fit;
     FIT_TOO: PLAIN, Home, "the same", |_| String::new(), |_| Command::Fit;
-    SESSION: COMMAND, Num1, "step 1, session", |_| Step::Session.name().into(),
-        |_| Command::GoTo(Step::Session), [on(|now| now.workbench.view().step == Step::Session)];
-    REGIONS: COMMAND, Num2, "step 2, regions", |_| Step::Regions.name().into(),
-        |_| Command::GoTo(Step::Regions), [on(|now| now.workbench.view().step == Step::Regions)];
-    IDENTIFICATION: COMMAND, Num3, "step 3, identify", |_| Step::Identify.name().into(),
-        |_| Command::GoTo(Step::Identify), [on(|now| now.workbench.view().step == Step::Identify)];
-    DIAGNOSIS: COMMAND, Num4, "step 4, diagnose", |_| Step::Gap.name().into(),
-        |_| Command::GoTo(Step::Gap), [on(|now| now.workbench.view().step == Step::Gap)];
-    EXPORT: COMMAND, Num5, "step 5, export", |_| Step::Export.name().into(),
-        |_| Command::GoTo(Step::Export), [on(|now| now.workbench.view().step == Step::Export)];
+    STEP_1: COMMAND, Num1, "first step", step_name::<0>, go_to::<0>,
+        [on(is_at::<0>)], [when(need(|now| step::<0>(now).is_some(), "This robot has no such step"))];
+    STEP_2: COMMAND, Num2, "second step", step_name::<1>, go_to::<1>,
+        [on(is_at::<1>)], [when(need(|now| step::<1>(now).is_some(), "This robot has no such step"))];
+    STEP_3: COMMAND, Num3, "third step", step_name::<2>, go_to::<2>,
+        [on(is_at::<2>)], [when(need(|now| step::<2>(now).is_some(), "This robot has no such step"))];
+    STEP_4: COMMAND, Num4, "fourth step", step_name::<3>, go_to::<3>,
+        [on(is_at::<3>)], [when(need(|now| step::<3>(now).is_some(), "This robot has no such step"))];
+    STEP_5: COMMAND, Num5, "fifth step, where there are regions", step_name::<4>, go_to::<4>,
+        [on(is_at::<4>)], [when(need(|now| step::<4>(now).is_some(), "This robot has no such step"))];
     FROM_ISOMETRIC: PLAIN, Num0, "3-D view, isometric", |_| "3-D view, isometric".into(),
         |_| Command::LookFrom(Some(Standard::Isometric)),
         [on(|now| now.sees_from(Standard::Isometric))];
@@ -224,16 +251,67 @@ actions! {
     ABOUT: Modifiers::SHIFT, F1, "about truepose", |_| "About truepose".into(),
         |_| sheet(Sheet::Named("about"));
     WORDS: PLAIN, F1, "glossary", |_| "Glossary".into(), |_| sheet(Sheet::Named("words"));
-    KEYS: COMMAND, K, "this list", |_| "Keyboard and mouse".into(), |_| sheet(Sheet::Named("keys"));
+    KEYS: SHIFTED, K, "this list", |_| "Keyboard and mouse".into(), |_| sheet(Sheet::Named("keys"));
+    PALETTE: COMMAND, K, "all commands, by a word of their name", |_| "All commands…".into(),
+        |_| sheet(Sheet::Named("palette"));
 }
 
 /// The examples, in their order.
 pub(crate) const OPEN_EXAMPLE: [Action; EXAMPLES.len()] = [EXAMPLE_1, EXAMPLE_2, EXAMPLE_3];
 
+/// The steps, in their order; a robot without regions has no fifth.
+pub(crate) const STEPS: [Action; 5] = [STEP_1, STEP_2, STEP_3, STEP_4, STEP_5];
+
+fn step<const N: usize>(now: Now<'_>) -> Option<Step> {
+    now.workbench.steps().get(N).copied()
+}
+
+fn step_name<const N: usize>(now: Now<'_>) -> String {
+    step::<N>(now).map_or("", Step::name).to_owned()
+}
+
+fn go_to<const N: usize>(now: Now<'_>) -> Command {
+    Command::GoTo(step::<N>(now).unwrap_or(now.workbench.view().step))
+}
+
+fn is_at<const N: usize>(now: Now<'_>) -> bool {
+    step::<N>(now) == Some(now.workbench.view().step)
+}
+
 fn open_latest(now: Now<'_>) -> Command {
     match now.workbench.recent().find(|(_, there)| *there) {
         Some((path, _)) => Command::OpenFile(path.to_path_buf()),
         None => Command::ChooseFile,
+    }
+}
+
+/// The samples that are chosen.
+fn chosen(now: Now<'_>) -> Vec<usize> {
+    let view = now.workbench.view();
+    if view.marked.is_empty() {
+        view.selected.into_iter().collect()
+    } else {
+        view.marked.clone()
+    }
+}
+
+fn are_excluded(now: Now<'_>) -> bool {
+    let samples = &now.workbench.subject().session.samples;
+    chosen(now)
+        .iter()
+        .all(|sample| samples.is_excluded(*sample))
+}
+
+fn exclude_says(now: Now<'_>) -> String {
+    let what = match chosen(now)[..] {
+        [] => "samples".to_owned(),
+        [one] => format!("sample {}", one + 1),
+        ref all => format!("{} samples", all.len()),
+    };
+    if !chosen(now).is_empty() && are_excluded(now) {
+        format!("Include {what} again")
+    } else {
+        format!("Exclude {what}")
     }
 }
 
@@ -258,7 +336,9 @@ fn next_length(now: Now<'_>) -> (LengthUnit, &'static str) {
 fn next_angle(now: Now<'_>) -> (AngleUnit, &'static str) {
     match now.preferences().angle {
         AngleUnit::Degree => (AngleUnit::Radian, "Angles in radians"),
-        AngleUnit::Radian => (AngleUnit::Degree, "Angles in degrees"),
+        AngleUnit::Radian => (AngleUnit::Milliradian, "Angles in mrad"),
+        AngleUnit::Milliradian => (AngleUnit::ArcSecond, "Angles in arcsec"),
+        AngleUnit::ArcSecond => (AngleUnit::Degree, "Angles in degrees"),
     }
 }
 
@@ -291,7 +371,9 @@ pub(crate) fn in_words(ctx: &Context, keys: KeyboardShortcut) -> String {
 /// How the window is divided now.
 pub(crate) fn room(ctx: &Context, workbench: &Workbench) -> Room {
     let size = ctx.content_rect().size();
-    Room::of(size.x, size.y, workbench.view().results)
+    let view = workbench.view();
+    let sizes = view.preferences.sizes;
+    Room::of(size.x, size.y, view.results, [sizes.left, sizes.right])
 }
 
 /// What the keyboard asks for. Behind a sheet, and while text is typed, the keys belong to the text.
@@ -299,8 +381,11 @@ pub(crate) fn read(ctx: &Context, workbench: &Workbench) -> Vec<Command> {
     if workbench.view().sheet.is_some() || ctx.text_edit_focused() {
         return Vec::new();
     }
-    let pressed = |action: &&Action| ctx.input_mut(|i| i.consume_shortcut(&action.keys));
     let now = Now { ctx, workbench };
+    // A key by itself may mean something to the control with the focus.
+    let meant = |action: &Action| action.keys.modifiers.any() || action.enabled(now);
+    let pressed =
+        |action: &&Action| meant(action) && ctx.input_mut(|i| i.consume_shortcut(&action.keys));
     let all = ALL.iter().filter(pressed);
     all.map(|action| action.command(now)).collect()
 }

@@ -1,5 +1,6 @@
 //! The shell: takes what the tasks have brought, lays out the panels, executes their commands.
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -12,7 +13,7 @@ use crate::fonts::Library;
 use super::file_state::watcher;
 use super::preferences::Preferences;
 use super::units::write_numbers;
-use super::view::{Canvas, Sheet};
+use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::font_fallback::Alphabet;
@@ -24,9 +25,19 @@ use crate::gui::workbench::{Command, Workbench};
 /// So long after a change what is not saved is kept: a gesture is over by then.
 const RECOVERY_AFTER_S: f64 = 2.0;
 
+/// Layout passes of one frame at most: those that are not shown, twice over, as what was asked for may
+/// arrive between them.
+const PASSES: NonZeroUsize = NonZeroUsize::MIN.saturating_add(6);
+/// Passes that are not shown after a change of the arrangement: the one in which it changed, one in
+/// which a plot finds its bounds, and one in which it measures its axes.
+const UNSEEN: u8 = 3;
+
 /// The window's contents.
 pub struct App {
     workbench: Workbench,
+    /// As it was laid out last, and how many passes from now on are not to be seen.
+    arranged: Option<Arrangement>,
+    unseen: u8,
     /// `None`: nobody is to draw letters that the bundled fonts lack.
     alphabet: Option<Alphabet>,
     shown: Preferences,
@@ -40,6 +51,7 @@ impl App {
     /// Opens on a file, or on the bundled session.
     pub fn new(ctx: &Context, path: Option<PathBuf>, runner: Runner) -> Self {
         tokens::apply(ctx);
+        ctx.options_mut(|options| options.max_passes = PASSES);
         write_fields(ctx, false);
         let wake = ctx.clone();
         let jobs = Jobs::new(runner, Arc::new(move || wake.request_repaint()));
@@ -57,6 +69,8 @@ impl App {
     pub(crate) fn on(workbench: Workbench) -> Self {
         Self {
             workbench,
+            arranged: None,
+            unseen: 0,
             alphabet: None,
             shown: Preferences::default(),
             title: String::new(),
@@ -119,6 +133,20 @@ impl App {
         self.ask_before_leaving(ui.ctx());
         if self.workbench.receive() || any {
             ui.ctx().request_repaint();
+        }
+        self.keep_arranged(ui.ctx());
+    }
+
+    /// Where the arrangement has changed, the layout is done again before anybody sees it.
+    fn keep_arranged(&mut self, ctx: &Context) {
+        let now = Some(self.workbench.arrangement());
+        if self.arranged != now {
+            self.arranged = now;
+            self.unseen = UNSEEN;
+        }
+        if self.unseen > 0 {
+            self.unseen -= 1;
+            ctx.request_discard("another arrangement");
         }
     }
 
@@ -224,6 +252,7 @@ impl App {
                     views::results::show(ui, workbench, room, commands);
                 });
         }
+        let middle = ui.available_rect_before_wrap();
         CentralPanel::no_frame()
             .frame(Frame::NONE.fill(palette.background))
             .show(ui, |ui| {
@@ -235,6 +264,8 @@ impl App {
                     views::stage::show(ui, workbench, commands);
                 }
             });
+        views::grips::show(ui, workbench, room, middle, commands);
+        views::toast::show(ui, workbench, commands);
         dialogs::show(ui, workbench, commands);
         views::dropped::show(ui, commands);
         widgets::focus_ring(ui.ctx());

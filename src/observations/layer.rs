@@ -90,7 +90,9 @@ impl<'a> Layer<'a> {
     /// The observations of a session whose joints were where `inputs` say, sample by sample.
     pub(crate) fn at(session: &'a Session, inputs: &Inputs) -> Self {
         let held_out = session.samples.held_out.as_deref();
-        let complete = |i: usize| session.samples.q.iter().all(|q| !q[i].is_nan());
+        let complete = |i: usize| {
+            !session.samples.is_excluded(i) && session.samples.q.iter().all(|q| !q[i].is_nan())
+        };
         let mut items = Vec::new();
         for sample in (0..session.samples.len()).filter(|i| complete(*i)) {
             for (kind, own) in KINDS.iter().enumerate() {

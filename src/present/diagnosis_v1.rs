@@ -51,6 +51,7 @@ pub fn document(d: &Diagnosis, session: &Session, start: Option<&RegionalStart>)
         }),
         "not_found": list(&d.not_found, not_found),
         "outliers": outliers(&d.outliers),
+        "excluded": list(&d.identification.excluded(), |sample| Json::from(sample + 1)),
         "next_poses": poses(&d.next_poses, &session.robot),
         "noise": noise(&d.noise),
         "kinds": given(kinds::rows(&d.identification.kinds)),

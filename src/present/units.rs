@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::numbers::{NOTHING, decimals_of, fixed, notation, significant, trimmed, with_interval};
+use std::f64::consts::PI;
+
+use super::numbers::{
+    NOTHING, decimals_of, fixed, notation, significant, trimmed, typed, with_interval,
+};
 use crate::fit::Estimate;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -28,6 +32,10 @@ pub enum AngleUnit {
     Degree,
     /// 1 rad.
     Radian,
+    /// 0.001 rad.
+    Milliradian,
+    /// 1/3600°.
+    ArcSecond,
 }
 
 /// Both.
@@ -65,6 +73,8 @@ impl Units {
         match self.angle {
             AngleUnit::Degree => deg_from_rad(rad),
             AngleUnit::Radian => rad,
+            AngleUnit::Milliradian => rad * 1000.0,
+            AngleUnit::ArcSecond => deg_from_rad(rad) * 3600.0,
         }
     }
 
@@ -73,6 +83,8 @@ impl Units {
         match self.angle {
             AngleUnit::Degree => "°",
             AngleUnit::Radian => " rad",
+            AngleUnit::Milliradian => " mrad",
+            AngleUnit::ArcSecond => " arcsec",
         }
     }
 
@@ -134,8 +146,86 @@ impl Units {
         match self.angle {
             AngleUnit::Degree => format!("{}°", trimmed(deg_from_rad(rad), 2)),
             AngleUnit::Radian => format!("{} rad", trimmed(rad, 4)),
+            AngleUnit::Milliradian => format!("{} mrad", trimmed(rad * 1000.0, 2)),
+            AngleUnit::ArcSecond => format!("{} arcsec", trimmed(deg_from_rad(rad) * 3600.0, 1)),
         }
     }
+}
+
+/// Units that may be typed: what they measure, in which unit that is, and what each is of it.
+const TYPED: [(&str, &[(&str, f64)]); 4] = [
+    (
+        "rad",
+        &[
+            ("rad", 1.0),
+            ("mrad", 1e-3),
+            ("µrad", 1e-6),
+            ("°", PI / 180.0),
+            ("deg", PI / 180.0),
+            ("arcmin", PI / 10_800.0),
+            ("arcsec", PI / 648_000.0),
+        ],
+    ),
+    (
+        "mm",
+        &[
+            ("mm", 1.0),
+            ("µm", 1e-3),
+            ("um", 1e-3),
+            ("cm", 10.0),
+            ("m", 1000.0),
+            ("in", MM_PER_INCH),
+            ("\"", MM_PER_INCH),
+            ("thou", 1e-3 * MM_PER_INCH),
+            ("mil", 1e-3 * MM_PER_INCH),
+        ],
+    ),
+    ("kg", &[("kg", 1.0), ("g", 1e-3), ("lb", 0.453_592_37)]),
+    ("s", &[("s", 1.0), ("ms", 1e-3), ("min", 60.0)]),
+];
+
+/// A number as it was typed, in the unit `into`; its unit is `usual` unless another of the same
+/// quantity stands behind it. What is wrong with it otherwise.
+///
+/// # Errors
+/// It is no number, or its unit is unknown or of another quantity.
+pub fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
+    let text = text.trim();
+    if let Some(value) = typed(text) {
+        let factor = |unit: &str| {
+            let mut all = TYPED.iter().flat_map(|(_, units)| units.iter());
+            all.find(|(name, _)| *name == unit).map_or(1.0, |u| u.1)
+        };
+        return Ok(if usual == into {
+            value
+        } else {
+            value * (factor(usual) / factor(into))
+        });
+    }
+    let text = text.replace('μ', "µ");
+    let quantity = TYPED
+        .iter()
+        .find(|(_, all)| all.iter().any(|u| u.0 == into));
+    let units = quantity.map_or(&[][..], |(_, units)| units);
+    let own = units.iter().find(|(name, _)| *name == into);
+    let read = |(name, factor): &(&str, f64)| {
+        let value = typed(text.strip_suffix(name)?)?;
+        Some(value * (factor / own.map_or(1.0, |u| u.1)))
+    };
+    if let Some(value) = units.iter().find_map(read) {
+        return Ok(value);
+    }
+    let number = text.trim_end_matches(|c: char| !c.is_ascii_digit());
+    if typed(number).is_none() {
+        return Err(format!("'{text}' is no number"));
+    }
+    let unit = text[number.len()..].trim();
+    let known: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
+    Err(if known.is_empty() {
+        format!("'{unit}' after the number: this one has no unit")
+    } else {
+        format!("'{unit}' is no unit here; known are {}", known.join(", "))
+    })
 }
 
 #[cfg(test)]
@@ -190,6 +280,28 @@ mod tests {
         assert_eq!(column, ["0.0195", "0.0096", "0.1000"]);
         assert_eq!(units.length_like(-2.5, 0.0), "−2.50");
         assert_eq!(units.length_like(f64::NAN, 1.0), "–");
+    }
+
+    #[test]
+    fn a_typed_unit_is_converted_and_an_unknown_one_refused() {
+        let mm = |text| typed_in(text, "mm", "mm");
+        assert_eq!(mm(" 0,2 "), Ok(0.2));
+        assert_eq!(mm("8 thou"), Ok(8.0 * 1e-3 * 25.4));
+        assert_eq!(mm("30 µm"), Ok(0.03));
+        assert_eq!(mm("0.03 m"), Ok(30.0));
+        assert_eq!(typed_in("62", "°", "rad"), Ok(rad_from_deg(62.0)));
+        assert_eq!(typed_in("7 rad", "°", "rad"), Ok(7.0));
+        assert_eq!(typed_in("3600 arcsec", "°", "°").map(f64::round), Ok(1.0));
+        for (text, says) in [
+            ("abc", "'abc' is no number"),
+            ("", "'' is no number"),
+            ("8 furlongs", "'furlongs' is no unit here"),
+            ("8 deg", "'deg' is no unit here"),
+            ("1e999", "no number"),
+        ] {
+            assert!(mm(text).is_err_and(|e| e.contains(says)), "{text}");
+        }
+        assert!(typed_in("8 mm", "", "").is_err_and(|e| e.contains("no unit")));
     }
 
     #[test]

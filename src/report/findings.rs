@@ -109,6 +109,10 @@ impl Told<'_> {
         }
         blocks.extend(self.next_poses());
         blocks.extend(self.outliers());
+        if let Some(says) = d.identification.excluded_in_words() {
+            blocks.push(Block::Heading("Samples excluded by hand".to_owned()));
+            blocks.push(Block::Text(says));
+        }
         if blocks.is_empty() {
             let mut text =
                 "Nothing in these samples: no data problem, no rival explanation, nothing \

@@ -121,7 +121,7 @@ pub(crate) fn samples(
                 samples.setups = Some(Setups { names: list, index });
             }
             (Heading::Known(Quantity::Use, _), Cells::Names(cells)) => {
-                samples.held_out = Some(column.held_out(&cells));
+                [samples.held_out, samples.excluded] = column.uses(&cells);
             }
             (Heading::Known(quantity, _), Cells::Names(cells)) => {
                 column.references(*quantity, &cells, declared.references, &mut samples);
@@ -271,23 +271,27 @@ impl Column<'_> {
         *into = Some(column.read(cells, self.index, self.locate, self.findings));
     }
 
-    fn held_out(self, cells: &Names) -> Vec<bool> {
-        let wrong: Vec<usize> = (0..cells.index.len())
-            .filter(|&row| {
-                !matches!(
-                    cells.list[cells.index[row] as usize].as_str(),
-                    "" | "fit" | "held-out"
-                )
-            })
-            .collect();
-        let found = |row: usize| quoted(&cells.list[cells.index[row] as usize]);
-        self.complain(&wrong, &found, "fit or held-out");
-        let held_out: Vec<bool> = cells.list.iter().map(|name| name == "held-out").collect();
-        cells
-            .index
-            .iter()
-            .map(|&name| held_out[name as usize])
-            .collect()
+    /// Held out, and excluded. A file that excludes nothing has no marks of it.
+    fn uses(self, cells: &Names) -> [Option<Vec<bool>>; 2] {
+        const HELD_OUT: &str = "held-out";
+        const EXCLUDED: &str = "excluded";
+        // Taken in again it is held out as before.
+        const BOTH: &str = "held-out-excluded";
+        let of = |row: usize| cells.list[cells.index[row] as usize].as_str();
+        let rows = 0..cells.index.len();
+        let known = |row: &usize| matches!(of(*row), "" | "fit" | HELD_OUT | EXCLUDED | BOTH);
+        let wrong: Vec<usize> = rows.clone().filter(|row| !known(row)).collect();
+        let found = |row: usize| quoted(of(row));
+        self.complain(&wrong, &found, "fit, held-out or excluded");
+        let marks = |name: &str| -> Vec<bool> {
+            let is = |row| of(row) == name || of(row) == BOTH;
+            rows.clone().map(is).collect()
+        };
+        let excluded = Some(marks(EXCLUDED)).filter(|all| all.contains(&true));
+        let held_out = Some(marks(HELD_OUT));
+        // A column that only excludes says nothing of held-out samples.
+        let held_out = held_out.filter(|all| all.contains(&true) || excluded.is_none());
+        [held_out, excluded]
     }
 }
 

@@ -151,6 +151,9 @@ pub struct Samples {
     pub setups: Option<Setups>,
     /// True where the file says `held-out`; `None` without a `use` column.
     pub held_out: Option<Vec<bool>>,
+    /// True where the file says `excluded`: a person took the sample out, and it counts in no fit and
+    /// no figure; `None` where none is.
+    pub excluded: Option<Vec<bool>>,
     /// Columns that are kept but not understood.
     pub unknown: Vec<UnknownColumn>,
     /// Line in the samples file of each sample, so that a finding can name its place;
@@ -179,6 +182,18 @@ impl Samples {
         let z_is_zero = |i: usize| self.z_mm.as_ref().is_none_or(|z| z[i] == 0.0);
         (0..self.len())
             .filter(|&i| self.x_mm[i] == 0.0 && self.y_mm[i] == 0.0 && z_is_zero(i))
+            .collect()
+    }
+
+    /// Whether a person took this sample out.
+    pub fn is_excluded(&self, sample: usize) -> bool {
+        self.excluded.as_ref().is_some_and(|all| all[sample])
+    }
+
+    /// Samples that a person took out, in ascending order.
+    pub fn excluded_by_hand(&self) -> Vec<usize> {
+        let all = self.excluded.iter().flatten().enumerate();
+        all.filter_map(|(sample, out)| out.then_some(sample))
             .collect()
     }
 

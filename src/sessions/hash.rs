@@ -91,6 +91,10 @@ fn samples(canonical: &mut Canonical, samples: &Samples) {
             .collect()
     });
     canonical.indices("held out", held_out.as_deref());
+    if let Some(excluded) = &samples.excluded {
+        let excluded: Vec<u32> = excluded.iter().map(|out| u32::from(*out)).collect();
+        canonical.indices("excluded", Some(&excluded));
+    }
 }
 
 fn observed(canonical: &mut Canonical, observed: &ObservedColumns) {

@@ -56,7 +56,12 @@ impl Samples {
             column.iter_mut().for_each(names);
         }
         self.target.iter_mut().for_each(|c| pick(c, rows, &0));
-        self.held_out.iter_mut().for_each(|c| pick(c, rows, &false));
+        for marks in [&mut self.held_out, &mut self.excluded]
+            .into_iter()
+            .flatten()
+        {
+            pick(marks, rows, &false);
+        }
         let setups = self.setups.iter_mut();
         setups.for_each(|setups| pick(&mut setups.index, rows, &0));
         for column in &mut self.unknown {
@@ -125,14 +130,15 @@ impl Samples {
         };
         append_observed(&mut self.observed, more.observed, before, added);
         self.setups = together(self.setups.take(), more.setups, before, added);
-        self.held_out = match (self.held_out.take(), more.held_out) {
-            (None, None) => None,
-            (here, there) => {
-                let mut held_out = here.unwrap_or_else(|| vec![false; before]);
-                held_out.extend(there.unwrap_or_else(|| vec![false; added]));
-                Some(held_out)
+        for (column, more) in [
+            (&mut self.held_out, more.held_out),
+            (&mut self.excluded, more.excluded),
+        ] {
+            if column.is_some() || more.is_some() {
+                let marks = column.get_or_insert_with(|| vec![false; before]);
+                marks.extend(more.unwrap_or_else(|| vec![false; added]));
             }
-        };
+        }
         for column in more.unknown {
             let known = self.unknown.iter().position(|c| c.name == column.name);
             let known = known.unwrap_or_else(|| {

@@ -27,7 +27,8 @@ pub(crate) enum Values<'a> {
     },
     Targets(&'a [u32], &'a [Target]),
     Setups(&'a Setups),
-    HeldOut(&'a [bool]),
+    /// Held out, and excluded.
+    Use([Option<&'a [bool]>; 2]),
     Text(&'a [String]),
     /// Indices into what the session declares; nothing is an empty cell.
     References(&'a [Option<u32>], &'a References, NameOf),
@@ -56,8 +57,12 @@ impl<'a> Values<'a> {
                 .names
                 .get(setups.index[row] as usize)
                 .map_or("", String::as_str),
-            Self::HeldOut(held_out) if held_out[row] => "held-out",
-            Self::HeldOut(_) => "fit",
+            Self::Use(marks) => match marks.map(|all| all.is_some_and(|all| all[row])) {
+                [false, false] => "fit",
+                [true, false] => "held-out",
+                [false, true] => "excluded",
+                [true, true] => "held-out-excluded",
+            },
             Self::Text(cells) => &cells[row],
             Self::References(index, all, name) => {
                 index[row].map_or("", |index| name(all, index as usize))
@@ -70,7 +75,7 @@ impl<'a> Values<'a> {
             Self::Numbers { values, .. } => values.len(),
             Self::Targets(index, _) => index.len(),
             Self::Setups(setups) => setups.index.len(),
-            Self::HeldOut(held_out) => held_out.len(),
+            Self::Use(uses) => uses.into_iter().flatten().next().map_or(0, <[bool]>::len),
             Self::Text(cells) => cells.len(),
             Self::References(index, ..) => index.len(),
         }
@@ -216,8 +221,9 @@ pub(crate) fn columns(session: &Session) -> Vec<Column<'_>> {
     if let Some(setups) = &samples.setups {
         columns.add("setup".to_owned(), Values::Setups(setups));
     }
-    if let Some(held_out) = &samples.held_out {
-        columns.add("use".to_owned(), Values::HeldOut(held_out));
+    let uses = [samples.held_out.as_deref(), samples.excluded.as_deref()];
+    if uses.iter().any(Option::is_some) {
+        columns.add("use".to_owned(), Values::Use(uses));
     }
     for column in &samples.unknown {
         columns.add(column.name.clone(), Values::Text(&column.cells));

@@ -194,6 +194,16 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
         );
         findings.push(Diagnostic::warning(file.clone(), found, "").about(&incomplete));
     }
+    let excluded = samples.excluded_by_hand();
+    if !excluded.is_empty() {
+        let found = format!(
+            "{} of {count} samples are excluded by hand and count in no figure: {}",
+            excluded.len(),
+            which(samples, &excluded)
+        );
+        findings
+            .push(Diagnostic::warning(file.clone().in_field("use"), found, "").about(&excluded));
+    }
     let partly = samples.partly_measured();
     if !partly.is_empty() {
         let found = format!(
@@ -207,10 +217,11 @@ fn completeness(samples: &Samples, file: &Place, findings: &mut Vec<Diagnostic>)
         let found = "no column for the measured z: the session is planar";
         findings.push(Diagnostic::note(file.clone(), found));
     }
-    if let Some(held_out) = &samples.held_out
-        && held_out.iter().all(|held_out| *held_out)
+    let held_out = |i: usize| samples.held_out.as_ref().is_some_and(|h| h[i]);
+    if (samples.held_out.is_some() || samples.excluded.is_some())
+        && (0..count).all(|i| held_out(i) || samples.is_excluded(i))
     {
-        let found = "every sample is held out: nothing is left to fit";
+        let found = "every sample is held out or excluded: nothing is left to fit";
         findings.push(Diagnostic::warning(
             file.clone().in_field("use"),
             found,

@@ -91,6 +91,7 @@ pub fn samples(scenario: &Scenario, stops: &[Stop], random: &mut ChaCha8Rng) -> 
         time_s: c.seconds_per_pose.is_some().then_some(time),
         setups: None,
         held_out: None,
+        excluded: None,
         unknown: Vec::new(),
         line: Lines::default(),
     }

@@ -63,7 +63,8 @@ pub fn standards(
     let mut notes = Vec::new();
     if left_out > 0 {
         notes.push(format!(
-            "{left_out} samples are left out: a cell is missing, or the reflector was lost"
+            "{left_out} samples are left out: a cell is missing, the reflector was lost, or \
+             they are excluded by hand"
         ));
     }
     if samples == 0 {

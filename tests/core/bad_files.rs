@@ -713,7 +713,7 @@ const BAD_TABLES: &[(&str, &[u8], &[&str])] = &[
     (
         "a use of another name",
         b"q1_deg,x_mm,y_mm,use\n1,2,3,test\n",
-        &["line 2, column 4, use: 'test'; expected fit or held-out"],
+        &["line 2, column 4, use: 'test'; expected fit, held-out or excluded"],
     ),
     (
         "not one complete sample",

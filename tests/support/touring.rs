@@ -8,7 +8,7 @@ use egui::accesskit::Role;
 use egui::epaint::{ClippedShape, Shape};
 use egui_kittest::kittest::{NodeT, Queryable};
 
-use super::window::{STEPS, Window, press, says, there};
+use super::window::{Window, go_to, press, says, steps, there};
 
 /// Everything that stands in the window: what is painted, and what a screen reader is told.
 pub fn texts(window: &Window) -> Vec<String> {
@@ -49,13 +49,14 @@ pub fn sound(window: &Window, where_at: &str) {
 /// Presses every tab, choice and check box that is there, once each.
 pub fn try_everything(window: &mut Window, where_at: &str) {
     let mut tried: Vec<String> = Vec::new();
+    let all = steps(window);
     // Something that was pressed may bring more with it.
     for _ in 0..60 {
         let next = window.root().children_recursive().find_map(|node| {
             let node = node.accesskit_node();
             let choice = matches!(node.role(), Role::RadioButton | Role::CheckBox);
             let label = node.label()?;
-            let fresh = !tried.contains(&label) && !STEPS.contains(&label.as_str());
+            let fresh = !tried.contains(&label) && !all.contains(&label);
             (choice && fresh && !node.is_disabled()).then_some(label)
         });
         let Some(label) = next else {
@@ -82,20 +83,20 @@ pub fn press_if_there(window: &mut Window, label: &str) {
 /// Walks all steps, tries everything there is in each, identifies, searches and writes everything
 /// that can be written into a folder.
 pub fn tour(window: &mut Window, folder: &Path, name: &str) {
-    for step in STEPS {
+    for step in &steps(window) {
         press(window, step);
         sound(window, &format!("{name}, {step}"));
         try_everything(window, &format!("{name}, {step}"));
     }
-    press(window, "3 Identify");
+    go_to(window, "Identify");
     press_if_there(window, "Identify");
     press_if_there(window, "Exact");
-    for step in STEPS {
+    for step in &steps(window) {
         press(window, step);
         sound(window, &format!("{name}, identified, {step}"));
         try_everything(window, &format!("{name}, identified, {step}"));
     }
-    press(window, "4 Diagnose");
+    go_to(window, "Diagnose");
     press_if_there(window, "Run diagnosis");
     window.run_steps(4);
     sound(window, &format!("{name}, searched"));

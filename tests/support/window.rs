@@ -45,6 +45,20 @@ pub const STEPS: [&str; 5] = [
     "5 Export",
 ];
 
+/// The steps that are there: robots other than a single revolute joint have no regions.
+pub fn steps(window: &Window) -> Vec<String> {
+    let names = ["Session", "Regions", "Identify", "Diagnose", "Export"];
+    let numbered = (1..=5).flat_map(|n| names.map(|name| format!("{n} {name}")));
+    numbered.filter(|step| there(window, step)).collect()
+}
+
+/// Goes to the step of this name, whatever its number is.
+pub fn go_to(window: &mut Window, name: &str) {
+    let mut all = steps(window).into_iter();
+    let step = all.find(|step| step.ends_with(name));
+    press(window, &step.expect("there is such a step"));
+}
+
 /// Presses something; brings it into sight first where it is not.
 pub fn press(window: &mut Window, label: &str) {
     into_sight(window, label);

@@ -98,7 +98,7 @@ fn every_input_of_every_menu_and_sheet_has_a_name() {
         ("A lamp on one turning axis", Modifiers::COMMAND, Key::N),
         ("Save session", shifted, Key::P),
         ("Preferences", Modifiers::COMMAND, Key::Comma),
-        ("Keyboard and mouse", Modifiers::COMMAND, Key::K),
+        ("Keyboard and mouse", shifted, Key::K),
         ("Glossary", Modifiers::NONE, Key::F1),
         (
             "Calibrates a robot at commissioning",

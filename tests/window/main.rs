@@ -23,6 +23,7 @@ mod export;
 mod files;
 mod follow;
 mod frame;
+mod friction;
 mod gap;
 mod identify;
 mod import;

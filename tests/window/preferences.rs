@@ -68,7 +68,7 @@ fn the_keys_do_what_the_menus_say() {
     assert!(there(&window, "Identify"));
     keys(&mut window, Modifiers::COMMAND, Key::I);
     assert!(status(&window).contains('→'));
-    keys(&mut window, Modifiers::COMMAND, Key::K);
+    keys(&mut window, Modifiers::COMMAND | Modifiers::SHIFT, Key::K);
     assert!(says(&window, "follow the file, or stop"));
     window.key_press(Key::Escape);
     window.run_steps(4);
@@ -80,7 +80,7 @@ fn the_keys_do_what_the_menus_say() {
     assert!(!says(&window, "19 of 20"));
     choose(&mut window, "View", "Angles in radians");
     press(&mut window, "View");
-    assert!(there(&window, "Angles in degrees"));
+    assert!(there(&window, "Angles in mrad"));
 }
 
 #[test]
@@ -97,6 +97,7 @@ fn every_sheet_has_names_for_its_controls() {
     for (modifiers, key) in [
         (Modifiers::COMMAND, Key::Comma),
         (Modifiers::COMMAND, Key::K),
+        (Modifiers::COMMAND | Modifiers::SHIFT, Key::K),
         (Modifiers::NONE, Key::F1),
         (Modifiers::SHIFT, Key::F1),
         (Modifiers::COMMAND, Key::N),

@@ -295,7 +295,7 @@ fn a_session_at_one_angle_says_why_there_are_no_regions() {
         "it says why"
     );
     assert!(
-        says(&window, "Give the joint its limits in step 1"),
+        says(&window, "Give the joint its limits in Session"),
         "and what to do"
     );
     press(&mut window, "Continue to identify");

@@ -138,7 +138,7 @@ fn the_keyboard_and_the_menu_know_the_polar_view() {
     assert!(!says(&window, "polar view"));
     choose(&mut window, "View", "Deviation around the angle");
     assert!(says(&window, "polar view"));
-    keys(&mut window, Modifiers::COMMAND, Key::K);
+    keys(&mut window, shifted, Key::K);
     assert!(says(&window, "deviation around the angle (polar)"));
 }
 

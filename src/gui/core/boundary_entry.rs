@@ -4,7 +4,7 @@
 //! all: every refusal names the region, says what is wrong and what to type instead.
 
 use super::boundaries::{Boundary, NARROWEST_RAD, boundaries};
-use crate::gui::units::{AngleUnit, Units, typed};
+use crate::gui::units::{AngleUnit, Units, typed_in};
 use crate::sessions::Region;
 use crate::units::{deg_from_rad, rad_from_deg};
 
@@ -61,31 +61,19 @@ pub(crate) fn joint_at(regions: &[Region], region: usize, end: End) -> Joint {
 /// number. What is wrong with it otherwise.
 pub(crate) fn angle(text: &str, units: Units) -> Result<f64, String> {
     let text = text.trim();
-    let (number, unit) = if let Some(number) = text.strip_suffix('°') {
-        (number, AngleUnit::Degree)
-    } else if let Some(number) = text.strip_suffix("deg") {
-        (number, AngleUnit::Degree)
-    } else if let Some(number) = text.strip_suffix("rad") {
-        (number, AngleUnit::Radian)
-    } else {
-        (text, units.angle)
-    };
     let (name, example) = match units.angle {
         AngleUnit::Degree => ("degrees", "−30"),
         AngleUnit::Radian => ("radians", "−0.5"),
+        AngleUnit::Milliradian => ("milliradians", "−500"),
+        AngleUnit::ArcSecond => ("seconds of arc", "−108000"),
     };
-    match typed(number) {
-        Some(value) => Ok(match unit {
-            AngleUnit::Degree => rad_from_deg(value),
-            AngleUnit::Radian => value,
-        }),
-        None if text.is_empty() => Err(format!(
+    if text.is_empty() {
+        return Err(format!(
             "the angle is missing; type it in {name}, such as {example}"
-        )),
-        None => Err(format!(
-            "'{text}' is no angle; type a number of {name}, such as {example}"
-        )),
+        ));
     }
+    typed_in(text, units.angle_name().trim(), "rad")
+        .map_err(|_| format!("'{text}' is no angle; type a number of {name}, such as {example}"))
 }
 
 /// The regions with one boundary exactly there, or why it cannot be there and what could.
@@ -261,6 +249,8 @@ pub(crate) fn shown(rad: f64, units: Units) -> String {
     match units.angle {
         AngleUnit::Degree => crate::gui::units::trimmed(deg_from_rad(rad), 2),
         AngleUnit::Radian => crate::gui::units::trimmed(rad, 4),
+        AngleUnit::Milliradian => crate::gui::units::trimmed(1000.0 * rad, 2),
+        AngleUnit::ArcSecond => crate::gui::units::trimmed(3600.0 * deg_from_rad(rad), 1),
     }
 }
 

@@ -36,6 +36,8 @@ pub(crate) struct Overview {
     pub(crate) kinds: Option<String>,
     /// How many samples are held out.
     pub(crate) held_out: usize,
+    /// How many a person took out.
+    pub(crate) excluded: usize,
     /// Smallest and largest value of joint 1 that can be reached or was measured, rad or mm.
     pub(crate) travel: (f64, f64),
     /// Smallest and largest corner of the nominal robot's points, mm.
@@ -77,6 +79,7 @@ impl Overview {
         let range = travel_of(&session.robot, 0, &samples.q[0]);
         Self {
             kinds: session.kinds_in_words(),
+            excluded: samples.excluded.iter().flatten().filter(|e| **e).count(),
             held_out: held_out.iter().filter(|h| **h).count(),
             travel: (range.from, range.to),
             nominal_mm,

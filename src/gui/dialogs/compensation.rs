@@ -58,7 +58,7 @@ fn load(ui: &mut Ui, compensated: &Compensated, commands: &mut Vec<Command>) {
         .speed(0.1)
         .suffix(" kg")
         .update_while_editing(false);
-    widgets::number(ui, "load where the file says none", field);
+    widgets::number(ui, "load where the file says none", "kg", field);
     if load_kg.to_bits() != compensated.load_kg.to_bits() {
         let path = compensated.path.clone();
         commands.push(Command::Compensate { path, load_kg });

@@ -26,6 +26,7 @@ register! {
     about,
     compensation,
     keys,
+    palette,
     preferences,
     recovery,
     words,

@@ -25,7 +25,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     });
     let angles = [
         (AngleUnit::Degree, "degrees"),
-        (AngleUnit::Radian, "radians"),
+        (AngleUnit::Radian, "rad"),
+        (AngleUnit::Milliradian, "mrad"),
+        (AngleUnit::ArcSecond, "arcsec"),
     ];
     widgets::form_row(ui, "Angles in", |ui| {
         if let Some(unit) = widgets::segmented(ui, &angles, now.angle) {

@@ -13,7 +13,8 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     widgets::heading(ui, "Not saved when the program ended");
     widgets::hint(
         ui,
-        "The last time the program ended without warning. Nothing is lost unless it is discarded here",
+        "The last time the program ended without warning. Nothing is lost unless it is discarded \
+         here: what is not restored now is offered again",
     );
     ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
         for (index, left) in workbench.left_behind().iter().enumerate() {
@@ -35,28 +36,33 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                     }
                     Err(because) => {
                         widgets::wrong(ui, because);
-                        widgets::hint(ui, left.path().display().to_string());
+                        let name = left.path().file_name().unwrap_or_default();
+                        widgets::hint(ui, name.to_string_lossy());
                     }
                 }
                 ui.add_space(space::TIGHT);
                 ui.columns(2, |columns| {
-                    let (restore, discard) = if left.kept.is_ok() {
-                        ("Restore", "Discard")
+                    let restore = if left.kept.is_ok() {
+                        if widgets::other(&mut columns[0], "Discard").clicked() {
+                            commands.push(Command::DiscardLeft(index));
+                        }
+                        "Restore"
                     } else {
-                        ("Put it aside", "Ask me later")
+                        "Put it aside"
                     };
-                    if widgets::other(&mut columns[0], discard).clicked() {
-                        commands.push(if left.kept.is_ok() {
-                            Command::DiscardLeft(index)
-                        } else {
-                            Command::Sheet(None)
-                        });
-                    }
                     if widgets::primary(&mut columns[1], restore).clicked() {
                         commands.push(Command::Restore(index));
                     }
                 });
             });
+        }
+    });
+    ui.columns(2, |columns| {
+        if widgets::other(&mut columns[0], "Discard all").clicked() {
+            commands.push(Command::DiscardAllLeft);
+        }
+        if widgets::other(&mut columns[1], "Not now").clicked() {
+            commands.push(Command::Sheet(None));
         }
     });
 }

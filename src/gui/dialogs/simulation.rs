@@ -35,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, form: &Form, commands: &mut Vec<Command>) {
         );
     }
     let ready = filled.problem().is_none();
-    if super::ends::buttons(ui, "Simulate", ready, commands) {
+    if super::ends::buttons_without_enter(ui, "Simulate", ready, commands) {
         commands.push(Command::Simulate(filled));
     } else if filled != *form {
         commands.push(Command::Sheet(Some(Sheet::Simulate(filled))));
@@ -53,8 +53,8 @@ fn fault(ui: &mut Ui, wrong: &Wrong, name: &str) {
 }
 
 /// A field with what is wrong with it.
-fn number(ui: &mut Ui, wrong: &Wrong, name: &str, value: DragValue<'_>) {
-    widgets::number(ui, name, value);
+fn number(ui: &mut Ui, wrong: &Wrong, (name, unit): (&str, &str), value: DragValue<'_>) {
+    widgets::number(ui, name, unit, value);
     fault(ui, wrong, name);
 }
 
@@ -72,26 +72,36 @@ fn robot(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
             .max_decimals(4)
             .suffix("°")
     };
-    number(ui, wrong, field::RADIUS, mm(&mut form.radius_mm));
-    number(ui, wrong, field::OFFSET, deg(&mut form.offset_deg));
-    number(ui, wrong, field::LENGTH, mm(&mut form.length_error_mm));
+    number(ui, wrong, (field::RADIUS, "mm"), mm(&mut form.radius_mm));
+    number(ui, wrong, (field::OFFSET, "°"), deg(&mut form.offset_deg));
+    number(
+        ui,
+        wrong,
+        (field::LENGTH, "mm"),
+        mm(&mut form.length_error_mm),
+    );
     widgets::section(ui, "Tolerance");
-    number(ui, wrong, field::TOLERANCE, mm(&mut form.tolerance_mm));
+    number(
+        ui,
+        wrong,
+        (field::TOLERANCE, "mm"),
+        mm(&mut form.tolerance_mm),
+    );
 }
 
 fn measurement(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
     widgets::section(ui, "Sweep");
     let deg = |value| DragValue::new(value).speed(0.5).max_decimals(3).suffix("°");
-    number(ui, wrong, field::FROM, deg(&mut form.from_deg));
-    number(ui, wrong, field::TO, deg(&mut form.to_deg));
-    number(ui, wrong, field::STEP, deg(&mut form.step_deg));
+    number(ui, wrong, (field::FROM, "°"), deg(&mut form.from_deg));
+    number(ui, wrong, (field::TO, "°"), deg(&mut form.to_deg));
+    number(ui, wrong, (field::STEP, "°"), deg(&mut form.step_deg));
     ui.add(Checkbox::new(&mut form.both_ways, "there and back"));
     widgets::section(ui, "Instrument");
     let noise = DragValue::new(&mut form.noise_mm)
         .speed(0.002)
         .max_decimals(4);
-    number(ui, wrong, field::NOISE, noise.suffix(" mm"));
-    widgets::number(ui, "seed", DragValue::new(&mut form.seed));
+    number(ui, wrong, (field::NOISE, "mm"), noise.suffix(" mm"));
+    widgets::number(ui, "seed", "", DragValue::new(&mut form.seed));
 }
 
 fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
@@ -106,7 +116,8 @@ fn effects(ui: &mut Ui, form: &mut Form, wrong: &Wrong) {
                     let muted = Palette::of(ui).muted;
                     ui.label(RichText::new(*name).size(size::SMALL).color(muted));
                     let field = DragValue::new(value).speed(0.01).max_decimals(5);
-                    widgets::cell_number(ui, &format!("{} {name}", chosen.id), 64.0, field);
+                    let label = format!("{} {name}", chosen.id);
+                    widgets::cell_number(ui, &label, "", 64.0, field);
                 }
                 if ui.small_button("Remove").clicked() {
                     gone = Some(index);

@@ -2,28 +2,28 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::gui::import_draft::Beside;
+use crate::gui::import_draft::{Beside, ROBOTS, TABLES};
 use crate::gui::view::What;
 use crate::programs::LANGUAGES;
 
-/// Asks the user for a session file.
-pub(crate) fn choose_to_open() -> Option<PathBuf> {
-    let dialog = rfd::FileDialog::new()
+/// Asks the user for a session, a model or measurements, beside this file.
+pub(crate) fn choose_to_open(beside: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(beside)
         .set_title("Open session, model or measurements")
-        .add_filter("Sessions and models", &["json"])
-        .add_filter("Measurements", TABLES)
+        .add_filter("Sessions and models (*.json)", &["json"])
+        .add_filter(MEASUREMENTS, TABLES)
         .add_filter("All files", &["*"]);
     dialog.pick_file()
 }
 
 /// Asks the user for a table of targets or a robot program.
-pub(crate) fn choose_targets() -> Option<PathBuf> {
+pub(crate) fn choose_targets(beside: Option<&Path>) -> Option<PathBuf> {
     let all: Vec<&str> = LANGUAGES
         .iter()
         .flat_map(|l| l.extensions)
         .copied()
         .collect();
-    let mut dialog = rfd::FileDialog::new()
+    let mut dialog = dialog_beside(beside)
         .set_title("Targets or program to correct")
         .add_filter("Targets and programs", &all);
     for language in LANGUAGES {
@@ -32,39 +32,57 @@ pub(crate) fn choose_targets() -> Option<PathBuf> {
     dialog.add_filter("All files", &["*"]).pick_file()
 }
 
-/// Asks the user for a file beside a measured one.
-pub(crate) fn choose_beside(which: Beside) -> Option<PathBuf> {
-    let (title, kinds): (_, &[&str]) = match which {
-        Beside::Robot => ("Which robot was measured", &["json", "urdf", "xml"]),
-        Beside::Commands => ("Where the robot was sent", TABLES),
-        Beside::Reference => ("Points known in the base frame", TABLES),
-        Beside::Targets => ("Reflectors in the tool frame", TABLES),
-    };
-    let dialog = rfd::FileDialog::new()
-        .set_title(title)
-        .add_filter("Files of this kind", kinds)
+/// Asks the user for a file that an instrument wrote, beside this file.
+pub(crate) fn choose_to_import(beside: Option<&Path>) -> Option<PathBuf> {
+    let dialog = dialog_beside(beside)
+        .set_title("Import measurements")
+        .add_filter(MEASUREMENTS, TABLES)
         .add_filter("All files", &["*"]);
     dialog.pick_file()
 }
 
-/// Endings of files with tables.
-const TABLES: &[&str] = &["csv", "txt", "tsv", "dat", "asc"];
+/// Asks the user for a file that goes with a measured one, beside that.
+pub(crate) fn choose_beside(which: Beside, measured: Option<&Path>) -> Option<PathBuf> {
+    let title = match which {
+        Beside::Robot => "Which robot was measured",
+        Beside::Commands => "Where the robot was sent",
+        Beside::Reference => "Points known in the base frame",
+        Beside::Targets => "Reflectors in the tool frame",
+    };
+    let (name, kinds) = if which == Beside::Robot {
+        ("Robots and sessions (*.json, *.urdf, *.xml)", ROBOTS)
+    } else {
+        ("Tables (*.csv, *.txt, *.tsv, *.dat, *.asc)", TABLES)
+    };
+    let dialog = dialog_beside(measured)
+        .set_title(title)
+        .add_filter(name, kinds)
+        .add_filter("All files", &["*"]);
+    dialog.pick_file()
+}
+
+const MEASUREMENTS: &str = "Measurements (*.csv, *.txt, *.tsv, *.dat, *.asc)";
+
+/// A dialog that begins in the folder of this file.
+fn dialog_beside(file: Option<&Path>) -> rfd::FileDialog {
+    let dialog = rfd::FileDialog::new();
+    match file.and_then(Path::parent).filter(|folder| folder.is_dir()) {
+        Some(folder) => dialog.set_directory(folder),
+        None => dialog,
+    }
+}
 
 /// A dialog that begins in the folder where the file belongs, with its name.
 fn dialog_at(path: &Path) -> rfd::FileDialog {
     let name = path.file_name().unwrap_or_default();
-    let dialog = rfd::FileDialog::new().set_file_name(name.to_string_lossy());
-    match path.parent().filter(|folder| folder.is_dir()) {
-        Some(folder) => dialog.set_directory(folder),
-        None => dialog,
-    }
+    dialog_beside(Some(path)).set_file_name(name.to_string_lossy())
 }
 
 /// Asks the user where to save.
 pub(crate) fn choose_to_save(path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path)
         .set_title("Save session")
-        .add_filter("Session", &["json"]);
+        .add_filter("Session (*.json)", &["json"]);
     dialog.save_file()
 }
 
@@ -81,10 +99,22 @@ pub(crate) fn choose_to_export(what: What, path: &Path) -> Option<PathBuf> {
     let dialog = dialog_at(path).set_title(title);
     let dialog = match what {
         What::Report(_) => dialog
-            .add_filter("HTML or PDF", &["html", "pdf"])
-            .add_filter("PDF", &["pdf"]),
-        What::Picture(_) => dialog.add_filter("SVG", &["svg"]),
-        _ => dialog,
+            .add_filter("HTML or PDF (*.html, *.pdf)", &["html", "pdf"])
+            .add_filter("PDF (*.pdf)", &["pdf"]),
+        What::Picture(_) => dialog.add_filter("SVG picture (*.svg)", &["svg"]),
+        What::Model => dialog.add_filter("Model (*.json)", &["json"]),
+        What::Poses => dialog.add_filter("CSV table (*.csv)", &["csv"]),
+        What::Table | What::Targets => match path.extension().and_then(|ending| ending.to_str()) {
+            Some(ending) => {
+                let name = if what == What::Table {
+                    "Table"
+                } else {
+                    "Targets"
+                };
+                dialog.add_filter(format!("{name} (*.{ending})"), &[ending])
+            }
+            None => dialog,
+        },
     };
     dialog.save_file()
 }

@@ -26,11 +26,10 @@ pub(crate) fn first_example() -> Arc<Subject> {
 /// Reads a bundled session.
 pub(crate) fn open_example(index: usize) -> Result<Opened, Message> {
     let Some(example) = EXAMPLES.get(index) else {
-        return Err(Message {
-            wrong: true,
-            title: "There is no such example".to_owned(),
-            details: vec!["The examples are in the File menu".to_owned()],
-        });
+        return Err(Message::wrong(
+            "There is no such example".to_owned(),
+            vec!["The examples are in the File menu".to_owned()],
+        ));
     };
     let (document, samples) = example.files();
     let loaded = pipeline::parse_with_csv(document, samples);

@@ -169,18 +169,13 @@ pub(crate) fn can_be_written(path: &Path, replace: bool, inputs: &[PathBuf]) -> 
 
 /// Says that a file was written.
 pub(crate) fn saved(path: &Path, details: Vec<String>) -> Message {
-    Message {
-        wrong: false,
-        title: format!("Saved {}", path.display()),
-        details,
-    }
+    Message::saved(path, details)
 }
 
 /// Says that a file was not written.
 pub(crate) fn not_written(path: &Path, problem: String) -> Message {
-    Message {
-        wrong: true,
-        title: format!("{} was not written", path.display()),
-        details: vec![problem, "What was there before is there still".to_owned()],
-    }
+    Message::wrong(
+        format!("{} was not written", path.display()),
+        vec![problem, "What was there before is there still".to_owned()],
+    )
 }

@@ -5,19 +5,22 @@ mod dialogs;
 mod examples;
 mod exporting;
 mod opening;
+mod outside;
 mod pictures;
 pub(crate) mod reporting;
 mod saving;
 
 pub(crate) use advice::ending;
 pub(crate) use dialogs::{
-    choose_beside, choose_targets, choose_to_export, choose_to_open, choose_to_save,
+    choose_beside, choose_targets, choose_to_export, choose_to_import, choose_to_open,
+    choose_to_save,
 };
 pub(crate) use examples::{first_example, open_example};
 pub(crate) use exporting::{
     can_be_written, export, not_written, saved, write_list, write_one, write_targets,
 };
 pub(crate) use opening::{Opened, open, simulate};
+pub(crate) use outside::open_outside;
 pub(crate) use pictures::write_picture;
 pub(crate) use saving::{NotSaved, Replace, Saved, save};
 

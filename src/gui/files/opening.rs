@@ -83,14 +83,13 @@ pub(super) fn looked_through(
 
 /// Says that a file was not opened, or not read.
 pub(super) fn not_read(name: impl Display, done: &str, error: &ReadError) -> Message {
-    Message {
-        wrong: true,
-        title: format!("{name} could not be {done}; nothing was changed"),
-        details: match error {
+    Message::wrong(
+        format!("{name} could not be {done}; nothing was changed"),
+        match error {
             ReadError::Rejected(rejected) => listed(&rejected.diagnostics),
             ReadError::Cancelled(_) => vec![CANCELLED.to_owned()],
         },
-    }
+    )
 }
 
 /// Which part of opening a session it is to read it; the rest is to look through it.
@@ -118,11 +117,10 @@ pub(crate) fn simulate(form: &Form, watch: &Watch) -> Result<Opened, Message> {
             Cloud::of(&subject);
             Ok(Opened::Session(Arc::new(subject)))
         }
-        Err(problems) => Err(Message {
-            wrong: true,
-            title: "The simulation needs other numbers".to_owned(),
-            details: problems,
-        }),
+        Err(problems) => Err(Message::wrong(
+            "The simulation needs other numbers".to_owned(),
+            problems,
+        )),
     }
 }
 

@@ -73,7 +73,7 @@ fn make(
                 // The tolerance may have been changed since: it decides nothing in a search.
                 found
             } else {
-                details.push("The session was searched for it, as step 4 does".to_owned());
+                details.push("The diagnosis was run for it".to_owned());
                 made = pipeline::diagnose(&session, &options, &search::told(watch))
                     .map_err(|e| e.to_string())?;
                 &made

@@ -75,14 +75,13 @@ pub(crate) fn save(
         let session = document.session_to_save();
         match pipeline::save_watched(&session, &path, replacing, watch.told()) {
             Ok(_) => Ok(outputs.iter().filter_map(|o| Print::of(o)).collect()),
-            Err(error) => Err(NotSaved::Because(Message {
-                wrong: true,
-                title: format!("{} could not be saved", path.display()),
-                details: vec![
+            Err(error) => Err(NotSaved::Because(Message::wrong(
+                format!("{} could not be saved", path.display()),
+                vec![
                     advice(&error),
                     "What was there before is there still".to_owned(),
                 ],
-            })),
+            ))),
         }
     };
     Saved {

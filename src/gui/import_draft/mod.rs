@@ -6,6 +6,7 @@
 //! sheet shows what an import would bring before it is pressed, and pressing it only takes that.
 
 mod answers;
+mod neighbours;
 mod robot;
 mod trial;
 
@@ -21,6 +22,7 @@ use crate::sessions::files;
 use crate::gui::jobs::Watch;
 
 pub(crate) use answers::{Beside, Said};
+pub(crate) use neighbours::{Neighbours, ROBOTS, TABLES};
 pub(crate) use robot::{RobotFrom, TypedAxis};
 pub(crate) use trial::{Trial, in_the_sheets_words};
 
@@ -47,6 +49,8 @@ pub(crate) struct Look {
 pub(crate) struct Foreign {
     pub(crate) path: PathBuf,
     bytes: Arc<Vec<u8>>,
+    /// What lies beside it.
+    pub(crate) neighbours: Arc<Neighbours>,
     /// What a person said.
     pub(crate) said: Said,
     /// What was seen last.
@@ -117,6 +121,7 @@ impl Foreign {
         Ok(Self {
             path: path.to_path_buf(),
             bytes: Arc::new(bytes),
+            neighbours: Arc::new(Neighbours::of(path)),
             said,
             seen: Arc::new(seen),
             confirmed: None,

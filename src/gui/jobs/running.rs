@@ -103,6 +103,11 @@ impl Running {
         self.watch.stage.load(Ordering::Relaxed)
     }
 
+    /// Whether it searches for what is missing.
+    pub(crate) fn searches(&self) -> bool {
+        self.kind == Kind::Searches
+    }
+
     /// Names of the effects that a search has found so far.
     pub(crate) fn found(&self) -> Vec<String> {
         self.watch

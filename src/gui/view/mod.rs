@@ -3,14 +3,17 @@
 
 mod camera;
 mod looking;
+mod message;
 mod output;
 mod sheet;
 
 pub(crate) use camera::{Ball, Camera, Facing, Standard};
 pub(crate) use looking::{Aspect, Canvas, Colouring, Plane};
+pub(crate) use message::Message;
 pub(crate) use output::{About, Plot, What};
 pub(crate) use sheet::{Sheet, Then};
 
+use std::mem::Discriminant;
 use std::path::PathBuf;
 
 use crate::gui::core::boundary_entry::Typed;
@@ -54,9 +57,14 @@ impl Step {
         }
     }
 
-    pub(crate) fn next(self) -> Option<Self> {
-        let here = Self::ALL.iter().position(|step| *step == self)?;
-        Self::ALL.get(here + 1).copied()
+    /// The steps for a robot. Regions are a method for a single joint that turns.
+    pub(crate) fn offered(single_revolute: bool) -> &'static [Self] {
+        const WITHOUT_REGIONS: [Step; 4] = [Step::Session, Step::Identify, Step::Gap, Step::Export];
+        if single_revolute {
+            &Self::ALL
+        } else {
+            &WITHOUT_REGIONS
+        }
     }
 }
 
@@ -87,15 +95,18 @@ pub(crate) struct OnDisk {
     pub(crate) fate: Fate,
 }
 
-/// Something that the user has to know.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Message {
-    /// Whether something went wrong.
-    pub(crate) wrong: bool,
-    /// In one line.
-    pub(crate) title: String,
-    /// What exactly, and what to do next; one line each.
-    pub(crate) details: Vec<String>,
+/// What decides which panels there are and how high: egui lays a panel out with the size that it
+/// had in the pass before.
+#[derive(Clone, PartialEq)]
+pub(crate) struct Arrangement {
+    pub(crate) view: (Step, Side, Part, Aspect, Option<bool>),
+    pub(crate) chart: &'static str,
+    pub(crate) sheet: Option<Discriminant<Sheet>>,
+    pub(crate) message: Option<Message>,
+    /// Whether the file changed on the disk, there is an answer, a search runs, there is a diagnosis,
+    /// there is a table.
+    pub(crate) has: [bool; 5],
+    pub(crate) session: u64,
 }
 
 /// Counts up when a plot is to fit the view.

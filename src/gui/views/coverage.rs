@@ -21,20 +21,17 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench) {
         return;
     }
     match workbench.view().step {
-        Step::Session | Step::Regions => {
+        Step::Session | Step::Regions | Step::Identify => {
             gap(ui, workbench);
             covers(ui, workbench);
             testable(ui, workbench);
-        }
-        Step::Identify => {
-            gap(ui, workbench);
-            testable(ui, workbench);
-            covers(ui, workbench);
         }
         Step::Gap => {
-            search(ui);
-            testable(ui, workbench);
+            if workbench.searching().is_none() && workbench.stopped().is_none() {
+                search(ui);
+            }
             covers(ui, workbench);
+            testable(ui, workbench);
         }
         Step::Export => {
             formats(ui, workbench);

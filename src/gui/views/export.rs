@@ -38,10 +38,34 @@ fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             "There is nothing to export yet: the table comes from the identified robot",
         );
     } else {
+        not_added(ui, workbench, commands);
         export(ui, workbench, commands);
         super::compensate::show(ui, commands);
     }
     reports(ui, workbench, commands);
+}
+
+/// Found effects that the table would leave uncorrected.
+fn not_added(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let missing = workbench.not_added();
+    if missing.is_empty() {
+        return;
+    }
+    let names = missing.iter().map(|term| term.effect.about().title);
+    let names = names.collect::<Vec<_>>().join(", ");
+    let says = format!("Found, but not in the model, so not corrected: {names}");
+    ui.label(RichText::new(says).color(Palette::of(ui).warning));
+    if widgets::secondary(ui, &add_all(missing.len())).clicked() {
+        commands.push(Command::Edit(Edit::Add(missing)));
+    }
+}
+
+/// What the button says that adds every found effect.
+pub(super) fn add_all(n: usize) -> String {
+    match n {
+        1 => "Add it to the model".to_owned(),
+        n => format!("Add all {n} to the model"),
+    }
 }
 
 /// The report: of the session, and of the model that is exported.
@@ -136,7 +160,7 @@ fn joint_and_step(
     if joints.len() > 1 {
         let mut joint = choice.joint + 1;
         let field = DragValue::new(&mut joint).range(1..=joints.len());
-        let response = widgets::number(ui, "joint", field);
+        let response = widgets::number(ui, "joint", "", field);
         next.joint = joint - 1;
         dragged |= response.dragged();
         if response.drag_stopped() {
@@ -158,7 +182,7 @@ fn joint_and_step(
             .speed(0.02)
             .max_decimals(4)
             .suffix(unit);
-        let response = widgets::number(ui, "step", field);
+        let response = widgets::number(ui, "step", unit.trim(), field);
         dragged |= response.dragged();
         let_go = response.drag_stopped();
     }

@@ -3,6 +3,7 @@
 use egui::{ProgressBar, RichText, Ui};
 
 use crate::diagnosis::Verdict;
+use crate::gui::core::document::Method;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::search::{SEARCHING, STAGES};
 use crate::gui::style::tokens::{Palette, size, strong};
@@ -68,7 +69,7 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact(ui, "noise floor", units.length(floor));
     }
     let says = match (left, floor) {
-        (None, _) => "The diagnosis identifies by itself: step 3 need not come first",
+        (None, _) => "The diagnosis identifies by itself: Identify need not come first",
         (Some(left), Some(floor)) if left < 1.2 * floor => {
             "Little error is left above the instrument's noise. The diagnosis says where nothing is missing, with the detection limits"
         }
@@ -77,6 +78,12 @@ fn before(ui: &mut Ui, workbench: &Workbench) {
         }
     };
     widgets::hint(ui, says);
+    let document = workbench.document();
+    if document.given.is_some() || document.identified && document.method == Method::Regional {
+        let says = "The diagnosis starts from the full model, which takes the place of what is \
+                    identified now. Undo brings that back";
+        widgets::hint(ui, says);
+    }
     widgets::section(ui, "What it can find");
     let (yes, no) = (subject.testable.len(), subject.not_testable.len());
     widgets::fact(ui, "testable effects", format!("{yes} of {}", yes + no));
@@ -103,7 +110,9 @@ fn stages(ui: &mut Ui, workbench: &Workbench) {
             std::cmp::Ordering::Equal => text.font(strong(size::BODY)),
             std::cmp::Ordering::Greater => text.color(palette.muted),
         });
-        if k == SEARCHING {
+        // The results name them, where they are in sight.
+        let named = crate::gui::actions::room(ui.ctx(), workbench).results();
+        if k == SEARCHING && !named {
             names_so_far(ui, &found);
         }
     }
@@ -174,7 +183,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             commands.push(Command::Search);
         }
     } else if missing.len() > 1 {
-        let text = format!("Add all {} to the model", missing.len());
+        let text = super::export::add_all(missing.len());
         if widgets::primary(ui, &text).clicked() {
             commands.push(Command::Edit(Edit::Add(missing)));
         }

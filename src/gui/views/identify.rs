@@ -144,9 +144,7 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     if document.given.is_none() {
         widgets::hint(ui, "Identified; the result follows every change");
     }
-    if let Some(step) = Step::Identify.next()
-        && widgets::primary(ui, &format!("Continue to {}", step.name().to_lowercase())).clicked()
-    {
-        commands.push(Command::GoTo(step));
+    if widgets::primary(ui, "Continue to diagnose").clicked() {
+        commands.push(Command::GoTo(Step::Gap));
     }
 }

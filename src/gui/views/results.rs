@@ -3,6 +3,7 @@
 use egui::{Grid, RichText, Ui};
 
 use crate::fit::noise::StatedNoise;
+use crate::fit::problem::Unusable;
 use crate::fit::{Estimate, Gap, RegionResult};
 use crate::gui::core::answer::Answer;
 use crate::gui::core::loaded;
@@ -328,15 +329,19 @@ fn notes(ui: &mut Ui, workbench: &Workbench, answer: &Answer) {
             units.length(outlier.deviation_mm)
         ));
     }
-    for left_out in found.left_out.iter().take(MOST) {
+    lines.extend(found.excluded_in_words());
+    let lost = found
+        .left_out
+        .iter()
+        .filter(|l| l.because != Unusable::Excluded);
+    for left_out in lost.clone().take(MOST) {
         lines.push(format!(
             "sample {} is excluded: {}",
             left_out.sample + 1,
             left_out.because.says()
         ));
     }
-    let more =
-        found.outliers.len().saturating_sub(MOST) + found.left_out.len().saturating_sub(MOST);
+    let more = found.outliers.len().saturating_sub(MOST) + lost.count().saturating_sub(MOST);
     if more > 0 {
         lines.push(format!("and {more} more"));
     }

@@ -10,7 +10,7 @@ use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{grouped, number_of};
 use crate::gui::view::{Sheet, Step};
 use crate::gui::views::step::StepView;
-use crate::gui::widgets::{self, Progress};
+use crate::gui::widgets::{self, OR_NONE, Progress};
 use crate::gui::workbench::{Command, Workbench};
 
 use super::setup;
@@ -101,13 +101,15 @@ fn facts(ui: &mut Ui, workbench: &Workbench) {
         widgets::fact(ui, "samples", "none: this is a model");
         return;
     }
-    let held_out = subject.overview.held_out;
-    let samples = if held_out > 0 {
-        let (all, held_out) = (grouped(subject.len()), grouped(held_out));
-        format!("{all}, {held_out} held out")
-    } else {
-        grouped(subject.len())
-    };
+    let mut samples = grouped(subject.len());
+    for (n, what) in [
+        (subject.overview.held_out, "held out"),
+        (subject.overview.excluded, "excluded"),
+    ] {
+        if n > 0 {
+            samples += &format!(", {} {what}", grouped(n));
+        }
+    }
     widgets::fact(ui, "samples", samples);
     if let Some(kinds) = &subject.overview.kinds {
         widgets::fact(ui, "measured", kinds);
@@ -149,7 +151,7 @@ fn tolerance(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             }
         })
         .suffix(if now > 0.0 { " mm" } else { "" });
-    let response = widgets::number(ui, "tolerance", field);
+    let response = widgets::number(ui, "tolerance", &format!("mm{OR_NONE}"), field);
     if tolerance != now {
         let edit = Edit::Tolerance((tolerance > 0.0).then_some(tolerance));
         commands.push(if response.dragged() {
@@ -191,7 +193,10 @@ fn findings(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     ui.scope(|ui| {
         // Rows are as high as their text, the first of a finding too.
         ui.spacing_mut().interact_size.y = 0.0;
-        for finding in findings.iter().take(MOST) {
+        // What was left out or assumed first.
+        let mut sorted: Vec<&Diagnostic> = findings.iter().collect();
+        sorted.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        for finding in sorted.into_iter().take(MOST) {
             finding_line(ui, finding, commands);
         }
     });
@@ -209,7 +214,8 @@ fn finding_line(ui: &mut Ui, finding: &Diagnostic, commands: &mut Vec<Command>) 
     };
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(mark).font(strong(size::SMALL)).color(color));
-        let text = RichText::new(finding.to_string()).size(size::SMALL);
+        let text = finding.clone().without_folder().to_string();
+        let text = RichText::new(text).size(size::SMALL);
         if finding.samples.is_empty() {
             ui.label(text);
         } else if ui.link(text).on_hover_text("Show these samples").clicked() {

@@ -138,7 +138,7 @@ fn text(ui: &mut Ui, label: &str, text: &mut String) {
 /// So many numbers in a row.
 fn numbers(
     ui: &mut Ui,
-    label: &str,
+    (label, unit): (&str, &str),
     parts: &[&str],
     values: &mut [f64],
     speed: f64,
@@ -155,7 +155,7 @@ fn numbers(
                 format!("{label} {part}")
             };
             let field = DragValue::new(value).speed(speed).max_decimals(6);
-            touched.by(&widgets::cell_number(ui, &name, width, field));
+            touched.by(&widgets::cell_number(ui, &name, unit, width, field));
         }
     });
 }
@@ -185,7 +185,7 @@ fn joint(
     });
     numbers(
         ui,
-        &format!("Axis {n}"),
+        (&format!("Axis {n}"), ""),
         &XYZ,
         &mut joint.axis,
         0.01,
@@ -195,7 +195,7 @@ fn joint(
     caption(ui, "a point on it, mm");
     numbers(
         ui,
-        &format!("Point {n}"),
+        (&format!("Point {n}"), "mm"),
         &XYZ,
         &mut joint.point_mm,
         0.1,
@@ -215,7 +215,7 @@ fn joint(
     if let Some(limits) = &mut joint.limits {
         numbers(
             ui,
-            &format!("Limit {n}"),
+            (&format!("Limit {n}"), unit),
             &["from", "to"],
             limits,
             0.5,
@@ -232,10 +232,17 @@ fn joint(
     }
     if let Some((mass, centre_mm)) = &mut joint.link {
         let mass = std::slice::from_mut(mass);
-        numbers(ui, &format!("Mass {n}"), &[""], mass, 0.05, touched);
+        numbers(ui, (&format!("Mass {n}"), "kg"), &[""], mass, 0.05, touched);
         message(ui, problems, Field::Mass(k));
         caption(ui, "its centre at home, mm");
-        numbers(ui, &format!("Centre {n}"), &XYZ, centre_mm, 0.5, touched);
+        numbers(
+            ui,
+            (&format!("Centre {n}"), "mm"),
+            &XYZ,
+            centre_mm,
+            0.5,
+            touched,
+        );
     }
 }
 
@@ -244,12 +251,12 @@ fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut T
         caption(ui, "tool at home, mm");
         widgets::question(ui, help::TOOL);
     });
-    numbers(ui, "Tool", &XYZ, &mut form.tool_mm, 0.1, touched);
+    numbers(ui, ("Tool", "mm"), &XYZ, &mut form.tool_mm, 0.1, touched);
     caption(ui, "orientation, quaternion w x y z");
     let wxyz = ["w", "x", "y", "z"];
     numbers(
         ui,
-        "Orientation",
+        ("Orientation", ""),
         &wxyz,
         &mut form.tool_wxyz,
         0.005,
@@ -261,7 +268,7 @@ fn tool(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: &mut T
         form.gravity = known.then_some([0.0, 0.0, -9.81]);
     }
     if let Some(gravity) = &mut form.gravity {
-        numbers(ui, "Gravity", &XYZ, gravity, 0.01, touched);
+        numbers(ui, ("Gravity", ""), &XYZ, gravity, 0.01, touched);
     }
 }
 
@@ -279,7 +286,14 @@ fn targets(
         let n = k + 1;
         text(ui, &format!("Name of reflector {n}"), &mut target.name);
         let label = format!("Reflector {n}");
-        numbers(ui, &label, &XYZ, &mut target.position_mm, 0.1, touched);
+        numbers(
+            ui,
+            (&label, "mm"),
+            &XYZ,
+            &mut target.position_mm,
+            0.1,
+            touched,
+        );
         message(ui, problems, Field::Target(k));
         if n == count && last_is_free {
             gone = ui.link("Remove this reflector").clicked();
@@ -323,9 +337,9 @@ fn instrument(ui: &mut Ui, form: &mut SetupForm, problems: &[Problem], touched: 
         SigmaForm::Unknown => {}
         SigmaForm::One(sigma) => {
             let sigma = std::slice::from_mut(sigma);
-            numbers(ui, "Noise", &[""], sigma, 0.001, touched);
+            numbers(ui, ("Noise", "mm"), &[""], sigma, 0.001, touched);
         }
-        SigmaForm::Three(sigma) => numbers(ui, "Noise", &XYZ, sigma, 0.001, touched),
+        SigmaForm::Three(sigma) => numbers(ui, ("Noise", "mm"), &XYZ, sigma, 0.001, touched),
     }
     message(ui, problems, Field::Sigma);
 }

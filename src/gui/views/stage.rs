@@ -3,6 +3,7 @@
 
 use egui::{Align, Frame, Layout, Margin, Panel, PanelState, RichText, ScrollArea, Ui};
 
+use crate::gui::preferences::Preferences;
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::Part;
 use crate::gui::workbench::{Command, Workbench};
@@ -31,15 +32,20 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         part(Margin::same(12)).show(ui, |ui| one(ui, workbench, commands));
         return;
     }
-    keep_share(ui, left);
-    Panel::bottom(CHART)
+    let share = keep_share(ui, workbench, left, commands);
+    let shown = Panel::bottom(CHART)
         .resizable(true)
-        .default_size((SHARE * left).max(LOWEST))
+        .default_size((share * left).max(LOWEST))
         .size_range(LOWEST..=(left - WORKSPACE).max(LOWEST))
         .frame(part(Margin::same(12)))
         .show(ui, |ui| {
             chart::show(ui, workbench, commands);
         });
+    let edge = shown.response.rect.center_top();
+    for k in [-1.0, 0.0, 1.0] {
+        let at = edge + egui::vec2(6.0 * k, 0.0);
+        ui.painter().circle_filled(at, 1.5, palette.nominal);
+    }
     part(Margin::same(12)).show(ui, |ui| {
         workspace::bar(ui, workbench, None, commands);
         workspace::show(ui, workbench, commands);
@@ -66,17 +72,19 @@ fn switch(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
 }
 
 /// The chart keeps its share of the middle when the window gets another size: what is right on a
-/// laptop would be a strip on a large screen.
-fn keep_share(ui: &Ui, height: f32) {
+/// laptop would be a strip on a large screen. A share that was pulled is remembered.
+fn keep_share(ui: &Ui, workbench: &Workbench, height: f32, commands: &mut Vec<Command>) -> f32 {
+    let preferences = workbench.view().preferences;
+    let wanted = preferences.sizes.chart.unwrap_or(SHARE);
     let id = ui.scope_id().with(CHART);
     let Some(mut state) = PanelState::load(ui.ctx(), id) else {
-        return;
+        return wanted;
     };
     let now = state.outer_rect.height();
     let kept: Option<Share> = ui.data_mut(|data| data.get_temp(id));
     let mut kept = kept.unwrap_or(Share {
         of: height,
-        share: SHARE,
+        share: wanted,
         chart: None,
     });
     if kept.of == height {
@@ -92,6 +100,15 @@ fn keep_share(ui: &Ui, height: f32) {
         kept.chart = None;
     }
     ui.data_mut(|data| data.insert_temp(id, kept));
+    if (kept.share - wanted).abs() > 1e-3 && !ui.input(|i| i.pointer.any_down()) {
+        let mut sizes = preferences.sizes;
+        sizes.chart = Some(kept.share);
+        commands.push(Command::Prefer(Preferences {
+            sizes,
+            ..preferences
+        }));
+    }
+    kept.share
 }
 
 /// The chart's share of the middle as it was wanted, whatever there was room for since.
@@ -107,7 +124,8 @@ struct Share {
 /// What the user has to know: never so much that the plots have no room.
 fn notices(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>, most: f32) {
     let view = workbench.view();
-    if view.message.is_none() && view.on_disk.is_none() {
+    let wrong = view.message.as_ref().is_some_and(|m| m.wrong);
+    if !wrong && view.on_disk.is_none() {
         return;
     }
     Panel::top("notices")
@@ -125,16 +143,10 @@ fn notices(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>, most
 }
 
 fn message(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
-    let Some(message) = &workbench.view().message else {
+    let Some(message) = workbench.view().message.as_ref().filter(|m| m.wrong) else {
         return;
     };
-    let palette = Palette::of(ui);
-    let color = if message.wrong {
-        palette.outside
-    } else {
-        // Neither praise nor blame: what was done, or that nothing was.
-        palette.text
-    };
+    let color = Palette::of(ui).outside;
     let frame = Frame::NONE.inner_margin(Margin::symmetric(14, 10));
     frame.show(ui, |ui| {
         ui.horizontal_top(|ui| {

@@ -1,6 +1,6 @@
 //! The left-hand side: the steps, the controls of the chosen one, and what to do next.
 
-use egui::{Panel, Ui, UiBuilder};
+use egui::{Panel, Ui};
 
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::space;
@@ -10,7 +10,7 @@ use crate::gui::workbench::{Command, Workbench};
 use super::step::StepView;
 use super::{export, gap, identify, regions, session};
 
-/// Every step, in order.
+/// Every step.
 static STEPS: [StepView; 5] = [
     session::STEP,
     regions::STEP,
@@ -19,24 +19,13 @@ static STEPS: [StepView; 5] = [
     export::STEP,
 ];
 
-/// The button at the foot stands no lower than this below the top of its panel, points.
-const HIGHEST: f32 = 960.0;
-
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
-    // On a high screen the button at the foot would be far from what it belongs to.
-    let mut rect = ui.available_rect_before_wrap();
-    rect.set_height(rect.height().min(HIGHEST));
-    ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-        all(ui, workbench, room, commands);
-    });
-}
-
-fn all(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 2.0;
     let now = workbench.view().step;
-    let chosen = STEPS.iter().find(|view| view.step == now);
-    let chosen = chosen.unwrap_or(&STEPS[0]);
-    for (index, view) in STEPS.iter().enumerate() {
+    let view_of = |step| STEPS.iter().find(|view| view.step == step);
+    let chosen = view_of(now).unwrap_or(&STEPS[0]);
+    let offered = workbench.steps().iter().filter_map(|step| view_of(*step));
+    for (index, view) in offered.enumerate() {
         let step = view.step;
         let (caption, progress) = (view.state)(workbench);
         let selected = now == step;

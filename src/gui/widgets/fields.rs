@@ -1,23 +1,76 @@
 //! Fields for numbers, with their names.
 
-use egui::{Align, DragValue, Layout, Response, RichText, Ui, vec2};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use egui::{Align, DragValue, Layout, Response, RichText, Tooltip, Ui, vec2};
 
 use crate::gui::style::tokens::{Palette, space};
-use crate::gui::units::typed;
+use crate::gui::units::typed_in;
 
-/// A field that takes a number when it is complete, with a point or a comma.
-fn typing(field: DragValue<'_>) -> DragValue<'_> {
-    field.update_while_editing(false).custom_parser(typed)
+/// What was typed into a field and refused, and why.
+#[derive(Clone, Default)]
+struct Refused {
+    because: String,
+    /// When, in the window's seconds.
+    since: f64,
 }
 
-/// A number with its name before it.
-pub(crate) fn number(ui: &mut Ui, name: &str, field: DragValue<'_>) -> Response {
+/// Behind the unit of a number that may be absent: "none" is 0.
+pub(crate) const OR_NONE: &str = ", or none";
+
+/// So long it is said, seconds.
+const SAID_S: f64 = 10.0;
+
+/// A field that takes a number when it is complete, with a point or a comma, and converts its unit.
+/// What is no number is refused aloud, and the value kept.
+fn typing(ui: &mut Ui, size: [f32; 2], unit: &str, field: DragValue<'_>) -> Response {
+    let refused: Rc<RefCell<Option<String>>> = Rc::default();
+    let said = Rc::clone(&refused);
+    let (own, none) = match unit.strip_suffix(OR_NONE) {
+        Some(own) => (own.to_owned(), Some("none")),
+        None => (unit.to_owned(), None),
+    };
+    let parse = move |text: &str| match typed_in(text, &own, &own) {
+        Ok(value) => Some(value),
+        Err(_) if none == Some(text.trim()) => Some(0.0),
+        Err(because) => {
+            *said.borrow_mut() = Some(because);
+            None
+        }
+    };
+    let field = field.update_while_editing(false).custom_parser(parse);
+    let response = ui.add_sized(size, field);
+    let (ctx, id) = (ui.ctx(), response.id.with("refused"));
+    let now = ctx.input(|i| i.time);
+    if let Some(because) = refused.take() {
+        let since = now;
+        ctx.data_mut(|data| data.insert_temp(id, Refused { because, since }));
+    }
+    let Some(refused) = ctx.data(|data| data.get_temp::<Refused>(id)) else {
+        return response;
+    };
+    let left = refused.since + SAID_S - now;
+    if response.has_focus() || response.changed() || left <= 0.0 {
+        ctx.data_mut(|data| data.remove_temp::<Refused>(id));
+        return response;
+    }
+    ctx.request_repaint_after(std::time::Duration::from_secs_f64(left));
+    let tip = Tooltip::always_open(ctx.clone(), ui.layer_id(), id, response.rect);
+    tip.show(|ui| {
+        ui.set_max_width(space::TIP);
+        super::wrong(ui, &format!("{}; the value is kept", refused.because));
+    });
+    response
+}
+
+/// A number with its name before it, in this unit; another of its quantity may be typed.
+pub(crate) fn number(ui: &mut Ui, name: &str, unit: &str, field: DragValue<'_>) -> Response {
     let muted = Palette::of(ui).muted;
     let row = ui.horizontal(|ui| {
         let label = ui.label(RichText::new(name).color(muted));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.add_sized([96.0, space::CONTROL], typing(field))
-                .labelled_by(label.id)
+            typing(ui, [96.0, space::CONTROL], unit, field).labelled_by(label.id)
         })
         .inner
     });
@@ -54,8 +107,14 @@ pub(crate) fn form_row(ui: &mut Ui, name: &str, control: impl FnOnce(&mut Ui)) {
 }
 
 /// A field for a number as a table has it: no wider than it must be.
-pub(crate) fn cell_number(ui: &mut Ui, name: &str, width: f32, field: DragValue<'_>) -> Response {
-    let response = ui.add_sized([width, 24.0], typing(field));
+pub(crate) fn cell_number(
+    ui: &mut Ui,
+    name: &str,
+    unit: &str,
+    width: f32,
+    field: DragValue<'_>,
+) -> Response {
+    let response = typing(ui, [width, 24.0], unit, field);
     let name = name.to_owned();
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_label(name));

@@ -17,7 +17,7 @@ use crate::gui::core::document::{Method, Question};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_model::Given;
 use crate::gui::core::search::term_of;
-use crate::gui::view::{Canvas, Facing, Step};
+use crate::gui::view::{Canvas, Facing, Message, Step};
 
 use super::Workbench;
 
@@ -194,6 +194,16 @@ impl Workbench {
         let exact =
             document.identified && document.method == Method::Exact && document.given.is_none();
         if !exact {
+            let before = match &document.given {
+                Some(_) => Some("the model from a file"),
+                None if document.identified => Some("the identification by region"),
+                None => None,
+            };
+            self.view.message = before.map(|before| {
+                let title = format!("Identified with the full model in place of {before}");
+                let undo = "The diagnosis starts from the full model; undo brings the other back";
+                Message::done(title, vec![undo.to_owned()])
+            });
             self.edit(&Edit::IdentifyBy(Method::Exact), false);
         }
         self.search_in(Arc::clone(self.subject()));

@@ -1,6 +1,6 @@
 //! What is done in the background, and what becomes of it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::cache::identified::Outcome;
@@ -136,6 +136,7 @@ impl Workbench {
         if self.searching().is_some() {
             return;
         }
+        self.stopped = None;
         self.jobs.start(
             Kind::Searches,
             "searching",
@@ -149,8 +150,26 @@ impl Workbench {
         );
     }
 
+    /// Ends the search; the names that it had found until then stay in sight.
+    pub(super) fn stop_search(&mut self) {
+        let found = self.searching().map(Running::found);
+        self.jobs.cancel(|kind| kind == Kind::Searches);
+        if let Some(found) = found {
+            self.stopped = Some((Arc::clone(self.subject()), found));
+        }
+    }
+
+    /// Names that a search of the open session had found when it was stopped.
+    pub(crate) fn stopped(&self) -> Option<&[String]> {
+        let (subject, found) = self.stopped.as_ref()?;
+        Arc::ptr_eq(subject, self.subject()).then_some(found)
+    }
+
     /// Drops the newest job that the status bar names.
     pub(super) fn cancel_newest(&mut self) {
+        if self.jobs.newest().is_some_and(Running::searches) {
+            return self.stop_search();
+        }
         match self.jobs.cancel(Kind::has_a_name) {
             Some(Kind::Identifies) => {
                 self.declined = self.asked.questions.forget().or(self.declined.take());
@@ -207,11 +226,13 @@ impl Workbench {
         }
     }
 
-    /// Asks for a file to open.
-    pub(super) fn choose_file(&mut self) {
+    /// Asks for a file to open, beside the one in hand.
+    pub(super) fn choose_file(&mut self, ask: fn(Option<&Path>) -> Option<PathBuf>) {
+        let beside = self.file().map(Path::to_path_buf);
+        let beside = beside.or_else(|| Some(self.recent().next()?.0.to_path_buf()));
         self.choose(
             "waiting for a file to be chosen",
-            files::choose_to_open,
+            move || ask(beside.as_deref()),
             |bench, path| match path {
                 Some(path) => bench.execute(Command::OpenFile(path)),
                 // Cancelled, or there is no dialog on this system: nobody can tell the two apart.
@@ -270,6 +291,19 @@ impl Workbench {
         self.jobs.start(Kind::Once, what, move |_| ask(), then);
     }
 
+    /// Opens a file with the system's program for it, or shows it in its folder.
+    pub(super) fn open_outside(&mut self, path: PathBuf, in_folder: bool) {
+        self.jobs.quietly(
+            move || files::open_outside(&path, in_folder).map_err(|because| (path, because)),
+            |bench: &mut Self, opened| {
+                if let Err((path, because)) = opened {
+                    let title = format!("{} could not be opened", path.display());
+                    bench.complain(&title, vec![because]);
+                }
+            },
+        );
+    }
+
     fn broke_off(&mut self) {
         self.stop_figuring();
         self.complain(
@@ -283,13 +317,12 @@ impl Workbench {
 }
 
 fn no_file_was_chosen() -> Message {
-    Message {
-        wrong: false,
-        title: "No file was chosen".to_owned(),
-        details: vec![
+    Message::done(
+        "No file was chosen".to_owned(),
+        vec![
             "If no dialog appeared, drop the file on the window, or type its path in the \
              Session step"
                 .to_owned(),
         ],
-    }
+    )
 }

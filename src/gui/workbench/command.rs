@@ -9,7 +9,7 @@ use crate::gui::core::loaded_session::Component;
 use crate::gui::core::setup::SetupForm;
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Beside, Said};
-use crate::gui::preferences::Preferences;
+use crate::gui::preferences::{Preferences, Sizes};
 use crate::gui::view::{
     Camera, Canvas, Colouring, Part, Plane, Sheet, Side, Standard, Step, Then, What,
 };
@@ -25,6 +25,11 @@ pub(crate) enum Command {
     /// Take the last change back.
     Undo,
     Redo,
+    /// Open a file with the system's program for it, or show it in its folder.
+    OpenOutside {
+        path: PathBuf,
+        in_folder: bool,
+    },
     /// Ask for a file to open.
     ChooseFile,
     OpenFile(PathBuf),
@@ -58,6 +63,10 @@ pub(crate) enum Command {
     Restore(usize),
     /// Throw it away.
     DiscardLeft(usize),
+    /// Throw all of it away.
+    DiscardAllLeft,
+    /// Ask for a file that an instrument wrote.
+    ChooseImport,
     /// Keep what is not saved against a crash.
     KeepRecovery,
     /// Look whether open files are what they were.
@@ -105,7 +114,7 @@ pub(crate) enum Command {
     DismissLetters,
     /// Drop the task that is under way.
     Cancel,
-    /// Drop the search that is under way.
+    /// End the search that is under way; what it has found stays in sight.
     StopSearch,
     /// Stops looking at a foreign file; saying something looks again.
     StopLooking,
@@ -153,6 +162,8 @@ pub(crate) enum Command {
     Canvas(Canvas),
     /// Show numbers, colours and text like this.
     Prefer(Preferences),
+    /// Give panels these sizes; remembered only once that is preferred.
+    Resize(Sizes),
     /// Robot and instrument as they are being typed, while that makes no robot.
     Draft(Option<Box<SetupForm>>),
     /// Open, change or close a sheet.

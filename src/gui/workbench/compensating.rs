@@ -1,6 +1,6 @@
 //! Files of targets: chosen, corrected by the model that is shown, saved.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::gui::core::compensated::{Compensated, MOST_KG};
@@ -18,7 +18,8 @@ impl Workbench {
 
     /// Asks for a file of targets.
     pub(super) fn choose_targets(&mut self) {
-        let ask = files::choose_targets;
+        let beside = self.file().map(Path::to_path_buf);
+        let ask = move || files::choose_targets(beside.as_deref());
         self.choose("waiting for a file to be chosen", ask, |bench, path| {
             if let Some(path) = path {
                 bench.execute(Command::Compensate { path, load_kg: 0.0 });

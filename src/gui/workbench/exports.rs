@@ -58,7 +58,7 @@ impl Workbench {
             let Some(diagnosis) = self.diagnosis() else {
                 return self.complain(
                     "There is no measuring list yet",
-                    vec!["Run the diagnosis first, in step 4".to_owned()],
+                    vec!["Run the diagnosis first".to_owned()],
                 );
             };
             let list = measuring_list(&diagnosis.next_poses, &self.subject().session.robot);
@@ -72,7 +72,7 @@ impl Workbench {
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
                 "There is nothing to export yet",
-                vec!["Identify the robot first, in step 3".to_owned()],
+                vec!["Identify the robot first".to_owned()],
             );
         };
         let choice = self.document().export;

@@ -63,11 +63,10 @@ impl Workbench {
                 let grown = samples.len() >= before && starts_with(&samples, self.subject());
                 self.count_new(samples.len().saturating_sub(before));
                 if !grown {
-                    self.view.message = Some(Message {
-                        wrong: false,
-                        title: "The file was rewritten and is read anew".to_owned(),
-                        details: Vec::new(),
-                    });
+                    self.view.message = Some(Message::done(
+                        "The file was rewritten and is read anew".to_owned(),
+                        Vec::new(),
+                    ));
                 }
                 if samples.len() != before || !grown {
                     self.extend(samples, true);

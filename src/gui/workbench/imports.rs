@@ -39,7 +39,8 @@ impl Workbench {
 
     /// Asks for a file beside it.
     pub(super) fn choose_beside(&mut self, which: Beside) {
-        let ask = move || files::choose_beside(which);
+        let measured = self.foreign().map(|foreign| foreign.path.clone());
+        let ask = move || files::choose_beside(which, measured.as_deref());
         self.choose(
             "waiting for a file to be chosen",
             ask,

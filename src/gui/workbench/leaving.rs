@@ -72,11 +72,7 @@ impl Workbench {
         if let (Then::Leave, Some(writing)) = (&then, self.writing()) {
             // Nobody has to choose between a file and leaving.
             let title = format!("The window closes after {}", writing.what);
-            self.view.message = Some(Message {
-                wrong: false,
-                title,
-                details: Vec::new(),
-            });
+            self.view.message = Some(Message::done(title, Vec::new()));
             self.desk.then = Some(then);
             return;
         }
@@ -183,13 +179,8 @@ impl Workbench {
                 self.desk.places.insert(lineage, place);
                 self.view.on_disk = None;
                 self.watch_files();
-                let whole = std::path::absolute(&path).unwrap_or_else(|_| path.clone());
+                self.view.message = Some(Message::saved(&path, Vec::new()));
                 self.use_recent(Recent::Used(path));
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: format!("Saved {}", whole.display()),
-                    details: Vec::new(),
-                });
                 self.go_on();
             }
         }

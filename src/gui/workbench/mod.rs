@@ -4,6 +4,7 @@
 //! only function that changes anything.
 
 mod answers;
+mod arrangement;
 mod background;
 mod charts;
 mod command;
@@ -46,8 +47,9 @@ use crate::gui::core::search::Search;
 use crate::gui::core::undo::History;
 use crate::gui::file_state::settings::Recent;
 use crate::gui::file_state::watcher::Watcher;
-use crate::gui::files::Replace;
+use crate::gui::files::{self, Replace};
 use crate::gui::jobs::{Jobs, Kind};
+use crate::gui::preferences::Preferences;
 use crate::gui::style::font_fallback::Letters;
 use crate::gui::units::Units;
 use crate::gui::view::{
@@ -77,6 +79,8 @@ pub(crate) struct Workbench {
     view: ViewState,
     outcome: Option<Arc<Outcome>>,
     searched: Option<Arc<Search>>,
+    /// What a search that was stopped had found until then, and in which session.
+    stopped: Option<(Arc<Subject>, Vec<String>)>,
     preview: Option<Preview>,
     backdrop: Option<Arc<Backdrop>>,
     compensated: Option<Arc<Compensated>>,
@@ -107,6 +111,7 @@ impl Workbench {
             view: ViewState::default(),
             outcome: None,
             searched: None,
+            stopped: None,
             preview: None,
             backdrop: None,
             compensated: None,
@@ -144,6 +149,11 @@ impl Workbench {
         }
     }
 
+    /// The steps that the robot has, in order.
+    pub(crate) fn steps(&self) -> &'static [Step] {
+        Step::offered(self.subject().single_revolute())
+    }
+
     pub(crate) fn undoes(&self) -> Option<&'static str> {
         self.history.undoes()
     }
@@ -159,7 +169,7 @@ impl Workbench {
             Command::EndDrag => self.history.finish_gesture(),
             Command::Undo => self.travel(History::undo),
             Command::Redo => self.travel(History::redo),
-            Command::ChooseFile => self.choose_file(),
+            Command::ChooseFile => self.choose_file(files::choose_to_open),
             Command::OpenFile(path) => self.ask_then(Then::Open(path)),
             Command::OpenExample(index) => self.ask_then(Then::Example(index)),
             Command::Leave => self.ask_then(Then::Leave),
@@ -195,6 +205,8 @@ impl Workbench {
             Command::Forget(path) => self.use_recent(Recent::Forgotten(path)),
             Command::Restore(index) => self.restore(index),
             Command::DiscardLeft(index) => self.discard_left(index),
+            Command::DiscardAllLeft => self.discard_all_left(),
+            Command::ChooseImport => self.choose_file(files::choose_to_import),
             Command::Reload => self.reload(),
             Command::Follow(on) => self.follow(on),
             Command::KeepRecovery => self.keep_recovery(),
@@ -221,7 +233,8 @@ impl Workbench {
             Command::DismissLetters => self.dismiss_letters(),
             Command::Adapt => self.adapt(),
             Command::Search => self.search(),
-            Command::StopSearch => drop(self.jobs.cancel(|kind| kind == Kind::Searches)),
+            Command::StopSearch => self.stop_search(),
+            Command::OpenOutside { path, in_folder } => self.open_outside(path, in_folder),
             Command::StopLooking => self.cancel_look(),
             Command::Cancel => {
                 // What was to be done after it is not wanted any more either.
@@ -229,6 +242,10 @@ impl Workbench {
                 self.cancel_newest();
             }
             other => self.look(other),
+        }
+        if !self.steps().contains(&self.view.step) {
+            // Another robot has no regions.
+            self.view.step = Step::Identify;
         }
         self.keep_asking();
         self.keep_preparing();
@@ -286,6 +303,13 @@ impl Workbench {
             Command::Prefer(preferences) => {
                 view.preferences = preferences.sound();
                 self.keep_preferences();
+            }
+            Command::Resize(sizes) => {
+                let preferences = Preferences {
+                    sizes,
+                    ..view.preferences
+                };
+                view.preferences = preferences.sound();
             }
             Command::Draft(form) => view.setup = form,
             Command::KeepMine => view.on_disk = None,
@@ -405,10 +429,6 @@ impl Workbench {
     }
 
     fn complain(&mut self, title: &str, details: Vec<String>) {
-        self.view.message = Some(Message {
-            wrong: true,
-            title: title.to_owned(),
-            details,
-        });
+        self.view.message = Some(Message::wrong(title, details));
     }
 }

@@ -50,7 +50,7 @@ impl Workbench {
             _ => {
                 return self.complain(
                     "There is nothing to report yet",
-                    vec!["Open a session, or identify the robot in step 3".to_owned()],
+                    vec!["Open a session, or identify the robot first".to_owned()],
                 );
             }
         };

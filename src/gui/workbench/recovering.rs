@@ -80,11 +80,10 @@ impl Workbench {
                 self.execute(Command::Edit(edit));
                 self.desk.restored.push(left);
                 self.keep_recovery();
-                self.view.message = Some(Message {
-                    wrong: false,
-                    title: "Restored; it is not saved yet".to_owned(),
-                    details: Vec::new(),
-                });
+                self.view.message = Some(Message::done(
+                    "Restored; it is not saved yet".to_owned(),
+                    Vec::new(),
+                ));
             }
             Err(because) => {
                 let because = because.clone();
@@ -108,6 +107,12 @@ impl Workbench {
             }
         }
         self.close_recovery();
+    }
+
+    pub(super) fn discard_all_left(&mut self) {
+        while !self.desk.left_behind.is_empty() {
+            self.discard_left(0);
+        }
     }
 
     fn close_recovery(&mut self) {

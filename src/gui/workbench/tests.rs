@@ -276,7 +276,7 @@ fn new_files_belong_beside_what_they_were_made_of() {
     assert!(saved.exists(), "{:?}", workbench.view().message);
     assert_eq!(workbench.proposed_path(), saved);
     let message = workbench.view().message.as_ref().expect("it is said");
-    assert!(message.title.contains(&saved.display().to_string()));
+    assert_eq!(message.file.as_deref(), Some(&*saved));
     let report = workbench.name_of(What::Report(About::Session));
     let report = workbench.placed(report.as_ref());
     assert_eq!(report.parent(), Some(folder.path()));

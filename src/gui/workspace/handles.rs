@@ -3,15 +3,14 @@
 
 use egui::accesskit::{Action, ActionData};
 use egui::{
-    Color32, CursorIcon, EventFilter, Key, Rect, Response, Role, Sense, Stroke, Ui, Vec2,
-    WidgetInfo, pos2,
+    CursorIcon, EventFilter, Key, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2,
 };
 use egui_plot::{PlotPoint, PlotTransform};
 
 use crate::gui::core::boundaries::{self, SNAP_DEG};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::region_sums::Held;
-use crate::gui::style::tokens::Palette;
+use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::units::{Units, number_of, trimmed};
 use crate::gui::workbench::{Command, Workbench};
 use crate::units::{deg_from_rad, rad_from_deg};
@@ -82,10 +81,10 @@ pub(crate) fn show(
             let to = rad_from_deg(to_deg);
             commands.push(Command::Edit(Edit::MoveBoundary(index, to)));
         }
-        paint(ui, &response, at_deg);
+        paint(ui, &response);
         if response.dragged() || response.has_focus() {
             let sides = [boundary.below, boundary.above];
-            follows(ui, workbench, sides, centre, *transform.frame());
+            badge(ui, workbench, (at_deg, sides), centre, *transform.frame());
         }
         response.on_hover_text("drag, or press the arrow keys; shift takes larger steps");
     }
@@ -126,13 +125,13 @@ fn moved_by_keys(ui: &Ui, response: &Response, at_deg: f64) -> Option<f64> {
     asked.or_else(|| (steps != 0.0).then_some(at_deg + steps * step_deg))
 }
 
-fn paint(ui: &Ui, response: &Response, at_deg: f64) {
+fn paint(ui: &Ui, response: &Response) {
     let palette = Palette::of(ui);
     let busy = response.hovered() || response.dragged() || response.has_focus();
-    let (fill, text) = if busy {
-        (palette.accent, palette.on_accent)
+    let fill = if busy {
+        palette.accent
     } else {
-        (palette.surface, palette.accent)
+        palette.surface
     };
     let painter = ui.painter();
     let radius = if busy { 7.5 } else { 6.0 };
@@ -142,52 +141,45 @@ fn paint(ui: &Ui, response: &Response, at_deg: f64) {
         let ring = Stroke::new(1.5, palette.accent);
         painter.circle_stroke(response.rect.center(), radius + 3.5, ring);
     }
-    if response.dragged() || response.has_focus() {
-        let label = format!("{}°", trimmed(at_deg, 2));
-        let font = egui::FontId::proportional(crate::gui::style::tokens::size::SMALL);
-        let galley = painter.layout_no_wrap(label, font, text);
-        let at = response.rect.center() - Vec2::new(0.5 * galley.size().x, 34.0);
-        let back = Rect::from_min_size(at, galley.size()).expand2(Vec2::new(6.0, 3.0));
-        painter.rect_filled(back, 4.0, palette.accent);
-        painter.galley(at, galley, Color32::PLACEHOLDER);
-    }
 }
 
-/// What follows for the regions beside a boundary, at once: the whole answer takes its time with
-/// many samples, the sums of a region do not.
-fn follows(
+/// Where a boundary is, and what follows for the regions beside it, at once: the whole answer takes
+/// its time with many samples, the sums of a region do not.
+fn badge(
     ui: &Ui,
     workbench: &Workbench,
-    sides: [Option<usize>; 2],
+    (at_deg, sides): (f64, [Option<usize>; 2]),
     handle: egui::Pos2,
     frame: Rect,
 ) {
     let subject = workbench.subject();
     let few = subject.len() <= crate::gui::core::scale::FEW;
     let tally = subject.tally_if_made();
-    let Some(tally) = tally.or_else(|| few.then(|| subject.tally())) else {
-        return;
-    };
+    let tally = tally.or_else(|| few.then(|| subject.tally()));
     let palette = Palette::of(ui);
     let regions = &workbench.document().regions;
-    let held = tally.held(regions);
-    let font = egui::FontId::proportional(crate::gui::style::tokens::size::SMALL);
+    let held = tally.map(|tally| tally.held(regions));
+    let font = egui::FontId::proportional(size::SMALL);
     let line = |region: usize| {
         let name = regions.get(region).map_or("", |r| r.name.as_str());
-        let says = says(name, held.get(region)?, workbench.units());
+        let says = says(name, held.as_ref()?.get(region)?, workbench.units());
         Some(
             ui.painter()
                 .layout_no_wrap(says, font.clone(), palette.text),
         )
     };
-    let lines: Vec<_> = sides.into_iter().flatten().filter_map(line).collect();
+    let angle = ui.painter().layout_no_wrap(
+        workbench.units().angle(rad_from_deg(at_deg)),
+        strong(size::BODY),
+        palette.accent,
+    );
+    let followed = sides.into_iter().flatten().filter_map(line);
+    let lines: Vec<_> = std::iter::once(angle).chain(followed).collect();
     let wide = lines.iter().map(|l| l.size().x).fold(0.0, f32::max);
     let high: f32 = lines.iter().map(|l| l.size().y).sum();
-    let size = Vec2::new(wide + 14.0, high + 8.0);
-    let places = free_space::around(handle, size, 22.0);
-    // The angle itself stands above the handle.
-    let chip = [handle - Vec2::new(0.0, 30.0)];
-    let Some(place) = free_space::freest(&places, frame, &[&chip]) else {
+    let room = Vec2::new(wide + 14.0, high + 8.0);
+    let places = free_space::around(handle, room, 22.0);
+    let Some(place) = free_space::freest(&places, frame, &[]) else {
         return;
     };
     let painter = ui.painter();

@@ -248,7 +248,7 @@ fn look(workbench: &Workbench) -> Look {
         blend: if answered { view.blend } else { 0.0 },
         answered,
         magnification,
-        long_mm: long_mm(subject.overview.reach_mm, magnification),
+        long_mm: colour_end_mm(workbench, magnification),
         tolerance_mm: workbench.document().tolerance_mm,
         colouring,
         // Many points stand close together, and small ones apart. A colour needs room to be seen.
@@ -260,6 +260,21 @@ fn look(workbench: &Workbench) -> Look {
             (_, Colouring::State) => 0.5,
             (_, _) => 0.75,
         },
+    }
+}
+
+/// The upper end of colour scales, mm: colour and length say the same. With the heat map, and while
+/// no scale is chosen, it goes from what suits the deviations before to what suits those after.
+fn colour_end_mm(workbench: &Workbench, magnification: f64) -> f64 {
+    let view = workbench.view();
+    let reach_mm = workbench.subject().overview.reach_mm;
+    let before = long_mm(reach_mm, magnification);
+    match workbench.after() {
+        Some(after) if view.heat && view.magnification.is_none() => {
+            let t = f64::from(view.blend);
+            before + t * (long_mm(reach_mm, after.readable) - before)
+        }
+        _ => before,
     }
 }
 

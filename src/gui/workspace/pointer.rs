@@ -1,7 +1,8 @@
 //! The sample under the pointer, in every plot of samples.
 
-use egui::CursorIcon;
+use egui::{Button, CursorIcon, Role, Ui, WidgetInfo};
 
+use crate::gui::actions::{EXCLUDE, Now};
 use crate::gui::view::ViewState;
 use crate::gui::workbench::{Command, Workbench};
 
@@ -21,14 +22,34 @@ pub(crate) fn hover(
     if (response.hovered() || left) && under != workbench.view().hovered {
         commands.push(Command::Hover(under));
     }
-    if response.clicked() {
+    if response.clicked() || response.secondary_clicked() && under.is_some() {
         commands.push(Command::Select(under));
+    }
+    if workbench.view().selected.is_some() {
+        response.context_menu(|ui| sample_menu(ui, workbench, commands));
     }
     if let Some(sample) = under
         && let Some(pointer) = response.hover_pos()
     {
         response.ctx.set_cursor_icon(CursorIcon::PointingHand);
         card::show(&response.ctx, workbench, sample, pointer, response.rect);
+    }
+}
+
+/// What can be done with the chosen samples.
+pub(crate) fn sample_menu(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
+    let ctx = ui.ctx().clone();
+    let now = Now {
+        ctx: &ctx,
+        workbench,
+    };
+    let button = Button::new(EXCLUDE.label(now)).shortcut_text(EXCLUDE.keys(&ctx));
+    let name = EXCLUDE.label(now);
+    let response = ui.add_enabled(EXCLUDE.enabled(now), button);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    if response.clicked() {
+        commands.push(EXCLUDE.command(now));
+        ui.close();
     }
 }
 

@@ -202,6 +202,28 @@ mod tests {
     }
 
     #[test]
+    fn the_scale_of_the_heat_map_follows_from_before_to_after() {
+        let mut workbench = workbench();
+        workbench.execute(Command::Edit(crate::gui::core::edit::Edit::Identify));
+        workbench.execute(Command::Heat(true));
+        workbench.receive();
+        let mut end_mm = |blend: f32| {
+            workbench.execute(Command::Blend(blend));
+            let scale = scales(&workbench, &Scene::of(&workbench)).pop();
+            let [_, end] = scale.and_then(|s| s.ends).expect("the heat map's");
+            end.trim_start_matches("≥ ")
+                .parse::<f64>()
+                .expect("a number")
+        };
+        let [before, between, after] = [0.0, 0.5, 1.0].map(&mut end_mm);
+        assert!(before > 2.0 * after, "{before} {after}");
+        assert!(
+            before > between && between > after,
+            "{before} {between} {after}"
+        );
+    }
+
+    #[test]
     fn a_condition_that_was_not_recorded_is_not_offered() {
         let mut workbench = workbench();
         workbench.execute(Command::Colour(Colouring::Temperature));

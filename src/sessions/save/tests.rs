@@ -76,6 +76,11 @@ fn any_samples(rows: usize) -> impl Strategy<Value = Samples> {
                     names: vec!["first, north".to_owned()],
                     index: vec![0; rows],
                 }),
+                // A column that holds nothing out and excludes something only excludes.
+                excluded: held_out
+                    .as_ref()
+                    .filter(|held_out: &&Vec<bool>| rows > 1 && held_out.contains(&true))
+                    .map(|_| (0..rows).map(|row| row % 3 == 1).collect()),
                 held_out,
                 unknown: vec![UnknownColumn {
                     name: "remark".to_owned(),

@@ -81,6 +81,7 @@ impl Edit {
                 exactly_with(&mut next, added);
             }
             Self::Setup(form) => set_up(&mut next, form)?,
+            Self::Exclude(samples, out) => exclude(&mut next, samples, *out)?,
             Self::Mend(mends) => mend(&mut next, mends)?,
             Self::Recover(subject, kept) => return Ok(recovered(document, subject, kept)),
             Self::Divide(_)
@@ -123,6 +124,29 @@ fn set_up(document: &mut Document, form: &SetupForm) -> Result<(), String> {
     let next = form.session(session);
     let next = next.map_err(|problems| problems[0].1.clone())?;
     with_session(document, next);
+    Ok(())
+}
+
+/// Takes samples out of every fit and figure, or in again.
+fn exclude(document: &mut Document, samples: &[usize], out: bool) -> Result<(), String> {
+    let mut session = document.subject.session.clone();
+    let n = session.samples.len();
+    let mut excluded = session.samples.excluded.take();
+    let marks = excluded.get_or_insert_with(|| vec![false; n]);
+    for sample in samples.iter().filter(|sample| **sample < n) {
+        marks[*sample] = out;
+    }
+    session.samples.excluded = excluded.filter(|all| all.contains(&true));
+    let held_out = session.samples.held_out.as_deref();
+    let counts = |i: usize| {
+        document.subject.usable[i]
+            && !session.samples.is_excluded(i)
+            && !held_out.is_some_and(|h| h[i])
+    };
+    if out && !(0..n).any(counts) {
+        return Err("no sample would be left to fit".to_owned());
+    }
+    with_session(document, session);
     Ok(())
 }
 

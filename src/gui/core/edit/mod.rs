@@ -58,6 +58,8 @@ pub(crate) enum Edit {
     Switch(usize, bool),
     /// Another description of the robot, its reflectors and the instrument.
     Setup(Box<SetupForm>),
+    /// Take these samples out of every fit and figure, or in again.
+    Exclude(Vec<usize>, bool),
     /// Take mistakes of setting up back, one after the other.
     Mend(Vec<Mend>),
     /// What a window that is gone has left behind.
@@ -91,6 +93,8 @@ impl Edit {
             Self::Switch(_, true) => "switch effect on",
             Self::Switch(_, false) => "switch effect off",
             Self::Setup(_) => "edit robot and instrument",
+            Self::Exclude(_, true) => "exclude samples",
+            Self::Exclude(_, false) => "include samples",
             Self::Mend(_) => "mend data",
             Self::Recover(..) => "restore",
             Self::Identify | Self::IdentifyBy(_) => "identify",

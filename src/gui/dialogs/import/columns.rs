@@ -64,7 +64,7 @@ fn meanings(kind: Option<&Importer>, joints: usize) -> Vec<Meaning> {
         one("temperature_c", "temperature, °C"),
         one("time_s", "time, s"),
         one("setup", "setup of the instrument"),
-        one("use", "fit or held-out"),
+        one("use", "fit, held-out or excluded"),
     ]);
     for part in ["w", "x", "y", "z"] {
         all.push(one(&format!("q{part}"), &format!("orientation {part}")));

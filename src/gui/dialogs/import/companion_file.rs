@@ -15,7 +15,13 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
         "File of the commands",
         "a table with q1_deg, … and perhaps name, time_s, dir1, load_kg",
     );
-    super::parts::path(ui, field, &mut next.commands, Beside::Commands, commands);
+    super::parts::path(
+        ui,
+        field,
+        &mut next.commands,
+        (Beside::Commands, &now.neighbours),
+        commands,
+    );
     if next.commands.trim().is_empty() {
         return;
     }
@@ -59,7 +65,7 @@ pub(super) fn commanded(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &
                 .speed(0.01)
                 .max_decimals(6)
                 .suffix(" s");
-            widgets::cell_number(ui, "Seconds to add to a measured time", 110.0, field);
+            widgets::cell_number(ui, "Seconds to add to a measured time", "s", 110.0, field);
         }
     });
     if let Some(clock) = clock {
@@ -89,7 +95,13 @@ pub(super) fn base_frame(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: 
         "File of the known points",
         "a table with name, x_mm, y_mm, z_mm; the same names as in the measured file",
     );
-    super::parts::path(ui, field, &mut next.reference, Beside::Reference, commands);
+    super::parts::path(
+        ui,
+        field,
+        &mut next.reference,
+        (Beside::Reference, &now.neighbours),
+        commands,
+    );
     if next.reference.trim().is_empty() {
         return;
     }
@@ -154,11 +166,17 @@ fn residuals(ui: &mut Ui, alignment: &Alignment) {
 }
 
 /// Where the reflectors sit.
-pub(super) fn reflectors(ui: &mut Ui, next: &mut Said, commands: &mut Vec<Command>) {
+pub(super) fn reflectors(ui: &mut Ui, now: &Foreign, next: &mut Said, commands: &mut Vec<Command>) {
     widgets::section(ui, "Reflectors in the tool frame, if there are several");
     let field = (
         "File of the reflectors",
         "a table with name, x_mm, y_mm, z_mm; without it one sits at the tool's origin",
     );
-    super::parts::path(ui, field, &mut next.targets, Beside::Targets, commands);
+    super::parts::path(
+        ui,
+        field,
+        &mut next.targets,
+        (Beside::Targets, &now.neighbours),
+        commands,
+    );
 }

@@ -107,7 +107,7 @@ pub(super) fn show(ui: &mut Ui, now: &Foreign, next: &mut Said) {
     if asks.joint {
         let mut joint = reading.joint as u64 + 1;
         let field = DragValue::new(&mut joint).range(1..=64);
-        if widgets::number(ui, "Joint measured", field).changed() {
+        if widgets::number(ui, "Joint measured", "", field).changed() {
             reading.joint = usize::try_from(joint).map_or(0, |joint| joint.saturating_sub(1));
         }
     }
@@ -168,7 +168,7 @@ fn header(ui: &mut Ui, found: Option<u64>, header: &mut Option<u64>) {
     }
     if let Some(line @ 1..) = header {
         let field = DragValue::new(line).range(1..=1_000_000);
-        widgets::cell_number(ui, "Line of the header", 64.0, field);
+        widgets::cell_number(ui, "Line of the header", "", 64.0, field);
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, now: &Foreign, commands: 
         robot::show(ui, workbench, now, &mut next, commands);
         companion_file::commanded(ui, now, &mut next, commands);
         companion_file::base_frame(ui, now, &mut next, commands);
-        companion_file::reflectors(ui, &mut next, commands);
+        companion_file::reflectors(ui, now, &mut next, commands);
         result::show(ui, now);
         ui.max_rect().width()
     });

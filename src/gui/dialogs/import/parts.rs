@@ -3,7 +3,7 @@
 use egui::{RichText, TextEdit, Ui};
 
 use crate::diagnostic::Severity;
-use crate::gui::import_draft::Beside;
+use crate::gui::import_draft::{Beside, Neighbours};
 use crate::gui::style::tokens::{Palette, size, space};
 use crate::gui::workbench::Command;
 
@@ -24,7 +24,7 @@ pub(super) fn path(
     ui: &mut Ui,
     (label, hint): (&str, &str),
     typed: &mut String,
-    which: Beside,
+    (which, neighbours): (Beside, &Neighbours),
     commands: &mut Vec<Command>,
 ) -> bool {
     let mut changed = false;
@@ -41,6 +41,21 @@ pub(super) fn path(
         name(ui, &button, &format!("Choose: {label}"));
         if button.clicked() {
             commands.push(Command::ChooseBeside(which));
+        }
+    });
+    if !typed.trim().is_empty() {
+        return changed;
+    }
+    ui.horizontal_wrapped(|ui| {
+        for path in neighbours.suiting(which) {
+            let file = path.file_name().unwrap_or_default().to_string_lossy();
+            let text = format!("Use {file}, which lies beside it");
+            let link = ui.link(RichText::new(text).size(size::SMALL));
+            name(ui, &link, &format!("Use {file}: {label}"));
+            if link.clicked() {
+                *typed = path.display().to_string();
+                changed = true;
+            }
         }
     });
     changed

@@ -45,7 +45,13 @@ pub(super) fn show(
         _ => String::new(),
     };
     let field = ("File of the robot", "a robot, a session, or a URDF file");
-    if super::parts::path(ui, field, &mut path, Beside::Robot, commands) {
+    if super::parts::path(
+        ui,
+        field,
+        &mut path,
+        (Beside::Robot, &now.neighbours),
+        commands,
+    ) {
         next.robot = next.robot.of_file(path);
     }
     if let RobotFrom::File { path, base, tip } = &mut next.robot
@@ -88,23 +94,41 @@ fn axis(ui: &mut Ui, typed: &mut TypedAxis) {
     numbers(
         ui,
         "Axis at home",
-        "Axis",
+        ("Axis", ""),
         &["x", "y", "z"],
         &mut typed.axis,
     );
     let parts = ["x", "y", "z"];
-    numbers(ui, "Point on it, mm", "Point", &parts, &mut typed.point_mm);
-    numbers(ui, "Tool at home, mm", "Tool", &parts, &mut typed.tool_mm);
+    numbers(
+        ui,
+        "Point on it, mm",
+        ("Point", "mm"),
+        &parts,
+        &mut typed.point_mm,
+    );
+    numbers(
+        ui,
+        "Tool at home, mm",
+        ("Tool", "mm"),
+        &parts,
+        &mut typed.tool_mm,
+    );
     let parts = ["from", "to"];
-    numbers(ui, "Travel, °", "Travel", &parts, &mut typed.limits_deg);
+    numbers(
+        ui,
+        "Travel, °",
+        ("Travel", "°"),
+        &parts,
+        &mut typed.limits_deg,
+    );
     ui.checkbox(&mut typed.gravity_down, "gravity points along −z");
 }
 
-fn numbers(ui: &mut Ui, row: &str, name: &str, parts: &[&str], values: &mut [f64]) {
+fn numbers(ui: &mut Ui, row: &str, (name, unit): (&str, &str), parts: &[&str], values: &mut [f64]) {
     widgets::form_row(ui, row, |ui| {
         for (part, value) in parts.iter().zip(values) {
             let field = DragValue::new(value).speed(1.0).max_decimals(6);
-            widgets::cell_number(ui, &format!("{name} {part}"), 90.0, field);
+            widgets::cell_number(ui, &format!("{name} {part}"), unit, 90.0, field);
         }
     });
 }

@@ -9,6 +9,7 @@ mod next;
 use egui::{RichText, Ui};
 
 use crate::diagnosis::{Diagnosis, FloorFrom, Verdict};
+use crate::gui::jobs::Running;
 use crate::gui::style::tokens::{Palette, size, space, strong};
 use crate::gui::units::{grouped, significant};
 use crate::gui::workbench::{Command, Workbench};
@@ -16,16 +17,61 @@ use crate::gui::{help, widgets};
 
 use crate::gui::views::names::{curve_link, not_identifiable, title, titles};
 use crate::gui::views::{copies, unexplained};
+use crate::present::names::title_of;
 
 pub(in crate::gui::views) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     widgets::heading(ui, "Diagnosis");
     ui.add_space(space::TIGHT);
     widgets::scroll(ui, "findings", |ui| {
         ui.spacing_mut().item_spacing.y = space::ROW;
-        match workbench.searched() {
+        let beneath = if workbench.searching().is_some() {
+            under_way(ui, workbench);
+            None
+        } else {
+            stopped(ui, workbench);
+            workbench.searched()
+        };
+        match beneath {
             None => crate::gui::views::coverage::show(ui, workbench),
             Some(Err(because)) => widgets::hint(ui, because),
             Some(Ok(diagnosis)) => all(ui, workbench, diagnosis, commands),
+        }
+    });
+}
+
+/// A diagnosis is running: what it has found so far.
+fn under_way(ui: &mut Ui, workbench: &Workbench) {
+    let found = workbench.searching().map(Running::found);
+    let says = match found.as_ref().map_or(0, Vec::len) {
+        0 => "Nothing found so far",
+        _ => "Found so far; a likelier name may take the place of one",
+    };
+    so_far(ui, "Diagnosis is running", says, &found.unwrap_or_default());
+}
+
+/// What a diagnosis that was stopped had found until then.
+fn stopped(ui: &mut Ui, workbench: &Workbench) {
+    let Some(found) = workbench.stopped() else {
+        return;
+    };
+    let says = match found.len() {
+        0 => "It had found nothing until then",
+        _ => {
+            "Found until then, not yet tested against other names: run the diagnosis again to \
+             test them"
+        }
+    };
+    so_far(ui, "Diagnosis stopped", says, found);
+}
+
+fn so_far(ui: &mut Ui, name: &str, says: &str, found: &[String]) {
+    widgets::card(ui, |ui| {
+        title(ui, name);
+        widgets::hint(ui, says);
+        for name in found {
+            let label = ui.label(title_of(name));
+            let id = name.split(' ').next().unwrap_or(name);
+            widgets::explained_effect(label, id);
         }
     });
 }
@@ -142,6 +188,12 @@ fn equivalent(ui: &mut Ui, d: &Diagnosis) {
 
 fn excluded(ui: &mut Ui, workbench: &Workbench, d: &Diagnosis) {
     const MOST: usize = 8;
+    if let Some(says) = d.identification.excluded_in_words() {
+        widgets::card(ui, |ui| {
+            title(ui, "Excluded by hand");
+            widgets::hint(ui, says);
+        });
+    }
     if d.outliers.is_empty() {
         return;
     }

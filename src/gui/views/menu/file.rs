@@ -18,7 +18,7 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
             menu.item_about(ui, action, Some(example.what));
         }
     });
-    menu.items(ui, &[actions::NEW]);
+    menu.items(ui, &[actions::IMPORT, actions::NEW]);
     ui.separator();
     menu.items(
         ui,
@@ -31,6 +31,7 @@ pub(super) fn show(ui: &mut Ui, menu: &mut Menu<'_>) {
             actions::SAVE_MODEL,
             actions::SAVE_TABLE,
             actions::COMPENSATE,
+            actions::REPORT,
         ],
     );
     ui.separator();

@@ -12,19 +12,20 @@ pub(super) fn edit(ui: &mut Ui, menu: &mut Menu<'_>) {
     ui.set_min_width(240.0);
     menu.items(ui, &[actions::UNDO, actions::REDO]);
     ui.separator();
+    menu.items(ui, &[actions::EXCLUDE]);
+    ui.separator();
     menu.items(ui, &[actions::IDENTIFY, actions::SEARCH, actions::CANCEL]);
     ui.separator();
-    menu.items(ui, &[actions::PREFERENCES]);
+    menu.items(ui, &[actions::PALETTE, actions::PREFERENCES]);
 }
 
 pub(super) fn view(ui: &mut Ui, menu: &mut Menu<'_>) {
     use actions::{
-        DIAGNOSIS, EXPORT, FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE, FROM_TOP, IDENTIFICATION,
-        LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY, LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH,
-        OTHER_THEME, REGIONS, RESULTS, SESSION,
+        FIT, FROM_FRONT, FROM_ISOMETRIC, FROM_SIDE, FROM_TOP, LOOK_AROUND, LOOK_IN_SPACE, LOOK_XY,
+        LOOK_XZ, LOOK_YZ, NEXT_ANGLE, NEXT_LENGTH, OTHER_THEME, RESULTS,
     };
     ui.set_min_width(260.0);
-    menu.items(ui, &[SESSION, REGIONS, IDENTIFICATION, DIAGNOSIS, EXPORT]);
+    menu.items(ui, &actions::STEPS[..menu.workbench.steps().len()]);
     ui.separator();
     menu.items(ui, &[LOOK_XY, LOOK_XZ, LOOK_YZ, LOOK_AROUND, LOOK_IN_SPACE]);
     // In a list of their own: a longer menu would not fit below its header.

@@ -35,28 +35,20 @@ pub(in crate::gui::views) const STEP: StepView = StepView {
 fn state(workbench: &Workbench) -> (String, Progress) {
     let document = workbench.document();
     if document.regions.is_empty() {
-        let says = if workbench.subject().is_empty() {
-            "nothing measured"
-        } else {
-            "not for this robot"
-        };
-        return (says.to_owned(), Progress::Open);
+        return ("optional".to_owned(), Progress::Open);
     }
     let used = document.identified && document.method == Method::Regional;
     let regions = number_of(document.regions.len(), "region");
-    (regions, Progress::of(used))
+    let caption = if used {
+        regions
+    } else {
+        format!("optional, {regions}")
+    };
+    (caption, Progress::of(used))
 }
 
 fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
-    if !subject.single_revolute() {
-        widgets::hint(
-            ui,
-            "Regions are the paper's method for a single joint that turns. This robot is \
-             identified by the exact fit: continue to the next step",
-        );
-        return;
-    }
     if subject.is_empty() {
         widgets::hint(
             ui,
@@ -126,7 +118,7 @@ fn evenly(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
             .range(1..=MOST_EVEN)
             .speed(0.1)
             .suffix(if before == 1 { " region" } else { " regions" });
-        let response = widgets::cell_number(ui, "Number of regions", 110.0, field);
+        let response = widgets::cell_number(ui, "Number of regions", "", 110.0, field);
         let divide = present == 0 && ui.button("Divide").clicked();
         if number != before || divide {
             let edit = Edit::Divide(number);
@@ -167,8 +159,8 @@ fn none(ui: &mut Ui, workbench: &Workbench) {
              where the data ask for it"
         } else {
             "There are no regions, because all samples are at one angle: there is no range to \
-             divide. Give the joint its limits in step 1, or measure at other angles. The exact \
-             fit in step 3 needs no regions"
+             divide. Give the joint its limits in Session, or measure at other angles. The exact \
+             fit in Identify needs no regions"
         },
     );
 }
@@ -211,6 +203,10 @@ fn next(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let subject = workbench.subject();
     let possible = subject.single_revolute() && !subject.is_empty() && !document.regions.is_empty();
     if possible && !regional {
+        widgets::hint(
+            ui,
+            "Optional: fills the next step, Identify, region by region",
+        );
         if widgets::primary(ui, "Identify by region").clicked() {
             commands.push(Command::Edit(Edit::IdentifyBy(Method::Regional)));
         }

@@ -18,7 +18,7 @@ use crate::gui::core::search::term_of;
 use crate::gui::core::setup::{SetupForm, SigmaForm};
 use crate::gui::core::simulate::Form;
 use crate::gui::import_draft::{Foreign, RobotFrom, Said, TypedAxis};
-use crate::gui::preferences::{Preferences, Theme};
+use crate::gui::preferences::{Preferences, Sizes, Theme};
 use crate::gui::units::{AngleUnit, LengthUnit};
 use crate::gui::view::{
     About, Camera, Canvas, Colouring, Part, Plane, Plot, Sheet, Side, Standard, Step, Then, What,
@@ -162,6 +162,7 @@ fn edit(random: &mut ChaCha8Rng, workbench: &Workbench) -> Edit {
         }),
         27 | 28 => Edit::Setup(Box::new(setup(random, subject))),
         29 => Edit::Mend(vec![mend(random)]),
+        35 => Edit::Exclude((0..random.random_range(0..60)).collect(), random.random()),
         30 => {
             // Nothing found is added as well: nothing changes then.
             let found = workbench.diagnosis().into_iter();
@@ -272,8 +273,16 @@ fn sheet(random: &mut ChaCha8Rng, files: &Files, workbench: &Workbench) -> Optio
     })
 }
 
+fn sizes(random: &mut ChaCha8Rng) -> Sizes {
+    Sizes {
+        left: one_of(random, &[0.0, 300.0, f32::NAN, 1e9]).copied(),
+        ..Sizes::default()
+    }
+}
+
 fn preferences(random: &mut ChaCha8Rng) -> Preferences {
     Preferences {
+        sizes: Sizes::default(),
         length: pick(
             random,
             &[
@@ -282,7 +291,15 @@ fn preferences(random: &mut ChaCha8Rng) -> Preferences {
                 LengthUnit::Inch,
             ],
         ),
-        angle: pick(random, &[AngleUnit::Degree, AngleUnit::Radian]),
+        angle: pick(
+            random,
+            &[
+                AngleUnit::Degree,
+                AngleUnit::Radian,
+                AngleUnit::Milliradian,
+                AngleUnit::ArcSecond,
+            ],
+        ),
         decimals: random.random::<bool>().then(|| random.random()),
         decimal_comma: random.random(),
         theme: pick(random, &[Theme::System, Theme::Light, Theme::Dark]),
@@ -356,6 +373,7 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         82 => Command::Forget(files.any(random)),
         83 => Command::Restore(random.random_range(0..2)),
         84 if random.random_range(0..4) == 0 => Command::DiscardLeft(random.random_range(0..2)),
+        84 if random.random_range(0..8) == 0 => Command::DiscardAllLeft,
         84 | 85 => Command::KeepRecovery,
         86 => Command::LookAtDisk,
         87..=90 => Command::SaveAs {
@@ -402,7 +420,8 @@ pub(super) fn command(random: &mut ChaCha8Rng, workbench: &Workbench, files: &Fi
         154 => way_to_look(random),
         155 => Command::Results(random.random()),
         136 => Command::Canvas(pick(random, &[Canvas::Shapes, Canvas::Layers(1000)])),
-        137..=139 => Command::Prefer(preferences(random)),
+        137 | 138 => Command::Prefer(preferences(random)),
+        139 => Command::Resize(sizes(random)),
         140..=142 => Command::Draft(
             random
                 .random::<bool>()

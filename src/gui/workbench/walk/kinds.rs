@@ -23,28 +23,30 @@ kinds!(
     COMMANDS, command, Command:
     Edit(..), Drag(..), EndDrag(), Undo(), Redo(), ChooseFile(), OpenFile(..), Say(..),
     ConfirmColumns(), ChooseBeside(..), Import(), OpenExample(..), Do(..), SaveThen(..), Save(), SaveDespite(), Reload(), KeepMine(),
-    Follow(..), Forget(..), Restore(..), DiscardLeft(..), KeepRecovery(), LookAtDisk(),
+    Follow(..), Forget(..), Restore(..), DiscardLeft(..), DiscardAllLeft(), ChooseImport(), KeepRecovery(), LookAtDisk(),
     ChooseWhereToSave(), SaveAs {..}, ChooseWhereToExport(..), ExportTo {..}, ChooseTargets(), Compensate {..}, Adapt(), Type {..},
-    Search(), FindLetters(..), DismissLetters(), Simulate(..), Cancel(), StopSearch(), StopLooking(), GoTo(..), Look(..), Magnify(..), Blend(..),
+    Search(), FindLetters(..), DismissLetters(), Simulate(..), Cancel(), StopSearch(), OpenOutside {..}, StopLooking(), GoTo(..), Look(..), Magnify(..), Blend(..),
     Colour(..), Heat(..), Component(..), OnlyAfter(..), Hover(..), Select(..), Mark(..), Side(..),
-    Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),
+    Results(..), Chart(..), ChartJoint(..), ShowEffect(..), LookAround(), LookFrom(..), Turn(..), Pose(..), Canvas(..), Prefer(..), Resize(..), Draft(..), Sheet(..), Leave(), Dismiss(), Fit(), Part(..), FitWorkspace(), FitChart(),
 );
 
 kinds!(
     EDITS, edit, Edit:
     Open(..), OpenModel {..}, Divide(..), MoveBoundary(..), PlaceBoundary(..), Adapt(..),
     KeepRegions(), Split(..), Join(..), Delete(..), Rename(..), RegionsOfSession(), Method(..),
-    Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Mend(..), Recover(..),
+    Effect(..), Tolerance(..), Export(..), Add(..), Switch(..), Setup(..), Mend(..), Exclude(..), Recover(..),
     Identify(), IdentifyBy(..),
 );
 
 /// These open a dialog of the system, which nobody can drive.
 pub(super) const ASK_THE_SYSTEM: &[&str] = &[
     "ChooseFile",
+    "ChooseImport",
     "ChooseWhereToSave",
     "ChooseWhereToExport",
     "ChooseBeside",
     "ChooseTargets",
+    "OpenOutside",
 ];
 
 /// These come only of a background task, which the walk starts.

@@ -1,13 +1,18 @@
 //! Sample by sample: what was measured where, and whether it is within the tolerance. Any number
 //! of rows; only those in sight are made.
 
-use egui::{Align, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+mod order;
+
+use egui::{Align, CursorIcon, Layout, RichText, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use egui_extras::{Column, TableBuilder, TableRow};
 
 use crate::gui::style::tokens::{Palette, size};
 use crate::gui::units::trimmed;
 use crate::gui::views::copies;
 use crate::gui::workbench::{Command, Workbench};
+use crate::gui::workspace::sample_menu;
+
+use order::{By, Rows, Sorting};
 
 const ROW: f32 = 22.0;
 /// Width of the sample's number, and of its mark.
@@ -21,6 +26,9 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let answer = workbench.answer();
     let tolerance_mm = workbench.document().tolerance_mm;
     let view = workbench.view();
+    let sorted_by = ui.scope_id().with("sorted by");
+    let mut sorting: Sorting = ui.data(|d| d.get_temp(sorted_by)).unwrap_or_default();
+    let rows = Rows::of(ui, ui.scope_id().with("rows"), workbench, sorting);
     let brought = brought(ui, workbench);
     copies::button(ui, "samples", || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
@@ -37,8 +45,10 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         .columns(Column::exact(wide), 3)
         .column(Column::exact(MARK))
         .auto_shrink([false, false]);
-    if let Some((row, align)) = brought {
-        table = table.scroll_to_row(row, align).animate_scrolling(false);
+    if let Some((sample, align)) = brought {
+        table = table
+            .scroll_to_row(rows.row(sample), align)
+            .animate_scrolling(false);
     }
     let length = units.length_name();
     let angle = if subject.turns() {
@@ -49,20 +59,12 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     let mut hovered = None;
     table
         .header(24.0, |mut header| {
-            let heads = [
-                "sample".to_owned(),
-                format!("angle, {angle}"),
-                format!("before, {length}"),
-                format!("after, {length}"),
-                String::new(),
-            ];
-            for head in heads {
-                heading(&mut header, &head);
-            }
+            sorting = heads(&mut header, [angle, length], sorting);
         })
         .body(|body| {
             body.rows(ROW, subject.len(), |mut row| {
-                let sample = row.index();
+                let sample = rows.sample(row.index());
+                let excluded = subject.session.samples.is_excluded(sample);
                 let marked = view.marked.binary_search(&sample).is_ok();
                 row.set_selected(view.selected == Some(sample) || marked);
                 row.set_hovered(view.hovered == Some(sample));
@@ -74,23 +76,32 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 } else {
                     trimmed(units.length_value(q), 3)
                 };
-                cell(&mut row, "number", |ui| {
-                    let number = RichText::new((sample + 1).to_string());
-                    ui.label(number.color(palette.muted));
+                let text = |text: String| {
+                    let text = RichText::new(text);
+                    if excluded {
+                        text.strikethrough().color(palette.muted)
+                    } else {
+                        text
+                    }
+                };
+                cell(&mut row, sample, "number", |ui| {
+                    ui.label(text((sample + 1).to_string()).color(palette.muted));
                 });
-                cell(&mut row, "angle", |ui| {
-                    ui.label(q);
+                cell(&mut row, sample, "angle", |ui| {
+                    ui.label(text(q));
                 });
-                cell(&mut row, "before", |ui| {
-                    ui.label(units.length_like(before, like_before));
+                cell(&mut row, sample, "before", |ui| {
+                    ui.label(text(units.length_like(before, like_before)));
                 });
-                cell(&mut row, "after", |ui| {
+                cell(&mut row, sample, "after", |ui| {
                     let after = after.map(|mm| units.length_like(mm, like_after));
-                    ui.label(after.unwrap_or_default());
+                    ui.label(text(after.unwrap_or_default()));
                 });
                 let shown = after.unwrap_or(before);
-                cell(&mut row, "tolerance", |ui| {
-                    if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
+                cell(&mut row, sample, "tolerance", |ui| {
+                    if excluded {
+                        out(ui);
+                    } else if let Some(tolerance_mm) = tolerance_mm.filter(|_| shown.is_finite()) {
                         mark(ui, shown <= tolerance_mm);
                     }
                 });
@@ -98,11 +109,19 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
                 if response.hovered() {
                     hovered = Some(sample);
                 }
-                if response.clicked() {
+                let marked = view.marked.contains(&sample);
+                if response.clicked() || response.secondary_clicked() && !marked {
                     commands.push(Command::Select(Some(sample)));
                 }
+                response.context_menu(|ui| sample_menu(ui, workbench, commands));
             });
         });
+    ui.data_mut(|data| data.insert_temp(sorted_by, sorting));
+    point_at(ui, hovered, commands);
+}
+
+/// Says which row the pointer is on, where that is another than before.
+fn point_at(ui: &Ui, hovered: Option<usize>, commands: &mut Vec<Command>) {
     let id = ui.scope_id().with("row under the pointer");
     let before = ui.data_mut(|data| data.get_temp::<Option<usize>>(id));
     ui.data_mut(|data| data.insert_temp(id, hovered));
@@ -129,20 +148,83 @@ fn brought(ui: &Ui, workbench: &Workbench) -> Option<(usize, Option<Align>)> {
     wanted.map(|row| (row, align))
 }
 
-/// The head of a column; the last is a mark, and needs a name all the same.
-fn heading(header: &mut TableRow<'_, '_>, head: &str) {
+/// The heads of all columns; how the rows are sorted after a click on one.
+fn heads(header: &mut TableRow<'_, '_>, [angle, length]: [&str; 2], sorting: Sorting) -> Sorting {
+    let heads = [
+        "sample".to_owned(),
+        format!("angle, {angle}"),
+        format!("before, {length}"),
+        format!("after, {length}"),
+        String::new(),
+    ];
+    let mut after = sorting;
+    for (head, by) in heads.iter().zip(By::ALL) {
+        if heading(header, head, by, sorting) {
+            after = sorting.after_click(by);
+        }
+    }
+    after
+}
+
+/// The head of a column, which sorts by it; the last is a mark, and needs a name all the same.
+/// Whether it was pressed.
+fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) -> bool {
+    let sorted = (sorting != Sorting::default() && sorting.by == by).then_some(sorting.descending);
     let (_, cell) = header.col(|ui| {
-        let muted = Palette::of(ui).muted;
-        ui.label(RichText::new(head).size(size::SMALL).color(muted));
+        let palette = Palette::of(ui);
+        let color = if sorted.is_some() {
+            palette.text
+        } else {
+            palette.muted
+        };
+        // A click on the words sorts as well.
+        let head = RichText::new(head).size(size::SMALL).color(color);
+        ui.add(egui::Label::new(head).selectable(false));
+        if let Some(descending) = sorted {
+            arrow(ui, descending, palette.accent);
+        }
     });
     let name = if head.is_empty() { "tolerance" } else { head };
-    let name = format!("column {name}");
+    let order = match sorted {
+        None => "",
+        Some(true) => ", largest first",
+        Some(false) => ", smallest first",
+    };
+    let name = format!("column {name}{order}");
     cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
+    let cell = cell.on_hover_cursor(CursorIcon::PointingHand);
+    cell.clicked()
+}
+
+/// Which way a column is sorted.
+fn arrow(ui: &mut Ui, down: bool, color: egui::Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(7.0, 8.0), Sense::hover());
+    let tip = if down { 3.0 } else { -3.0 };
+    let at = |x: f32, y: f32| rect.center() + vec2(x, y);
+    let corners = vec![at(-3.5, -tip), at(3.5, -tip), at(0.0, tip)];
+    let shape = egui::Shape::convex_polygon(corners, color, Stroke::NONE);
+    ui.painter().add(shape);
+}
+
+/// The mark of a sample that a person took out.
+fn out(ui: &mut Ui) {
+    let muted = Palette::of(ui).muted;
+    let (rect, response) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
+    let says = "excluded by hand, in no figure";
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, says));
+    for side in [-3.5, 3.5] {
+        let ends = [
+            rect.center() + vec2(-3.5, side),
+            rect.center() + vec2(3.5, -side),
+        ];
+        ui.painter().line_segment(ends, Stroke::new(1.5, muted));
+    }
+    response.on_hover_text(says);
 }
 
 /// A cell of a row; it can be pressed, and so it has a name.
-fn cell(row: &mut TableRow<'_, '_>, what: &str, contents: impl FnOnce(&mut Ui)) {
-    let name = format!("row {}, {what}", row.index() + 1);
+fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl FnOnce(&mut Ui)) {
+    let name = format!("row {}, {what}", sample + 1);
     let (_, response) = row.col(contents);
     response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
 }

@@ -1,0 +1,47 @@
+//! What the user has to know: what went wrong stands in a banner until it is dismissed, what was
+//! done in a toast that goes away by itself.
+
+use std::path::{Path, PathBuf};
+
+/// See the module.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Message {
+    /// Whether something went wrong.
+    pub(crate) wrong: bool,
+    /// In one line.
+    pub(crate) title: String,
+    /// What exactly, and what to do next; one line each.
+    pub(crate) details: Vec<String>,
+    /// The file that was written.
+    pub(crate) file: Option<PathBuf>,
+}
+
+impl Message {
+    /// Something went wrong.
+    pub(crate) fn wrong(title: impl Into<String>, details: Vec<String>) -> Self {
+        Self {
+            wrong: true,
+            ..Self::done(title, details)
+        }
+    }
+
+    /// Something was done.
+    pub(crate) fn done(title: impl Into<String>, details: Vec<String>) -> Self {
+        Self {
+            wrong: false,
+            title: title.into(),
+            details,
+            file: None,
+        }
+    }
+
+    /// A file was written.
+    pub(crate) fn saved(path: &Path, details: Vec<String>) -> Self {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+        Self {
+            file: Some(whole),
+            ..Self::done(format!("Saved {}", name.to_string_lossy()), details)
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! What the sides of the window are pulled by.
+
+use egui::{Rect, Ui};
+
+use crate::gui::preferences::{Preferences, Sizes};
+use crate::gui::style::layout::Room;
+use crate::gui::widgets::{self, Gripped};
+use crate::gui::workbench::{Command, Workbench};
+
+/// What the sides can be pulled by.
+pub(crate) fn show(
+    ui: &Ui,
+    workbench: &Workbench,
+    room: Room,
+    middle: Rect,
+    commands: &mut Vec<Command>,
+) {
+    let preferences = workbench.view().preferences;
+    let mut pulled = |gripped: Option<Gripped>, set: &dyn Fn(&mut Sizes, Option<f32>)| {
+        let mut sizes = preferences.sizes;
+        let done = match gripped {
+            None => return,
+            Some(Gripped::To(x)) => {
+                set(&mut sizes, Some(x));
+                return commands.push(Command::Resize(sizes));
+            }
+            Some(Gripped::LetGo(x)) => Some(x),
+            Some(Gripped::Usual) => None,
+        };
+        set(&mut sizes, done);
+        commands.push(Command::Prefer(Preferences {
+            sizes,
+            ..preferences
+        }));
+    };
+    let left = widgets::grip(ui, "steps", middle, middle.left());
+    pulled(left, &|sizes, x| sizes.left = x);
+    if let Some(width) = room.right {
+        // The samples, where they stand beside the results, keep their width.
+        let end = middle.right() + width;
+        let right = widgets::grip(ui, "results", middle, middle.right());
+        pulled(right, &|sizes, x| sizes.right = x.map(|x| end - x));
+    }
+}
