@@ -1,6 +1,6 @@
 //! The left-hand side: the steps, the controls of the chosen one, and what to do next.
 
-use egui::{Panel, Ui};
+use egui::{Panel, Ui, UiBuilder};
 
 use crate::gui::style::layout::Room;
 use crate::gui::style::tokens::space;
@@ -19,7 +19,19 @@ static STEPS: [StepView; 5] = [
     export::STEP,
 ];
 
+/// The button at the foot stands no lower than this below the top of its panel, points.
+const HIGHEST: f32 = 960.0;
+
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
+    // On a high screen the button at the foot would be far from what it belongs to.
+    let mut rect = ui.available_rect_before_wrap();
+    rect.set_height(rect.height().min(HIGHEST));
+    ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
+        all(ui, workbench, room, commands);
+    });
+}
+
+fn all(ui: &mut Ui, workbench: &Workbench, room: Room, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 2.0;
     let now = workbench.view().step;
     let view_of = |step| STEPS.iter().find(|view| view.step == step);

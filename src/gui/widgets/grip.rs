@@ -44,7 +44,9 @@ pub(crate) fn grip(ui: &Ui, name: &str, panel: Rect, x: f32) -> Option<Gripped> 
     if response.double_clicked() {
         return Some(Gripped::Usual);
     }
-    let pointer = response.interact_pointer_pos().map(|at| at.x);
+    let pointer = response
+        .interact_pointer_pos()
+        .map(|at| at.x - inwards * REACH);
     if response.drag_stopped() {
         return Some(Gripped::LetGo(pointer.unwrap_or(x)));
     }
