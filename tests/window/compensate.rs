@@ -16,9 +16,9 @@ fn data(name: &str) -> PathBuf {
 /// A six-joint arm, identified, at the Export step.
 fn at_export() -> Window {
     let mut window = window_of([1280.0, 1000.0], Some(data("arm.json")), Runner::AtOnce);
-    press(&mut window, "3 Identify");
+    press(&mut window, "2 Identify");
     press(&mut window, "Identify");
-    press(&mut window, "5 Export");
+    press(&mut window, "4 Export");
     window
 }
 

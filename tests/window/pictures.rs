@@ -150,7 +150,7 @@ fn the_compensation_of_a_program_in_light() {
     let Some(mut window) = window(Theme::Light, Some(data("arm.json"))) else {
         return;
     };
-    press(&mut window, "3 Identify");
+    press(&mut window, "2 Identify");
     press(&mut window, "Identify");
     window.state_mut().compensate(&data("cell.mod"));
     window.run_steps(4);
@@ -163,7 +163,7 @@ fn an_arm_in_space(theme: Theme, name: &str) {
     let Some(mut window) = window(theme, Some(file.into())) else {
         return;
     };
-    press(&mut window, "3 Identify");
+    press(&mut window, "2 Identify");
     press(&mut window, "Identify");
     looks_like(&mut window, name);
 }
