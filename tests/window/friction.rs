@@ -391,6 +391,23 @@ fn the_table_of_samples_is_sorted_by_a_column() {
     assert_ne!(top(&window), largest);
 }
 
+/// The numbers stand at the right of their cells: a click on one of them is a click on the row.
+#[test]
+fn a_click_on_a_number_of_the_table_chooses_its_sample() {
+    let mut window = window(None);
+    press(&mut window, "Samples");
+    let at = window.get_by_label("row 4, before").rect().right_center() - egui::vec2(8.0, 0.0);
+    window.hover_at(at);
+    window.run_steps(2);
+    window.drag_at(at);
+    window.step();
+    window.drop_at(at);
+    window.run_steps(4);
+    keys(&mut window, Modifiers::NONE, Key::Delete);
+    press(&mut window, "1 Session");
+    assert!(says(&window, "208, 1 excluded"), "row 4 was chosen");
+}
+
 #[test]
 fn panels_and_chart_are_pulled_by_their_grips_and_stay_as_they_were_left() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -16,8 +16,10 @@ use order::{By, Rows, Sorting};
 
 const ROW: f32 = 22.0;
 /// Width of the sample's number, and of its mark.
-const NUMBER: f32 = 44.0;
+const NUMBER: f32 = 50.0;
 const MARK: f32 = 20.0;
+/// A head as wide as this has room for its unit.
+const ROOM_FOR_UNITS: f32 = 76.0;
 
 pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Command>) {
     let palette = Palette::of(ui);
@@ -33,7 +35,7 @@ pub(crate) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     copies::button(ui, "samples", || copies::samples(workbench));
     let between = 4.0 * ui.spacing().item_spacing.x + ui.spacing().scroll.allocated_width();
     let wide = (ui.available_width() - NUMBER - MARK - between) / 3.0;
-    let wide = wide.clamp(52.0, 96.0).floor();
+    let wide = wide.clamp(50.0, 96.0).floor();
     // A column has one number of decimals, so that its numbers can be compared at a glance.
     let like_before = subject.gap_before.map_or(1.0, |gap| gap.rms_mm);
     let like_after = answer.map_or(1.0, |a| a.identification.gap.after.rms_mm);
@@ -177,8 +179,11 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) 
         } else {
             palette.muted
         };
+        // Where there is no room for the unit and the arrow, the unit stands in the tip.
+        let narrow = ui.available_width() < ROOM_FOR_UNITS;
+        let shown = head.split(',').next().filter(|_| narrow).unwrap_or(head);
         // A click on the words sorts as well.
-        let head = RichText::new(head).size(size::SMALL).color(color);
+        let head = RichText::new(shown).size(size::SMALL).color(color);
         ui.add(egui::Label::new(head).selectable(false));
         if let Some(descending) = sorted {
             arrow(ui, descending, palette.accent);
@@ -193,7 +198,11 @@ fn heading(header: &mut TableRow<'_, '_>, head: &str, by: By, sorting: Sorting) 
     let name = format!("column {name}{order}");
     cell.widget_info(|| WidgetInfo::labeled(Role::ColumnHeader, true, name.clone()));
     let cell = cell.on_hover_cursor(CursorIcon::PointingHand);
-    cell.clicked()
+    let clicked = cell.clicked();
+    if !head.is_empty() {
+        cell.on_hover_text(head);
+    }
+    clicked
 }
 
 /// Which way a column is sorted.
@@ -225,7 +234,11 @@ fn out(ui: &mut Ui) {
 /// A cell of a row; it can be pressed, and so it has a name.
 fn cell(row: &mut TableRow<'_, '_>, sample: usize, what: &str, contents: impl FnOnce(&mut Ui)) {
     let name = format!("row {}, {what}", sample + 1);
-    let (_, response) = row.col(contents);
+    let (_, response) = row.col(|ui| {
+        // Text that can be selected would keep clicks on the numbers from the row.
+        ui.style_mut().interaction.selectable_labels = false;
+        contents(ui);
+    });
     response.widget_info(|| WidgetInfo::labeled(Role::Cell, true, name.clone()));
 }
 
