@@ -56,6 +56,12 @@ words! {
         "A part of the error that wanders in time, whatever the robot does: a tripod that settles, air, a tracker that warms up. The intervals allow for it, and no effect of the robot is read into it";
     NOT_IDENTIFIABLE, "Not identifiable",
         "Two causes that do the same to every sample measured so far. Poses that differ more, a second reflector, or both directions usually tell them apart";
+    TARGETS, "Compensated targets",
+        "Targets of a table or a program whose numbers were changed, so that the real tool goes where the nominal robot would. A target that is singular, beyond the limits or ambiguous is named and left as it is";
+    PREDICTED, "Position error, as the model predicts it",
+        "How far the real tool, as the model knows it, is from the targets of the file: with their numbers as they are, and with the corrected ones";
+    LANGUAGE, "Read as",
+        "The language of the file, by its ending, else by what it looks like";
     REMAINDER, "Not correctable by joint commands",
         "RMS error that remains when the controller applies the whole table: directions in which moving this joint moves nothing";
     PLANAR, "Planar session",
@@ -135,6 +141,9 @@ pub(crate) fn about(name: &str) -> Option<Word> {
         "held out" | "cross-validated RMS error" | "cross-validated RMS error, corrected" => {
             HELD_OUT
         }
+        "read as" => LANGUAGE,
+        "targets corrected" => TARGETS,
+        "RMS position error" | "largest position error" => PREDICTED,
         "regions" => REGION,
         "coordinates" => PLANAR,
         "not correctable by joint commands" => REMAINDER,

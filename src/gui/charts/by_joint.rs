@@ -7,10 +7,12 @@ use crate::gui::core::scale::{FEW, stride, thinned};
 use crate::gui::help::Word;
 use crate::gui::units::{plain_number, significant};
 use crate::kinematics::JointKind;
-use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks};
+use crate::present::chart::{Axis, Deviation, Entry, Form, Series, Sign, Ticks, shortened};
 
 /// The share of a panel that its marks have.
 const FILLED: f64 = 0.88;
+/// Letters of a joint's name below its panel.
+const MOST_LETTERS: usize = 8;
 
 pub(crate) struct ByJoint;
 
@@ -78,17 +80,6 @@ impl<'a> Panels<'a> {
             samples: marks.collect(),
         }
     }
-
-    /// What stands below a panel: the joint, and its range as it was measured.
-    fn label(&self, joint: usize) -> (f64, String) {
-        let own = &self.scene.subject.session.robot.joints[joint];
-        let units = self.scene.units;
-        let [low, high] = self.ranges[joint].map(|q| match own.kind {
-            JointKind::Revolute => units.angle(q),
-            JointKind::Prismatic => units.length(q),
-        });
-        (joint as f64 + 0.5, format!("{} ({low} to {high})", own.name))
-    }
 }
 
 impl Kind for ByJoint {
@@ -128,13 +119,15 @@ impl Kind for ByJoint {
             return Err(Missing::new("No sample to show", why));
         };
         let joints = panels.ranges.len();
+        let names = scene.subject.session.robot.joints.iter().enumerate();
+        let names = names.map(|(k, joint)| (k as f64 + 0.5, shortened(&joint.name, MOST_LETTERS)));
         let name = scene.component().name();
         let number = |mm: f64| significant(scene.units.length_value(mm), 3);
         let made = Deviation {
             component: name,
             across: Axis {
-                label: "joint, with the range shown".to_owned(),
-                ticks: Ticks::Words((0..joints).map(|joint| panels.label(joint)).collect()),
+                label: "joint, each over the range shown".to_owned(),
+                ticks: Ticks::Words(names.collect()),
             },
             lengths: scene.lengths(&number),
             x: [0.0, joints as f64],

@@ -9,7 +9,6 @@ use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
 use crate::gui::workbench::{Command, Workbench};
-use crate::present::numbers::number_of;
 
 use super::ends;
 
@@ -68,17 +67,17 @@ fn load(ui: &mut Ui, compensated: &Compensated, commands: &mut Vec<Command>) {
 fn summary(ui: &mut Ui, workbench: &Workbench, corrected: &Corrected) {
     let (units, s) = (workbench.units(), corrected.summary);
     widgets::fact(ui, "read as", corrected.language);
-    let of = format!("{} of {}", s.corrected, number_of(s.targets, "target"));
-    widgets::fact(ui, "corrected", of);
+    let of = format!("{} of {}", s.corrected, s.targets);
+    widgets::fact(ui, "targets corrected", of);
     if s.corrected > 0 {
         let change = |a: f64, b: f64| {
             let [a, b] = [a, b].map(|mm| units.length_number(mm));
             format!("{a} → {b} {}", units.length_name())
         };
         let rms = change(s.before_mm, s.after_mm);
-        widgets::fact(ui, "RMS position error, as the model predicts it", rms);
+        widgets::fact(ui, "RMS position error", rms);
         let most = change(s.max_before_mm, s.max_after_mm);
-        widgets::fact(ui, "largest", most);
+        widgets::fact(ui, "largest position error", most);
     }
 }
 

@@ -23,7 +23,7 @@ use super::scales::{self, HIGH, entry};
 /// The longest that the scale's arrow gets, points.
 const LONGEST_SCALE: f64 = 52.0;
 /// Room for the arrow and its length in words, points.
-const SCALE: f32 = 100.0;
+const SCALE: f32 = 116.0;
 /// A mark of the legend.
 #[derive(Clone, Copy)]
 enum Sign {
