@@ -89,7 +89,10 @@ pub fn imported(window: &mut Window) {
 }
 
 pub fn identified(window: &mut Window) {
-    press(window, "3 Identify");
+    // Without the step Regions it is the second.
+    let step = ["3 Identify", "2 Identify"].into_iter();
+    let mut step = step.filter(|step| there(window, step));
+    press(window, step.next().unwrap_or("3 Identify"));
     press(window, "Full model");
     if there(window, "Identify") {
         press(window, "Identify");
