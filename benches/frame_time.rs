@@ -89,10 +89,10 @@ impl Window {
         window
     }
 
-    /// Whether the status bar tells of so many samples. It groups their digits.
+    /// Whether the status bar speaks of so many samples. It groups their digits.
     fn shows(&self, samples: usize) -> bool {
         let plain = self.says.replace('\u{202F}', "");
-        plain.contains(&format!("{samples} samples · gap"))
+        plain.contains(&format!("{samples} samples · RMS error"))
     }
 
     fn opening(path: PathBuf, runner: Runner) -> Self {
@@ -176,7 +176,7 @@ impl Window {
                 egui::Shape::Text(text) => Some(text.galley.text()),
                 _ => None,
             });
-            let mut bars = texts.filter(|text| text.contains("· gap"));
+            let mut bars = texts.filter(|text| text.contains("· RMS error"));
             bars.next().unwrap_or_default().clone_into(&mut self.says);
         }
         triangles(&self.ctx, output)
