@@ -52,7 +52,11 @@ impl<'a> Panels<'a> {
     fn at(&self, joint: usize, sample: usize) -> Option<f64> {
         let [low, high] = self.ranges[joint];
         let q = self.scene.subject.session.samples.q[joint][sample];
-        let part = if high > low { (q - low) / (high - low) } else { 0.5 };
+        let part = if high > low {
+            (q - low) / (high - low)
+        } else {
+            0.5
+        };
         let at = joint as f64 + 0.5 + FILLED * (part - 0.5);
         at.is_finite().then_some(at)
     }
@@ -198,7 +202,10 @@ impl Samples for Panels<'_> {
     fn near(&self, [from, to]: [f64; 2]) -> Vec<usize> {
         let here = |sample: &usize| {
             let mut joints = 0..self.ranges.len();
-            joints.any(|joint| self.at(joint, *sample).is_some_and(|x| from <= x && x <= to))
+            joints.any(|joint| {
+                self.at(joint, *sample)
+                    .is_some_and(|x| from <= x && x <= to)
+            })
         };
         self.shown().filter(here).collect()
     }

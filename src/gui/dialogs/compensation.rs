@@ -136,13 +136,18 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
     let targets = answer.targets.iter().filter_map(|target| {
         let left = target.result.as_ref().err()?;
         let name = &target.name;
-        Some((target.place, format!("{name} is left as it is: {}", left.says)))
+        Some((
+            target.place,
+            format!("{name} is left as it is: {}", left.says),
+        ))
     });
     let at_run_time = answer.at_run_time.iter();
     let at_run_time = at_run_time.map(|(l, c, says)| ((*l, *c), format!("not corrected: {says}")));
     let warnings: Vec<_> = targets.chain(at_run_time).collect();
     let remarks = answer.remarks.iter();
-    let remarks: Vec<_> = remarks.map(|(l, c, says)| ((*l, *c), says.clone())).collect();
+    let remarks: Vec<_> = remarks
+        .map(|(l, c, says)| ((*l, *c), says.clone()))
+        .collect();
     if warnings.is_empty() && remarks.is_empty() && answer.notes.is_empty() {
         return;
     }
@@ -157,7 +162,8 @@ fn left(ui: &mut Ui, corrected: &Corrected) {
                 widgets::wrong(ui, &at(warning));
             }
             if let Some(more) = warnings.len().checked_sub(MOST_LEFT).filter(|n| *n > 0) {
-                let says = format!("and {more} more: all of them stand in the file beside the saved one");
+                let says =
+                    format!("and {more} more: all of them stand in the file beside the saved one");
                 widgets::hint(ui, says);
             }
             for remark in remarks.iter().take(MOST_LEFT) {

@@ -16,7 +16,10 @@ pub(super) fn show(ui: &mut Ui, _: &Workbench, commands: &mut Vec<Command>) {
     let others: [(&str, &str); 7] = [
         ("← →", "move the boundary that has the focus"),
         ("Shift+← →", "move it further"),
-        ("← → ↑ ↓ + −", "orbit and zoom the 3-D view that has the focus"),
+        (
+            "← → ↑ ↓ + −",
+            "orbit and zoom the 3-D view that has the focus",
+        ),
         ("Tab, Shift+Tab", "next control, the one before"),
         ("Space or Enter", "press it"),
         ("Ctrl++, Ctrl+−, Ctrl+0", "larger, smaller, usual text"),

@@ -1,6 +1,8 @@
 //! Everything that can be done, by a word of its name: typed, chosen with the arrows, done with Enter.
 
-use egui::{Button, Key, Modifiers, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo};
+use egui::{
+    Button, Key, Modifiers, Response, RichText, Role, ScrollArea, TextEdit, Ui, WidgetInfo,
+};
 
 use crate::gui::actions::{self, Action, Now};
 use crate::gui::style::tokens::{Palette, size, space};
@@ -72,7 +74,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
 /// What has every word that was typed in its name or in what the list of keys says of it.
 fn fitting<'a>(now: Now<'_>, typed: &str) -> Vec<(&'a Action, String)> {
     let typed = typed.to_lowercase();
-    let named = actions::ALL.iter().map(|action| (action, action.label(now)));
+    let named = actions::ALL
+        .iter()
+        .map(|action| (action, action.label(now)));
     let fits = |(action, name): &(&Action, String)| {
         let said = format!("{name} {}", action.help(now.ctx).1).to_lowercase();
         // The palette itself is open, and what has no name has its keys only.
@@ -93,7 +97,8 @@ fn row(ui: &mut Ui, now: Now<'_>, action: &Action, name: &str, chosen: bool) -> 
     if chosen {
         let ring = egui::Stroke::new(1.0, Palette::of(ui).outline);
         let inside = egui::StrokeKind::Inside;
-        ui.painter().rect_stroke(row.rect, space::ROUND, ring, inside);
+        ui.painter()
+            .rect_stroke(row.rect, space::ROUND, ring, inside);
     }
     if !enabled {
         let because = RichText::new(action.first()).size(size::SMALL);
