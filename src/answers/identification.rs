@@ -201,6 +201,7 @@ impl Identification {
             format!("{n} {samples} excluded by hand, in no figure: {numbers}{more}")
         })
     }
+
     /// The calibration that goes with this answer, to be saved and exported.
     pub fn calibration(&self, session: &Session, inputs: &Inputs) -> Calibration {
         let step = |what: &str, pick: fn(&Gap) -> Spread| GapStep {

@@ -290,7 +290,7 @@ fn in_words(d: &Diagnosis) -> String {
     text
 }
 
-/// A name, of several joints with its joint.
+/// A name, of several joints with its joint, which counts from 0 here and from 1 in what is said.
 pub(crate) fn named(d: &Diagnosis, effect: &str, joint: Option<usize>) -> String {
     match joint.filter(|_| d.model.robot.joints.len() > 1) {
         Some(joint) => format!("{effect} {}", joint + 1),

@@ -52,7 +52,9 @@ impl Row {
         Self {
             machine: session.robot.name.clone(),
             verdict: d.verdict.name(),
-            names: found.map(|f| named(d, f.effect, f.joint)).collect(),
+            names: found
+                .map(|f| named(d, f.effect, f.joint.map(|joint| joint - 1)))
+                .collect(),
             errors_mm: [d.gap.start_mm, d.gap.end_mm, d.floor.mm],
         }
     }

@@ -114,8 +114,11 @@ pub(crate) fn extend(all: &mut Session, model: &Model, poses: &[NextPose], like:
         let last = setups.index[..n].last().copied().unwrap_or(0);
         setups.index[n..].fill(last);
     }
-    if let Some(held_out) = &mut samples.held_out {
-        held_out[n..].fill(false);
+    for marks in [&mut samples.held_out, &mut samples.excluded]
+        .into_iter()
+        .flatten()
+    {
+        marks[n..].fill(false);
     }
     // What a pose leaves open is as it was last.
     let fill =
@@ -182,8 +185,11 @@ pub(crate) fn measured_like(
     if let (Some(setups), Some(last)) = (&mut samples.setups, setup) {
         setups.index.fill(last);
     }
-    if let Some(held_out) = &mut samples.held_out {
-        held_out.fill(false);
+    for marks in [&mut samples.held_out, &mut samples.excluded]
+        .into_iter()
+        .flatten()
+    {
+        marks.fill(false);
     }
     for (i, (q, target)) in poses.iter().enumerate() {
         for (column, q) in samples.q.iter_mut().zip(*q) {

@@ -57,6 +57,17 @@ const ARGUMENTS: [&str; 6] = [
 ];
 
 #[test]
+fn the_table_names_effects_with_the_joints_that_were_hidden() {
+    let said = diagnose(&sessions(), &["arm"]);
+    assert!(said.status.success());
+    let table = String::from_utf8(said.stdout).unwrap();
+    assert!(
+        table.contains("backlash 2, encoder-eccentricity 3"),
+        "{table}"
+    );
+}
+
+#[test]
 fn a_line_for_each_session_in_the_order_given_and_a_bad_file_stops_nothing() {
     let folder = fleet();
     let ran = diagnose(folder.path(), &ARGUMENTS);

@@ -145,15 +145,16 @@ def coupling():
     )
 
 
-def wind_up():
-    """Joint 2 winds up under load and links; a sensor shows the torque, no file shows the masses."""
-    compliance = 1.5e-6
+def wound_up(q, load, k):
+    """Joint 2 winds up by 1.5 µrad per N m under load and links."""
+    theta = q.copy()
+    for _ in range(20):
+        theta[1] = q[1] + 1.5e-6 * torque(np.array([q[0], theta[1], q[2]]), 1, load, LINKS)
+    return theta
 
-    def effect(q, load, k):
-        theta = q.copy()
-        for _ in range(20):
-            theta[1] = q[1] + compliance * torque(np.array([q[0], theta[1], q[2]]), 1, load, LINKS)
-        return theta
+
+def wind_up():
+    """A sensor shows the torque of the joint that winds up, no file shows the masses."""
 
     def sensors(rng, q, load):
         shown = [
@@ -162,20 +163,12 @@ def wind_up():
         ]
         return {f"torque{j + 1}_nm": shown[j] for j in range(3)}
 
-    arm("measured-torque", 14, {"compliance_urad_per_nm": 1.5}, effect=effect, extra=sensors)
+    arm("measured-torque", 14, {"compliance_urad_per_nm": 1.5}, effect=wound_up, extra=sensors)
 
 
 def sag():
-    """Joint 2 gives under links and one load; no file shows a mass, no load changes."""
-    compliance = 1.5e-6
-
-    def effect(q, load, k):
-        theta = q.copy()
-        for _ in range(20):
-            theta[1] = q[1] + compliance * torque(np.array([q[0], theta[1], q[2]]), 1, load, LINKS)
-        return theta
-
-    arm("sag", 16, {"compliance_urad_per_nm": 1.5}, effect=effect, load=4.0)
+    """The joint winds up under one load; no file shows a mass, no load changes."""
+    arm("sag", 16, {"compliance_urad_per_nm": 1.5}, effect=wound_up, load=4.0)
 
 
 def eccentric():
