@@ -33,7 +33,7 @@ mod rows;
 mod session;
 mod settings;
 mod text;
-mod units;
+pub(crate) mod units;
 mod upwards;
 #[cfg(test)]
 mod watched;

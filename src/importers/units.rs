@@ -105,6 +105,7 @@ pub(crate) fn word(text: &str) -> Option<Word> {
         "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" | "micrometer" | "micrometers"
         | "micrometre" | "micrometres" => Word::Unit(Unit::Length(1e-3)),
         "in" | "inch" | "inches" | "zoll" | "\"" => Word::Unit(Unit::Length(25.4)),
+        "thou" | "mil" => Word::Unit(Unit::Length(0.0254)),
         "ft" | "foot" | "feet" => Word::Unit(Unit::Length(304.8)),
         "deg" | "degs" | "degree" | "degrees" | "\u{b0}" | "grad (\u{b0})" => {
             Word::Unit(Unit::Angle(degree))
@@ -113,6 +114,7 @@ pub(crate) fn word(text: &str) -> Option<Word> {
         "rad" | "radian" | "radians" => Word::Unit(Unit::Angle(1.0)),
         "mrad" | "milliradian" | "milliradians" => Word::Unit(Unit::Angle(1e-3)),
         "urad" | "\u{b5}rad" | "\u{3bc}rad" => Word::Unit(Unit::Angle(1e-6)),
+        "arcmin" | "arcminutes" | "arcminute" => Word::Unit(Unit::Angle(degree / 60.0)),
         "arcsec" | "arcseconds" | "arcsecond" | "\u{2033}" | "''" => {
             Word::Unit(Unit::Angle(degree / 3600.0))
         }

@@ -2,12 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use std::f64::consts::PI;
-
 use super::numbers::{
     NOTHING, decimals_of, fixed, notation, significant, trimmed, typed, with_interval,
 };
 use crate::fit::Estimate;
+use crate::importers::units::{Word, word};
+use crate::sessions::columns::Unit;
 use crate::units::{deg_from_rad, rad_from_deg};
 
 /// Unit of lengths on the screen.
@@ -152,37 +152,25 @@ impl Units {
     }
 }
 
-/// Units that may be typed: what they measure, in which unit that is, and what each is of it.
-const TYPED: [(&str, &[(&str, f64)]); 4] = [
-    (
-        "rad",
-        &[
-            ("rad", 1.0),
-            ("mrad", 1e-3),
-            ("µrad", 1e-6),
-            ("°", PI / 180.0),
-            ("deg", PI / 180.0),
-            ("arcmin", PI / 10_800.0),
-            ("arcsec", PI / 648_000.0),
-        ],
-    ),
-    (
-        "mm",
-        &[
-            ("mm", 1.0),
-            ("µm", 1e-3),
-            ("um", 1e-3),
-            ("cm", 10.0),
-            ("m", 1000.0),
-            ("in", MM_PER_INCH),
-            ("\"", MM_PER_INCH),
-            ("thou", 1e-3 * MM_PER_INCH),
-            ("mil", 1e-3 * MM_PER_INCH),
-        ],
-    ),
-    ("kg", &[("kg", 1.0), ("g", 1e-3), ("lb", 0.453_592_37)]),
-    ("s", &[("s", 1.0), ("ms", 1e-3), ("min", 60.0)]),
-];
+/// How many of the unit `into` one of this unit is; `None` where either is unknown, or they measure
+/// different things.
+fn factor(unit: &str, into: &str) -> Option<f64> {
+    let mass = |unit: &str| match unit {
+        "kg" => Some(1.0),
+        "g" => Some(1e-3),
+        "lb" => Some(0.453_592_37),
+        _ => None,
+    };
+    if let (Some(own), Some(wanted)) = (mass(unit), mass(into)) {
+        return Some(own / wanted);
+    }
+    match (word(unit)?, word(into)?) {
+        (Word::Unit(Unit::Length(own)), Word::Unit(Unit::Length(wanted)))
+        | (Word::Unit(Unit::Angle(own)), Word::Unit(Unit::Angle(wanted)))
+        | (Word::Time(own), Word::Time(wanted)) => Some(own / wanted),
+        _ => None,
+    }
+}
 
 /// A number as it was typed, in the unit `into`; its unit is `usual` unless another of the same
 /// quantity stands behind it. What is wrong with it otherwise.
@@ -192,40 +180,25 @@ const TYPED: [(&str, &[(&str, f64)]); 4] = [
 pub fn typed_in(text: &str, usual: &str, into: &str) -> Result<f64, String> {
     let text = text.trim();
     if let Some(value) = typed(text) {
-        let factor = |unit: &str| {
-            let mut all = TYPED.iter().flat_map(|(_, units)| units.iter());
-            all.find(|(name, _)| *name == unit).map_or(1.0, |u| u.1)
-        };
-        return Ok(if usual == into {
-            value
-        } else {
-            value * (factor(usual) / factor(into))
-        });
-    }
-    let text = text.replace('μ', "µ");
-    let quantity = TYPED
-        .iter()
-        .find(|(_, all)| all.iter().any(|u| u.0 == into));
-    let units = quantity.map_or(&[][..], |(_, units)| units);
-    let own = units.iter().find(|(name, _)| *name == into);
-    let read = |(name, factor): &(&str, f64)| {
-        let value = typed(text.strip_suffix(name)?)?;
-        Some(value * (factor / own.map_or(1.0, |u| u.1)))
-    };
-    if let Some(value) = units.iter().find_map(read) {
-        return Ok(value);
+        return Ok(value * factor(usual, into).filter(|_| usual != into).unwrap_or(1.0));
     }
     let number = text.trim_end_matches(|c: char| !c.is_ascii_digit());
-    if typed(number).is_none() {
-        return Err(format!("'{text}' is no number"));
-    }
+    let value = typed(number).ok_or_else(|| format!("'{text}' is no number"))?;
     let unit = text[number.len()..].trim();
-    let known: Vec<&str> = units.iter().map(|(name, _)| *name).collect();
-    Err(if known.is_empty() {
-        format!("'{unit}' after the number: this one has no unit")
-    } else {
-        format!("'{unit}' is no unit here; known are {}", known.join(", "))
-    })
+    let known = [
+        "mm, µm, m, in, thou",
+        "°, rad, mrad, arcsec",
+        "kg, g, lb",
+        "s, ms, min",
+    ];
+    let known = known
+        .iter()
+        .find(|all| factor(all.split(", ").next().unwrap_or(""), into).is_some());
+    match (factor(unit, into), known) {
+        (Some(factor), _) => Ok(value * factor),
+        (None, Some(known)) => Err(format!("'{unit}' is no unit here; known are {known}")),
+        (None, None) => Err(format!("'{unit}' after the number: this one has no unit")),
+    }
 }
 
 #[cfg(test)]

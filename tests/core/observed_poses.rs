@@ -189,3 +189,14 @@ fn poses_that_are_proposed_for_sockets_are_in_them() {
         );
     }
 }
+
+/// The ways of measuring are taken from the first samples of each; that a person took these out says
+/// nothing of the poses to come.
+#[test]
+fn poses_are_proposed_though_the_samples_they_are_like_were_excluded() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/observations");
+    let mut session = load(folder.join("six-socket.json")).unwrap().session;
+    let out = (0..session.samples.len()).map(|sample| sample < 12);
+    session.samples.excluded = Some(out.collect());
+    assert!(!diagnosed(&session).next_poses.is_empty());
+}
