@@ -15,6 +15,7 @@ use super::preferences::Preferences;
 use super::units::write_numbers;
 use super::view::{Arrangement, Canvas, Sheet};
 use super::{actions, dialogs, files, layers, widgets};
+use crate::gui::core::compensated::Wanted;
 use crate::gui::jobs::{Jobs, Runner};
 use crate::gui::style::font_fallback::Alphabet;
 use crate::gui::style::tokens::{self, Palette, space};
@@ -178,10 +179,8 @@ impl App {
 
     /// Corrects the targets of a file, as if it had been chosen.
     pub fn compensate(&mut self, path: &Path) {
-        self.workbench.execute(Command::Compensate {
-            path: path.to_path_buf(),
-            load_kg: 0.0,
-        });
+        let wanted = Wanted::new(path.to_path_buf());
+        self.workbench.execute(Command::Compensate(wanted));
     }
 
     /// The same as [`App::type_export_path`] for corrected targets.

@@ -42,6 +42,14 @@ fn a_program_is_corrected_shown_side_by_side_and_saved() {
         .find(|l| l.contains("jointtarget j1"))
         .expect("a target");
     window.get_by_label(target.trim());
+    press(
+        &mut window,
+        "the measuring frame is the robot's base (--measured-frame)",
+    );
+    assert!(says(
+        &window,
+        "is the frame in which the session was measured"
+    ));
 
     let path = folder.path().join("cell-corrected.mod");
     window.state_mut().type_targets_path(&path);

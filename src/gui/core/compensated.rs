@@ -13,12 +13,31 @@ use crate::sessions::files::read_document;
 /// No robot carries more, kg.
 pub(crate) const MOST_KG: f64 = 10_000.0;
 
-/// A file of targets, and what became of it.
-#[derive(Debug, Clone)]
-pub(crate) struct Compensated {
+/// What is to be corrected, and how.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Wanted {
     pub(crate) path: PathBuf,
     /// Load at the tool's origin where the file says none, kg.
     pub(crate) load_kg: f64,
+    /// Whether the frame in which the session was measured is the robot's base.
+    pub(crate) measured_frame: bool,
+}
+
+impl Wanted {
+    /// Without a load, in the base frame.
+    pub(crate) fn new(path: PathBuf) -> Self {
+        Self {
+            path,
+            load_kg: 0.0,
+            measured_frame: false,
+        }
+    }
+}
+
+/// A file of targets, and what became of it.
+#[derive(Debug, Clone)]
+pub(crate) struct Compensated {
+    pub(crate) wanted: Wanted,
     /// What was made of it, or why nothing was, a line for each problem.
     pub(crate) result: Result<Corrected, Vec<String>>,
 }
@@ -47,34 +66,31 @@ pub(crate) struct Changed {
 
 impl Compensated {
     /// Reads and corrects a file; `model` is what the model's file is called.
-    pub(crate) fn of(calibration: &Calibration, model: &str, path: PathBuf, load_kg: f64) -> Self {
-        let result = corrected(calibration, model, &path, load_kg);
-        Self {
-            path,
-            load_kg,
-            result,
-        }
+    pub(crate) fn of(calibration: &Calibration, model: &str, wanted: Wanted) -> Self {
+        let result = corrected(calibration, model, &wanted);
+        Self { wanted, result }
     }
 
     /// Where the corrected file is saved unless the user says otherwise.
     pub(crate) fn proposed_path(&self) -> PathBuf {
-        let stem = self.path.file_stem().unwrap_or_default();
+        let path = &self.wanted.path;
+        let stem = path.file_stem().unwrap_or_default();
         let mut name = stem.to_os_string();
         name.push("-compensated");
-        if let Some(extension) = self.path.extension() {
+        if let Some(extension) = path.extension() {
             name.push(".");
             name.push(extension);
         }
-        self.path.with_file_name(name)
+        path.with_file_name(name)
     }
 }
 
 fn corrected(
     calibration: &Calibration,
     model: &str,
-    path: &Path,
-    load_kg: f64,
+    wanted: &Wanted,
 ) -> Result<Corrected, Vec<String>> {
+    let path: &Path = &wanted.path;
     let lines = |error: &dyn std::fmt::Display| -> Vec<String> {
         error.to_string().lines().map(str::to_owned).collect()
     };
@@ -92,11 +108,11 @@ fn corrected(
         bytes: &bytes,
         language,
         file: Some(path),
-        load_kg,
+        load_kg: wanted.load_kg,
         start: None,
         frame: None,
         tool: None,
-        measured_frame: false,
+        measured_frame: wanted.measured_frame,
     })
     .map_err(|error| lines(&error))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();

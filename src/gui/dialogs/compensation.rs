@@ -4,7 +4,7 @@
 use egui::{Align, DragValue, Layout, RichText, ScrollArea, Ui};
 use egui_extras::{Column, TableBuilder};
 
-use crate::gui::core::compensated::{Changed, Compensated, Corrected, MOST_KG};
+use crate::gui::core::compensated::{Changed, Corrected, MOST_KG, Wanted};
 use crate::gui::style::tokens::{Palette, size, strong};
 use crate::gui::view::What;
 use crate::gui::widgets;
@@ -27,9 +27,9 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
         return commands.push(Command::Sheet(None));
     };
     ui.set_width(WIDE.min(ui.ctx().content_rect().width() - 96.0));
-    let name = compensated.path.file_name().unwrap_or_default();
+    let name = compensated.wanted.path.file_name().unwrap_or_default();
     widgets::heading(ui, &format!("Compensate {}", name.to_string_lossy()));
-    load(ui, compensated, commands);
+    asked(ui, &compensated.wanted, commands);
     match &compensated.result {
         Err(problems) => {
             for problem in problems.iter().take(MOST_LEFT) {
@@ -49,18 +49,19 @@ pub(super) fn show(ui: &mut Ui, workbench: &Workbench, commands: &mut Vec<Comman
     }
 }
 
-/// The load where the file says none: what a robot carries bends it.
-fn load(ui: &mut Ui, compensated: &Compensated, commands: &mut Vec<Command>) {
-    let mut load_kg = compensated.load_kg;
-    let field = DragValue::new(&mut load_kg)
+/// The load where the file says none, as what a robot carries bends it, and which frame is the base.
+fn asked(ui: &mut Ui, before: &Wanted, commands: &mut Vec<Command>) {
+    let mut wanted = before.clone();
+    let field = DragValue::new(&mut wanted.load_kg)
         .range(0.0..=MOST_KG)
         .speed(0.1)
         .suffix(" kg")
         .update_while_editing(false);
     widgets::number(ui, "load where the file says none", "kg", field);
-    if load_kg.to_bits() != compensated.load_kg.to_bits() {
-        let path = compensated.path.clone();
-        commands.push(Command::Compensate { path, load_kg });
+    let says = "the measuring frame is the robot's base (--measured-frame)";
+    ui.checkbox(&mut wanted.measured_frame, says);
+    if wanted != *before {
+        commands.push(Command::Compensate(wanted));
     }
 }
 

@@ -96,3 +96,11 @@ fn output_of(color: vec4f, coverage: f32) -> vec4f {
     let alpha = color.a * coverage;
     return vec4f(rgb * alpha, alpha);
 }
+
+// One triangle that covers the whole plot.
+@vertex
+fn everywhere(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4f {
+    let x = select(-1.0, 3.0, corner == 1u);
+    let y = select(-1.0, 3.0, corner == 2u);
+    return vec4f(x, y, 0.0, 1.0);
+}

@@ -3,13 +3,6 @@
 
 @group(1) @binding(0) var cells: texture_2d<f32>;
 
-@vertex
-fn everywhere(@builtin(vertex_index) corner: u32) -> @builtin(position) vec4f {
-    let x = select(-1.0, 3.0, corner == 1u);
-    let y = select(-1.0, 3.0, corner == 2u);
-    return vec4f(x, y, 0.0, 1.0);
-}
-
 fn cell(x: i32, y: i32) -> vec4f {
     return textureLoad(cells, vec2i(x, y), 0);
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use crate::gui::core::boundary_entry::End;
+use crate::gui::core::compensated::Wanted;
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::Component;
 use crate::gui::core::setup::SetupForm;
@@ -91,11 +92,7 @@ pub(crate) enum Command {
     /// Ask for a table of targets or a robot program to be corrected.
     ChooseTargets,
     /// Correct its targets by the model that is shown, and show what changes.
-    Compensate {
-        path: PathBuf,
-        /// Load where the file says none.
-        load_kg: f64,
-    },
+    Compensate(Wanted),
     /// Divide the joint's range where the samples ask for it.
     Adapt,
     /// What is being typed for an end of a region; `None`: what the document says.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::gui::core::compensated::{Compensated, MOST_KG};
+use crate::gui::core::compensated::{Compensated, MOST_KG, Wanted};
 use crate::gui::files;
 use crate::gui::jobs::{Kind, Watch};
 use crate::gui::view::{Sheet, What};
@@ -22,27 +22,34 @@ impl Workbench {
         let ask = move || files::choose_targets(beside.as_deref());
         self.choose("waiting for a file to be chosen", ask, |bench, path| {
             if let Some(path) = path {
-                bench.execute(Command::Compensate { path, load_kg: 0.0 });
+                bench.execute(Command::Compensate(Wanted::new(path)));
             }
         });
     }
 
     /// Corrects the targets of a file by the model that is shown.
-    pub(super) fn compensate(&mut self, path: PathBuf, load_kg: f64) {
+    pub(super) fn compensate(&mut self, mut wanted: Wanted) {
         let (Some(outcome), Some(_)) = (self.outcome.clone(), self.answer()) else {
             return self.complain(
                 "There is no model to correct targets by",
                 vec!["Identify the robot first, or open a model".to_owned()],
             );
         };
-        let load_kg = load_kg.clamp(0.0, MOST_KG);
-        let load_kg = if load_kg.is_nan() { 0.0 } else { load_kg };
+        // What is typed is within the field's range; a command need not be.
+        wanted.load_kg = match wanted.load_kg {
+            load if load.is_nan() => 0.0,
+            load => load.clamp(0.0, MOST_KG),
+        };
         let model = self.name_of(What::Model);
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let name = wanted
+            .path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy();
         let says = format!("correcting the targets of {name}");
         let work = move |_: &Watch| {
             let answer = outcome.answer.as_ref().ok()?;
-            Some(Compensated::of(&answer.calibration, &model, path, load_kg))
+            Some(Compensated::of(&answer.calibration, &model, wanted))
         };
         self.jobs
             .start(Kind::Once, says, work, |bench: &mut Self, compensated| {
@@ -62,7 +69,7 @@ impl Workbench {
             );
         };
         let mut inputs = self.inputs();
-        inputs.push(compensated.path.clone());
+        inputs.push(compensated.wanted.path.clone());
         let says = format!("writing {}", path.display());
         let work = move |_: &Watch| files::write_targets(&compensated, &path, replace, &inputs);
         self.jobs

@@ -221,7 +221,7 @@ impl Workbench {
                 self.export_to(what, self.placed(&path), replace);
             }
             Command::ChooseTargets => self.choose_targets(),
-            Command::Compensate { path, load_kg } => self.compensate(path, load_kg),
+            Command::Compensate(wanted) => self.compensate(wanted),
             Command::Simulate(form) => {
                 if let Some(problem) = form.problem() {
                     self.complain("The simulation needs other numbers", vec![problem]);

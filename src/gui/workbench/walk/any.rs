@@ -11,6 +11,7 @@ use crate::effects::CATALOGUE;
 use crate::export::EXPORTERS;
 use crate::gui::charts::CHARTS;
 use crate::gui::core::boundary_entry::{End, Joint};
+use crate::gui::core::compensated::Wanted;
 use crate::gui::core::document::{ExportChoice, Method};
 use crate::gui::core::edit::Edit;
 use crate::gui::core::loaded_session::{Component, Subject};
@@ -319,10 +320,11 @@ fn look(random: &mut ChaCha8Rng) -> Command {
 
 /// Of files that hold no targets as well, under loads that are none.
 fn compensation(random: &mut ChaCha8Rng, files: &Files) -> Command {
-    Command::Compensate {
-        path: files.any(random),
+    Command::Compensate(Wanted {
         load_kg: angle(random),
-    }
+        measured_frame: random.random(),
+        ..Wanted::new(files.any(random))
+    })
 }
 
 /// Another way to look at the workspace, or another pose of its robot.
